@@ -32,6 +32,13 @@ const char* const data_set_help =
     "streets:FIRST-LAST, streets-32:FIRST-LAST, streets-16:FIRST-LAST or "
     "streets-livox:FIRST-LAST (a street around a lidar with 64, 32 or 16 beams or a "
     "rosette, by seed), "
+    "airborne:FIRST-LAST (hills, woods and roofs from above, by seed), "
+    "streets-hills:FIRST-LAST (a street on hills with bushes, by seed), "
+    "tables:FIRST-LAST (a flat table whose depth is bent, by seed), "
+    "plaster:FIRST-LAST (a room of wavy walls, by seed), "
+    "slabs:FIRST-LAST (a thin wall and a board seen from both sides, by seed), "
+    "missing:FIRST-LAST (rooms with readings at zero, by seed), "
+    "rooms-kinect:FIRST-LAST (rooms with depth in steps, by seed), "
     "clouds:PATH (.pcd, .ply, .las and text, field label as truth; a folder is a data "
     "set of its name), "
     "real:PATH or real-instances:PATH (field label or instance as truth, which field "
@@ -49,26 +56,39 @@ namespace fs = std::filesystem;
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
 {
-  const auto labeled = simulation::simulate (simulation).cloud;
+  const auto [labeled, planes, is_ignored] = simulation::simulate (simulation);
   const XyzCloud::Ptr cloud (new XyzCloud);
   pcl::copyPointCloud (labeled, *cloud);
   PlaneLabels labels;
   for (const auto& point : labeled)
     labels.push_back (point.label);
-  return finiteOf (cloud, labels);
+  EvaluationCloud finite = finiteOf (cloud, labels);
+  if (!is_ignored.empty())
+    for (const pcl::index_t i : finitePointsOf (*cloud))
+      finite.is_ignored.push_back (is_ignored[std::size_t (i)]);
+  return finite;
 }
+
+using simulation::DepthProfile;
 
 const struct Scenes {
   const char *name, *scene, *sensor = "";
-  bool has_raw_depth = false;
+  DepthProfile profile = DepthProfile::Correlated;
 } all_scenes[] = {{"rooms", "room"},
-                  {"rooms-raw", "room", "", true},
+                  {"rooms-raw", "room", "", DepthProfile::Raw},
+                  {"rooms-kinect", "room", "", DepthProfile::Kinect},
+                  {"missing", "missing"},
+                  {"tables", "table"},
+                  {"plaster", "plaster"},
+                  {"slabs", "slabs"},
+                  {"airborne", "airborne"},
                   {"furniture", "furniture"},
                   {"survey", "survey"},
                   {"shapes", "shapes"},
                   {"streets", "street", "lidar-64"},
                   {"streets-32", "street", "lidar-32"},
                   {"streets-16", "street", "lidar-16"},
+                  {"streets-hills", "street-hills", "lidar-64-level"},
                   {"streets-livox", "street", "livox"}};
 
 /** Noise and the unevenness of grounds grow with how far is looked [m]. */
@@ -98,10 +118,11 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   DataSet clouds;
   simulation::Simulation simulation;
   simulation.scene = scenes.scene;
-  simulation.has_raw_depth = scenes.has_raw_depth;
+  simulation.profile = scenes.profile;
   simulation.sensor = scenes.sensor;
-  simulation.organized = simulation.scene == "room" || simulation.scene == "furniture";
   const double thick_length = thickLengthOf (scenes);
+  const std::set<std::string> images = {"room", "furniture", "table", "missing"};
+  simulation.organized = images.count (simulation.scene) > 0;
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     simulation.seed = first + i;
     clouds.push_back ({scenes.name,
