@@ -76,14 +76,15 @@ declareScene (CommandLine& line, SimulationOptions& options)
              "table",
              "plaster",
              "slabs",
-             "missing"})
+             "missing",
+             "room-kinect"})
       .help ("a room, a corner of one with boards on posts, 36 houses on a ground, "
              "round shapes beside a ground, terraces of houses in tiles of .las, "
              "a camera's way through a room, a street around a lidar, "
              "a lidar's way along a street, hills, woods and roofs from above, "
              "a street on hills with bushes, a table whose depth is bent, "
              "a room of wavy walls, a thin wall and a board from both sides, "
-             "a room with readings at zero (room)");
+             "a camera's image with readings at zero, one with depth in steps (room)");
   line.add ("seed S",
             simulation.seed,
             from (0).upTo (std::numeric_limits<std::uint32_t>::max()))
@@ -114,9 +115,8 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.add ("height H", simulation.camera.height, image_size).help ("rows (480)");
   line.add ("noise X", simulation.noise, from (0).upTo (10))
       .help ("factor on the noise (1)");
-  line.add ("profile", options.profile, {"correlated", "raw", "kinect"})
-      .help ("the noise: smoothed depth, raw depth, smoothed depth in steps of 6.5 "
-             "to 8 cm at 5 m (correlated)");
+  line.add ("profile", options.profile, {"correlated", "raw"})
+      .help ("the noise: smoothed depth, raw depth (correlated)");
   std::vector<std::string> lidars;
   for (const Lidar& lidar : known_lidars)
     lidars.push_back (lidar.name);
@@ -152,7 +152,7 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   refuse ("points", is_walk, "is not for --scene walk; give --width, --height");
   refuse ("points", has_lidar, "is not for --scene " + scene + "; give --sensor");
   refuse ("points",
-          options.isOfAny ({"street-hills", "table", "missing"}),
+          options.isOfAny ({"street-hills", "table", "missing", "room-kinect"}),
           "is not for --scene " + scene + "; leave it out");
   refuse ("tiles", !is_town, "is about --scene town; leave it out");
   refuse ("points",
@@ -161,7 +161,7 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   if (!options.isOfAny (scenes_of_files) && extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
   const bool is_room = options.isOfAny ({"room", "furniture", "walk", "missing"});
-  const bool has_camera = is_room || scene == "table";
+  const bool has_camera = is_room || options.isOfAny ({"table", "room-kinect"});
   const bool has_rays = has_camera || has_lidar || scene == "street-hills";
   for (const auto& [option, is_right] : {std::pair{"width", has_camera},
                                          {"height", has_camera},
@@ -309,9 +309,7 @@ run (int argc, const char* const* argv)
   if (!line.parse (argc, argv)) // the answer was --help or --version
     return ExitCode::done;
   checkOptions (line, options);
-  options.simulation.profile = options.profile == "raw"      ? DepthProfile::Raw
-                               : options.profile == "kinect" ? DepthProfile::Kinect
-                                                             : DepthProfile::Correlated;
+  options.simulation.has_raw_depth = options.profile == "raw";
   options.isOfAny (scenes_of_files) ? runFiles (options) : runCloud (options);
   return ExitCode::done;
 }

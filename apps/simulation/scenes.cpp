@@ -24,8 +24,8 @@ siteOf (const Simulation& simulation)
 CameraNoise
 noiseOf (const Simulation& simulation)
 {
-  CameraNoise noise{simulation.noise, simulation.profile == DepthProfile::Raw};
-  if (simulation.profile == DepthProfile::Kinect)
+  CameraNoise noise{simulation.noise, simulation.has_raw_depth};
+  if (simulation.scene == "room-kinect")
     noise.quantization = drawQuantization (simulation.seed);
   return noise;
 }
@@ -100,21 +100,35 @@ simulateSlabs (const Simulation& simulation)
                     simulation.seed);
 }
 
-/** A room turned as it is, with the camera at the origin: there are the zeros. */
+/** Surfaces of a scene as a sensor sees them.
+ * \param[in] pose from the sensor's frame to that of the scene */
+std::vector<Plane>
+planesSeenFrom (const Isometry3d& pose, Scene scene)
+{
+  const Isometry3d to_sensor = pose.inverse();
+  for (Body& body : scene.bodies)
+    for (Shape& shape : body.shapes) {
+      shape.center = to_sensor * shape.center;
+      shape.u = to_sensor.linear() * shape.u;
+      shape.v = to_sensor.linear() * shape.v;
+    }
+  return surfacePlanes (scene);
+}
+
+/** A room in the frame of the camera, as drivers give it: steps of depth are steps of a
+ * coordinate, and missing readings are at the origin. */
 SimulatedCloud
-simulateMissing (const Simulation& simulation)
+simulateImage (const Simulation& simulation)
 {
   const SensorView view = viewOf (simulation);
-  Isometry3d turned = view.poses[0];
-  turned.translation().setZero();
-  Scene moved = view.scene;
-  for (Body& body : moved.bodies)
-    for (Shape& shape : body.shapes)
-      shape.center -= view.poses[0].translation();
   Scan scan = view.scan (0);
-  zeroReadings (scan, missingShare (simulation.seed), simulation.seed);
-  return labeledBySize (toSurfaceCloud (scan, turned, simulation.organized),
-                        surfacePlanes (moved));
+  if (simulation.scene == "missing")
+    zeroReadings (scan, missingShare (simulation.seed), simulation.seed);
+  SimulatedCloud image = labeledBySize (
+      toSurfaceCloud (scan, Isometry3d::Identity(), simulation.organized),
+      planesSeenFrom (view.poses[0], view.scene));
+  image.up = view.poses[0].linear().transpose() * Vector3d::UnitZ();
+  return image;
 }
 
 /** Scenes that are not seen by \ref viewOf alone. */
@@ -128,7 +142,8 @@ constexpr struct {
                            {"table", simulateTable},
                            {"plaster", simulatePlaster},
                            {"slabs", simulateSlabs},
-                           {"missing", simulateMissing}};
+                           {"missing", simulateImage},
+                           {"room-kinect", simulateImage}};
 
 Isometry3d
 drawError (Random& random, double size)

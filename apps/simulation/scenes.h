@@ -137,18 +137,11 @@ constexpr double shapes_sigma = 0.002;
 SimulatedCloud
 simulateShapes (std::size_t points, double noise, Seed seed);
 
-enum class DepthProfile {
-  Correlated,
-  Raw,
-  /** Correlated, and in steps that are 6.5 to 8 cm at 5 m, by the seed. */
-  Kinect
-};
-
 struct Simulation {
   std::string scene = "room";
   Seed seed = 1;
   DepthCamera camera = {}; // of rooms, corners with furniture, walks and tables
-  DepthProfile profile = DepthProfile::Correlated;
+  bool has_raw_depth = false;
   std::string sensor = "lidar-64"; // of streets and drives
   double noise = 1.0;
   /** Of scans from everywhere; none: as many as usual, and rooms are seen by the

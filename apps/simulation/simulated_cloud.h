@@ -18,6 +18,7 @@ struct SimulatedCloud {
   /** Of each point whether its truth is unknown, as on hilly ground: any answer is
    * right there. Empty: all are known. */
   std::vector<char> is_ignored = {};
+  Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
 };
 
 /** Stands in for a surface where it is no plane, but parts of it may be called one. */

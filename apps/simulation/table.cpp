@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "table.h"
 
+#include <utility>
+
 namespace pcl_ops::simulation {
 
 namespace {
@@ -75,8 +77,11 @@ scanTable (const Table& table,
       const double bend = table.bend * errorAt (camera, column, row);
       depth = disturbed (depth, bend, table, noise, random);
     }
-  return labeledBySize (toSurfaceCloud (toScan (image, camera), pose, organized),
-                        surfacePlanes (scene));
+  SimulatedCloud result = labeledBySize (
+      toSurfaceCloud (toScan (std::move (image), camera), pose, organized),
+      surfacePlanes (scene));
+  result.up = -table.top().normal(); // towards the camera
+  return result;
 }
 
 } // namespace pcl_ops::simulation

@@ -12,6 +12,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
+#include <simulation/airborne.h>
 #include <simulation/scenes.h>
 
 #include <filesystem>
@@ -56,27 +57,28 @@ namespace fs = std::filesystem;
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
 {
-  const auto [labeled, planes, is_ignored] = simulation::simulate (simulation);
+  const simulation::SimulatedCloud labeled = simulation::simulate (simulation);
   const XyzCloud::Ptr cloud (new XyzCloud);
-  pcl::copyPointCloud (labeled, *cloud);
+  pcl::copyPointCloud (labeled.cloud, *cloud);
   PlaneLabels labels;
-  for (const auto& point : labeled)
+  for (const auto& point : labeled.cloud)
     labels.push_back (point.label);
   EvaluationCloud finite = finiteOf (cloud, labels);
-  if (!is_ignored.empty())
+  finite.up = labeled.up;
+  if (!labeled.is_ignored.empty())
     for (const pcl::index_t i : finitePointsOf (*cloud))
-      finite.is_ignored.push_back (is_ignored[std::size_t (i)]);
+      finite.is_ignored.push_back (labeled.is_ignored[std::size_t (i)]);
+  if (simulation.scene == "airborne")
+    finite.min_plane_points = simulation::min_points_of_roof;
   return finite;
 }
 
-using simulation::DepthProfile;
-
 const struct Scenes {
   const char *name, *scene, *sensor = "";
-  DepthProfile profile = DepthProfile::Correlated;
+  bool has_raw_depth = false;
 } all_scenes[] = {{"rooms", "room"},
-                  {"rooms-raw", "room", "", DepthProfile::Raw},
-                  {"rooms-kinect", "room", "", DepthProfile::Kinect},
+                  {"rooms-raw", "room", "", true},
+                  {"rooms-kinect", "room-kinect"},
                   {"missing", "missing"},
                   {"tables", "table"},
                   {"plaster", "plaster"},
@@ -118,10 +120,11 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   DataSet clouds;
   simulation::Simulation simulation;
   simulation.scene = scenes.scene;
-  simulation.profile = scenes.profile;
+  simulation.has_raw_depth = scenes.has_raw_depth;
   simulation.sensor = scenes.sensor;
   const double thick_length = thickLengthOf (scenes);
-  const std::set<std::string> images = {"room", "furniture", "table", "missing"};
+  const std::set<std::string> images = {
+      "room", "room-kinect", "furniture", "table", "missing"};
   simulation.organized = images.count (simulation.scene) > 0;
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     simulation.seed = first + i;

@@ -120,7 +120,8 @@ truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters)
     return PlaneLabels (cloud.cloud->size(), 0);
   PlaneLabels labels =
       cloud.truth ? *cloud.truth : growRegions (*cloud.cloud, parameters.neighbors);
-  dropSmallPlanes (labels, parameters.min_points);
+  const std::size_t usual = parameters.min_points;
+  dropSmallPlanes (labels, std::min (usual, cloud.min_plane_points.value_or (usual)));
   return labels;
 }
 

@@ -24,7 +24,8 @@ struct Kind {
   SimulatedCloud
   simulated (std::uint32_t seed, double noise = 1.0, bool organized = false) const
   {
-    return simulate ({scene, seed, {160, 120}, {}, sensor, noise, points, organized});
+    return simulate (
+        {scene, seed, {160, 120}, false, sensor, noise, points, organized});
   }
 };
 
@@ -43,7 +44,8 @@ const std::vector<Kind> kinds = {
     {"table", std::nullopt, rounding, 0.0, 1},
     {"plaster", 5000, rounding, 0.0, 6},
     {"slabs", 5000, rounding, slabs_sigma, 6},
-    {"missing", std::nullopt, rounding, 0.0, 5}};
+    {"missing", std::nullopt, rounding, 0.0, 5},
+    {"room-kinect", std::nullopt, rounding, 0.0, 5}};
 
 bool
 haveSamePoints (const LabeledCloud& a, const LabeledCloud& b)

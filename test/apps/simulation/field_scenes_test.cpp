@@ -249,31 +249,35 @@ TEST (Missing, SharesAreThoseOfTheSeedToAPoint)
   }
 }
 
-TEST (Missing, OtherReadingsAreThoseOfTheRoom)
+TEST (Missing, OtherReadingsAreThoseOfTheRoomInTheCamerasFrame)
 {
   const SimulatedCloud missing = simulate ({"missing", 6, {160, 120}});
   const SimulatedCloud room = simulate ({"room", 6, {160, 120}});
   ASSERT_EQ (missing.cloud.size(), room.cloud.size());
+  const Eigen::Quaternionf& camera = room.cloud.sensor_orientation_;
   const Eigen::Vector3f eye = room.cloud.sensor_origin_.head<3>();
   for (std::size_t i = 0; i < room.cloud.size(); ++i) {
     const Eigen::Vector3f point = missing.cloud[i].getVector3fMap();
-    const Eigen::Vector3f expected = room.cloud[i].getVector3fMap() - eye;
-    EXPECT_TRUE (point.isZero (0.0f) || (point - expected).norm() < 2.0 * rounding);
+    const Eigen::Vector3f in_room = camera * point + eye;
+    EXPECT_TRUE (point.isZero (0.0f) ||
+                 (in_room - room.cloud[i].getVector3fMap()).norm() < 5.0 * rounding);
   }
+  EXPECT_LT ((camera * missing.up.cast<float>() - Eigen::Vector3f::UnitZ()).norm(),
+             1e-6);
 }
 
-TEST (Kinect, DepthsOfARoomLieOnSteps)
+TEST (RoomKinect, DepthsLieOnStepsOfSomeCentimetersAtFiveMeters)
 {
   for (Seed seed = 1; seed <= 5; ++seed) {
-    Simulation simulation{"room", seed, {160, 120}, DepthProfile::Kinect};
-    const double quantization = drawQuantization (seed);
-    const double step = 5.0 * 5.0 / quantization;
-    EXPECT_GE (step, 0.065);
-    EXPECT_LE (step, 0.08);
-    for (const Vector3d& point : viewOf (simulation).scan (0).points) {
-      const double number = quantization / point.z();
-      EXPECT_TRUE (std::isnan (number) ||
-                   std::abs (number - std::round (number)) < 1e-9);
+    const double quantization = drawQuantization (seed); // z^2 over the step at z
+    EXPECT_GE (5.0 * 5.0 / quantization, 0.065);
+    EXPECT_LE (5.0 * 5.0 / quantization, 0.08);
+    std::set<float> depths;
+    for (const auto& point : simulate ({"room-kinect", seed, {160, 120}}).cloud) {
+      const double number = quantization / point.z;
+      EXPECT_NEAR (number, std::round (number), 1e-3);
+      depths.insert (point.z);
     }
+    EXPECT_GT (depths.size(), 50u);
   }
 }
