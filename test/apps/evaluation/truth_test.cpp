@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace {
 
@@ -98,3 +99,30 @@ TEST (Truth, IsTheExactOneButForSmallPlanesOrGrown)
 }
 
 } // namespace
+
+TEST (SimulatedDataSet, SaysWhichPointsOfHillsAreUnknownAndAsksForSmallRoofs)
+{
+  const EvaluationCloud hills = dataSetOf ("airborne:2").at (0).load();
+  ASSERT_EQ (hills.is_ignored.size(), hills.cloud->size());
+  const PlaneLabels labels = truthOf (hills, {});
+  std::map<std::uint32_t, int> points;
+  int ignored = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    ++points[labels[i]];
+    ignored += hills.is_ignored[i] != 0;
+    EXPECT_TRUE (hills.is_ignored[i] == 0 || labels[i] == 0);
+  }
+  EXPECT_GT (ignored, int (hills.cloud->size() / 2));
+  int small_roofs = 0;
+  for (const auto& [label, count] : points)
+    small_roofs += label > 0 && count < int (TruthParameters().min_points);
+  EXPECT_GT (small_roofs, 0);
+}
+
+TEST (SimulatedDataSet, IsLevelByTheUpAxisAlsoInACamerasFrame)
+{
+  const EvaluationCloud image = dataSetOf ("rooms-kinect:1").at (0).load();
+  ASSERT_TRUE (image.image);
+  EXPECT_LT (image.up.y(), -0.8); // y points down in such a frame
+  EXPECT_NEAR (image.up.norm(), 1.0, 1e-9);
+}
