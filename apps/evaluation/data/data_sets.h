@@ -29,7 +29,9 @@ constexpr double usual_thick_length = 0.03;
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
   std::optional<PlaneLabels> truth; // exact, if there is one
-  Vector3d up = Vector3d::UnitZ();  // against gravity, of length 1
+  /** In place of a larger \ref TruthParameters::min_points: these are to be found. */
+  std::optional<std::size_t> min_plane_points = std::nullopt;
+  Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
   /** The organized cloud whose finite points these are, if any. */
   XyzCloud::ConstPtr image = nullptr;
   /** Of each point, whether its truth is unknown; empty: all are known. */
