@@ -55,14 +55,10 @@ struct SimulationOptions {
 constexpr double max_points = 1e7, max_points_of_town = 1e12;
 
 void
-declareScene (CommandLine& line, SimulationOptions& options)
+declareSceneName (CommandLine& line, std::string& scene)
 {
-  Simulation& simulation = options.simulation;
-  line.addArgument ("OUTPUT.pcd",
-                    options.output,
-                    "the cloud to write (binary); of town, walk and drive the folder");
   line.add ("scene",
-            simulation.scene,
+            scene,
             {"room",
              "furniture",
              "survey",
@@ -85,6 +81,16 @@ declareScene (CommandLine& line, SimulationOptions& options)
              "a street on hills with bushes, a table whose depth is bent, "
              "a room of wavy walls, a thin wall and a board from both sides, "
              "a camera's image with readings at zero, one with depth in steps (room)");
+}
+
+void
+declareScene (CommandLine& line, SimulationOptions& options)
+{
+  Simulation& simulation = options.simulation;
+  line.addArgument ("OUTPUT.pcd",
+                    options.output,
+                    "the cloud to write (binary); of town, walk and drive the folder");
+  declareSceneName (line, simulation.scene);
   line.add ("seed S",
             simulation.seed,
             from (0).upTo (std::numeric_limits<std::uint32_t>::max()))
@@ -128,6 +134,24 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.add ("quiet", options.quiet).help ("print nothing");
 }
 
+/** Which scenes have a camera's image, its noise, or rays. */
+void
+checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
+{
+  const bool is_room = options.isOfAny ({"room", "furniture", "walk", "missing"});
+  const bool has_camera = is_room || options.isOfAny ({"table", "room-kinect"});
+  const bool has_rays =
+      has_camera || options.isOfAny ({"street", "drive", "street-hills"});
+  for (const auto& [option, is_right] : {std::pair{"width", has_camera},
+                                         {"height", has_camera},
+                                         {"profile", is_room},
+                                         {"organized", has_rays}}) {
+    line.forbidTogether ("points", option);
+    if (!is_right)
+      line.forbidTogether ("scene", option);
+  }
+}
+
 void
 checkOptions (const CommandLine& line, const SimulationOptions& options)
 {
@@ -160,17 +184,7 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
           "is more than 10000000, which only --scene town takes; give fewer");
   if (!options.isOfAny (scenes_of_files) && extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
-  const bool is_room = options.isOfAny ({"room", "furniture", "walk", "missing"});
-  const bool has_camera = is_room || options.isOfAny ({"table", "room-kinect"});
-  const bool has_rays = has_camera || has_lidar || scene == "street-hills";
-  for (const auto& [option, is_right] : {std::pair{"width", has_camera},
-                                         {"height", has_camera},
-                                         {"profile", is_room},
-                                         {"organized", has_rays}}) {
-    line.forbidTogether ("points", option);
-    if (!is_right)
-      line.forbidTogether ("scene", option);
-  }
+  checkSensorOptions (line, options);
 }
 
 /** \param[in] fix what to do where the memory is too small for a file
