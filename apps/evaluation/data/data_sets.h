@@ -40,8 +40,6 @@ struct EvaluationCloud {
   bool grows_truth = true;
   /** A plane with a larger rms is none of a cloud like this [m]. */
   double thick_length = usual_thick_length;
-  /** In place of a larger \ref TruthParameters::min_points: these are to be found. */
-  std::optional<std::size_t> min_plane_points = std::nullopt;
 };
 
 /** \param[in] labels empty: not known */
