@@ -321,7 +321,8 @@ CommandLine::parse (int argc, const char* const* argv)
       arguments.emplace_back (*token);
       continue;
     }
-    const Option& option = find (groups_, nameIn (*token));
+    const std::string name = nameIn (*token);
+    const Option& option = find (groups_, name);
     options.emplace_back (&option, takeValue (option, token, end));
     if (!given_.insert (option.name).second)
       throw UsageError ("--" + option.name, "is given twice; keep one");

@@ -36,11 +36,11 @@ readHeader (HeaderReader& reader)
 }
 
 const Words&
-lineOf (const HeaderReader& reader, const PcdHeader& header, const std::string& key)
+lineOf (const HeaderReader& reader, const PcdHeader& header, const char* key)
 {
   const auto line = header.find (key);
   if (line == header.end())
-    reader.fail ("it has no line " + key);
+    reader.fail (std::string ("it has no line ") + key);
   return line->second;
 }
 
@@ -87,7 +87,7 @@ readSize (const HeaderReader& reader,
           pcl::PCLPointCloud2& points)
 {
   const auto value = [&] (const std::string& key) {
-    const Words& line = lineOf (reader, header, key);
+    const Words& line = lineOf (reader, header, key.c_str());
     if (line.size() != 1)
       reader.fail (key + " is not one number");
     return reader.count (key, line[0]);
