@@ -13,7 +13,7 @@
 
 namespace pcl_ops::apps {
 
-class LasFile;
+struct LasFile;
 
 /** \brief The files of \ref loadCloud, for messages. */
 inline constexpr const char* cloud_file_kinds =
