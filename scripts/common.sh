@@ -68,6 +68,19 @@ build_packages=(g++ cmake make libpcl-dev nlohmann-json3-dev libpng-dev
 # shellcheck disable=SC2034
 python_packages=(python3-dev python3-numpy pybind11-dev)
 
+# Those that everything has to compile with, of which a distribution has some.
+# shellcheck disable=SC2034
+all_compilers=(g++-12 g++-13 g++-14 clang-14 clang-15 clang-16 clang-17 clang-18 clang-19)
+
+# newest_compiler: the last of them that is here or can be installed.
+newest_compiler() {
+  local name newest=clang
+  for name in "${all_compilers[@]}"; do
+    if command -v "$name" >/dev/null || apt-cache show "$name" >/dev/null 2>&1; then newest=$name; fi
+  done
+  printf '%s\n' "$newest"
+}
+
 # How many compilers fit, at 1.5 GB each.
 jobs() {
   awk -v cores="$(nproc)" '/^MemAvailable/ { fit = int($2 / 1500000) }
