@@ -251,6 +251,32 @@ reportOf (const std::string& preset, Parameters parameters)
   return settings;
 }
 
+Settings
+numberOrNull (const std::optional<double>& number)
+{
+  return number ? Settings (*number) : Settings();
+}
+
+/** \brief Those that parameters may leave to the cloud, beside them. */
+void
+reportUsed (const UsedLengths& used, Settings& settings)
+{
+  settings["threshold_used"] = numberOrNull (used.distance_threshold);
+  if (settings.contains ("cell"))
+    settings["cell_used"] = numberOrNull (used.voxel_size);
+}
+
+/** \brief Says so where the size of voxels is given, which a rate would choose. */
+void
+hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
+{
+  const auto cell = given.find ("cell");
+  if (cell != given.end() && cell->second > 0.0 && given.count ("sampling-rate") > 0)
+    detected.hints.push_back (
+        "--sampling-rate has no effect beside --cell, which gives "
+        "the voxels their size: leave one of them out");
+}
+
 template <typename Detector>
 Detected
 detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
@@ -272,10 +298,14 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   if (!detector.segment (detected.planes))
     throw std::bad_alloc();
   detected.timing = detector.getStageDurations();
+  detected.used = detector.getUsedLengths();
   detected.settings = reportOf (options.preset, parameters);
+  reportUsed (detected.used, detected.settings);
   detected.up = parameters.up_axis;
-  if constexpr (std::is_same_v<Parameters, OpsParameters>)
+  if constexpr (std::is_same_v<Parameters, OpsParameters>) {
     hintOnMinInliers (options.numbers, parameters, *cloud, detected);
+    hintOnSamplingRate (options.numbers, detected);
+  }
   detected.advice = adviceFor (parameters, *cloud, detected.planes);
   if constexpr (std::is_same_v<Parameters, OpsParameters>)
     if (parameters.sampling == Sampling::Surfels &&

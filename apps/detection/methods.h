@@ -35,6 +35,7 @@ struct Detected {
   /** \brief By falling size, in the frame of the cloud. */
   std::vector<PlaneSegment> planes;
   StageDurations timing;
+  UsedLengths used;
   /** \brief Under the names of their options. */
   Settings settings;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();

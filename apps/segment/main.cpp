@@ -94,6 +94,17 @@ extentInFile (const ShiftedCloud& shifted,
   return extentOf (outlineOf (points, hull), points, in_file);
 }
 
+/** \brief Why so few points are on planes, with the fix. What is wrong with a cloud
+ * comes before what might be wrong with parameters. */
+std::string
+likeliestCause (const ShiftedCloud& shifted, const Report& report)
+{
+  if (!report.damage.empty())
+    return "the cloud " + report.damage;
+  const std::string on_degrees = adviceOnDegrees (shifted);
+  return on_degrees.empty() ? report.detected.advice : on_degrees;
+}
+
 /** \brief Reads a cloud, finds its planes and writes its outputs.
  * \param[in] ids_of where it is missing, planes are numbered by falling size
  * \param[in] lines what tells the stages; nullptr for none
@@ -123,6 +134,8 @@ segmentCloud (const SegmentOptions& options,
   report.points = cloud.size();
   report.damage = damageOf (shifted);
   report.detected = detectPlanes (options, shifted, cloud.is_survey);
+  if (!report.detected.advice.empty())
+    report.detected.advice = likeliestCause (shifted, report);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);

@@ -52,6 +52,20 @@ countsOf (const Report& report)
          (planes == 1 ? " plane" : " planes");
 }
 
+/** \brief By the names of options; empty where the cloud told none. */
+std::string
+lengthsOf (const UsedLengths& used)
+{
+  std::string lengths;
+  const auto add = [&] (const char* name, const std::optional<double>& length) {
+    if (length)
+      lengths += str (boost::format (" %s %.4g") % name % *length);
+  };
+  add ("cell", used.voxel_size);
+  add ("threshold", used.distance_threshold);
+  return lengths;
+}
+
 /** \brief The lines under the table, and after the counts of a summary. */
 std::vector<std::string>
 remarksOn (const Report& report)
@@ -83,6 +97,8 @@ printTable (const Report& report, std::ostream& stream)
     stream << report.detected.up_note << "\n";
   for (const std::string& line : remarksOn (report))
     stream << line << "\n";
+  if (const std::string lengths = lengthsOf (report.detected.used); !lengths.empty())
+    stream << "Used:" << lengths << "\n";
   stream << "Times [ms]:";
   for (const auto& [name, duration] : detection_stages)
     stream << boost::format (" %s %.1f") % name % (report.detected.timing.*duration);
@@ -108,6 +124,8 @@ toJson (const Report& report)
   json["parameters"] = detected.settings;
   for (const auto& [name, duration] : detection_stages)
     json["timing_ms"][name] = detected.timing.*duration;
+  if (!report.damage.empty())
+    json["warning"] = report.damage;
   if (!detected.advice.empty())
     json["advice"] = detected.advice;
   if (detected.suggested_up)

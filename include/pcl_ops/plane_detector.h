@@ -13,6 +13,7 @@
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector_parameters.h>
 #include <pcl_ops/stage_durations.h>
+#include <pcl_ops/used_lengths.h>
 
 #include <cstdint>
 #include <functional>
@@ -266,6 +267,14 @@ public:
   getNumberOfPlanesBeforeMerging () const
   {
     return last_.planes_before_merging;
+  }
+
+  /** \brief Lengths that the last call worked with, where parameters leave them to the
+   * cloud. */
+  const UsedLengths&
+  getUsedLengths () const
+  {
+    return last_.used;
   }
 
 protected:

@@ -17,6 +17,8 @@ struct LabelledPlanes {
   Labels labels;
   MergedPlanes planes;
   std::size_t planes_before_merging = 0;
+  /** \brief A threshold that parameters give need not be repeated. */
+  UsedLengths used = {};
 };
 
 /** \brief The merging process with theta_h where it has no distance of its own (the
@@ -72,6 +74,9 @@ detectInFinitePoints (const DetectorInput& input,
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
   found.planes_before_merging = planes.planes_before_merging;
+  found.used = planes.used;
+  if (!found.used.distance_threshold)
+    found.used.distance_threshold = parameters.distance_threshold;
   found.durations.detection = clock.total();
   return found;
 }

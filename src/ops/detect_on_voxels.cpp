@@ -136,11 +136,38 @@ assign (const Points& points,
   return assigned;
 }
 
+// What a look at points tells besides their labels.
+struct Tally {
+  std::size_t planes_before_merging = 0;
+  UsedLengths used;
+};
+
+// Where half of the planes end: the distance up to which a point counts as noise.
+std::optional<double>
+usualDistance (const BoundedPlanes& planes,
+               const Refinement& finer,
+               const Parameters& parameters)
+{
+  std::vector<double> distances;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const double noise =
+        std::max ({planes.noise[p], finer.planes.noise[p], smallestNoise (finer.grid)});
+    const double distance = parameters.surfels.assignment_noise_factor * noise;
+    distances.push_back (
+        std::min (distance, parameters.distance_threshold.value_or (distance)));
+  }
+  if (distances.empty())
+    return {};
+  const auto middle = distances.begin() + static_cast<long> (distances.size() / 2);
+  std::nth_element (distances.begin(), middle, distances.end());
+  return *middle;
+}
+
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,
              StageDurations& durations,
-             std::size_t& found);
+             Tally& tally);
 
 // Looks for planes among some of the points, which another voxel size does justice.
 void
@@ -153,8 +180,8 @@ labelAnew (const Points& points,
   Points sparse;
   static_cast<Coordinates&> (sparse) = selected (points, numbers);
   sparse.origin = points.origin;
-  std::size_t found = 0;
-  AssignedPoints more = labelPoints (sparse, parameters, durations, found);
+  Tally of_sparse;
+  AssignedPoints more = labelPoints (sparse, parameters, durations, of_sparse);
   rejectMist (assigned.moments, parameters.threads, more);
   const auto before = static_cast<std::int32_t> (assigned.moments.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -194,12 +221,12 @@ labelSparsePoints (const Points& points,
                 assigned);
 }
 
-// The straight line of OPS on voxels. found: planes before they are joined.
+// The straight line of OPS on voxels.
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,
              StageDurations& durations,
-             std::size_t& found)
+             Tally& tally)
 {
   const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
@@ -208,6 +235,7 @@ labelPoints (const Points& points,
   const VoxelGrid& grid = voxels.coarse;
   if (grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
+  tally.used.voxel_size = grid.voxel_size;
   BoundedPlanes planes;
   planes.plane_of_voxel.assign (grid.size(), no_plane);
   clock.lap (durations.search);
@@ -219,9 +247,10 @@ labelPoints (const Points& points,
   clock.lap (durations.search);
   findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
   clock = StageClock();
-  found = finer.planes.size();
+  tally.planes_before_merging = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h
   joinPlanes (grid, parameters, planes, finer);
+  tally.used.distance_threshold = usualDistance (planes, finer, parameters);
   clock.lap (durations.merging);
   // every point of P, not of P_s alone, to a plane
   AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
@@ -243,14 +272,15 @@ detectOnVoxels (const Points& points,
                 const Parameters& parameters,
                 StageDurations& durations)
 {
-  std::size_t found_planes = 0;
-  AssignedPoints assigned = labelPoints (points, parameters, durations, found_planes);
+  Tally tally;
+  AssignedPoints assigned = labelPoints (points, parameters, durations, tally);
   // Planes are fitted to their points; which are one has been settled.
   MergingParameters keep_apart;
   keep_apart.enabled = false;
   LabelledPlanes found =
       mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
-  found.planes_before_merging = found_planes;
+  found.planes_before_merging = tally.planes_before_merging;
+  found.used = tally.used;
   return found;
 }
 

@@ -95,23 +95,24 @@ defineSegment (py::module_& module)
       });
 }
 
-/** \brief The planes in the frame of the array.
+/** \return the planes in the frame of the array, the voxel size and the distance
+ * threshold that were used
  * \param[in] points relative to \p origin
  * \param[in] origin, viewpoint in the frame of the array */
 template <typename Parameters>
-PlaneSegments
+std::tuple<PlaneSegments, std::optional<double>, std::optional<double>>
 segment (const PointRows& points,
          const Eigen::Vector3d& origin,
          const Eigen::Vector3d& viewpoint,
          const Parameters& parameters)
 {
-  const CloudView view = viewOf (points);
-  PlaneSegments planes;
-  whileOthersRun (
-      [&] { planes = detectPlanes (view, parameters, viewpoint - origin); });
-  for (PlaneSegment& plane : planes)
+  const detail::DetectorInput input{viewOf (points), nullptr, viewpoint - origin, {}};
+  detail::Detection found;
+  whileOthersRun ([&] { found = detail::detectChecked (input, parameters); });
+  for (PlaneSegment& plane : found.planes)
     plane.moveBy (origin);
-  return planes;
+  return {
+      std::move (found.planes), found.used.voxel_size, found.used.distance_threshold};
 }
 
 /** \brief A plane as one of a cloud of its inliers alone.

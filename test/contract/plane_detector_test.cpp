@@ -447,6 +447,14 @@ TYPED_TEST (PlaneDetector, FindsTwoParallelPlanesIfFartherApartThanTheThreshold)
   }
 }
 
+TYPED_TEST (PlaneDetector, SaysTheThresholdThatItUsed)
+{
+  this->use (Scene().floor (3, 3).spacing (2_cm).build().cloud);
+  this->detector.setDistanceThreshold (1_mm);
+  ASSERT_FALSE (planesOf (this->detector).empty());
+  EXPECT_EQ (this->detector.getUsedLengths().distance_threshold, 1_mm);
+}
+
 TYPED_TEST (PlaneDetector, MergesWhatIsOnePlaneUnlessMergingIsOff)
 {
   // Two halves of a floor, the second a little higher.

@@ -56,6 +56,22 @@ TEST (DetectOnVoxels, MakesOnePlaneOfTwoThatAGapDividesAndFindsANarrowBoard)
   EXPECT_EQ (pointsOn (1, found), 14400u) << "found in voxels of half the edge";
 }
 
+TEST (DetectOnVoxels, SaysTheVoxelSizeAndTheDistanceThatItUsed)
+{
+  // Noise evenly up to 2 cm has an rms of 1.15 cm, of which a point may have five.
+  const LabelledPlanes noisy = detect (pointsOf ({ground}, 2_cm));
+  EXPECT_EQ (noisy.used.voxel_size, usual().surfels.voxel_size);
+  ASSERT_TRUE (noisy.used.distance_threshold);
+  EXPECT_NEAR (*noisy.used.distance_threshold, 5 * 0.0115, 1_cm);
+  Parameters by_itself = usual();
+  by_itself.surfels.voxel_size.reset();
+  by_itself.distance_threshold = 1_cm;
+  const LabelledPlanes limited = detect (pointsOf ({ground}, 2_cm), by_itself);
+  EXPECT_GT (limited.used.voxel_size.value_or (0), 1_cm);
+  EXPECT_NEAR (*limited.used.distance_threshold, 1_cm, 1e-6);
+  EXPECT_EQ (detect (Points()).used.distance_threshold, std::nullopt);
+}
+
 TEST (DetectOnVoxels, KeepsApartWhatNoiseDoesNotExplain)
 {
   // 3 cm higher: nearer than theta_h of the paper.

@@ -42,6 +42,16 @@ class Planes(unittest.TestCase):
             ratio = np.diag(plane.correlated_covariance) / np.diag(plane.covariance)
             self.assertTrue((ratio > least).all() and (ratio < most).all(), ratio)
 
+    def test_come_with_the_lengths_that_were_used(self):
+        self.assertGreater(planes.voxel_size, 0.0)
+        self.assertGreater(planes.distance_threshold, max(plane.rms for plane in planes))
+        given = pcl_ops.segment(
+            points, surfels_voxel_size=0.1, distance_threshold=0.001)[1]
+        self.assertEqual(given.voxel_size, 0.1)
+        self.assertAlmostEqual(given.distance_threshold, 0.001)
+        kht = pcl_ops.segment(points, "kht", distance_threshold=0.04)[1]
+        self.assertEqual((kht.voxel_size, kht.distance_threshold), (None, 0.04))
+
     def test_inliers_are_read_only_and_outlive_their_plane(self):
         inliers = pcl_ops.segment(points)[1][0].inliers
         np.testing.assert_array_equal(inliers, floor.inliers)

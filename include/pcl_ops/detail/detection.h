@@ -6,6 +6,7 @@
 #include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/stage_durations.h>
+#include <pcl_ops/used_lengths.h>
 
 #include <functional>
 #include <string>
@@ -50,6 +51,7 @@ struct Detection {
   std::vector<PlaneSegment> planes;
   StageDurations durations;
   std::size_t planes_before_merging = 0;
+  UsedLengths used;
 };
 
 /** \brief Throws std::invalid_argument if there is a problem. */

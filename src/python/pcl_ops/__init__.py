@@ -9,13 +9,13 @@ Lengths are in the unit of the points, angles in radians.
 
 from ._clouds import Cloud, from_message, read
 from ._pcl_ops import __version__
-from ._planes import Plane, PlaneCorner, PlaneEdge, PlaneTracker, TrackedPlane
+from ._planes import FoundPlanes, Plane, PlaneCorner, PlaneEdge, PlaneTracker, TrackedPlane
 from ._planes import camera_up, estimate_up_axis, filter_planes, find_plane_edges, match_planes
 from ._planes import merge_planes
 from ._segmentation import evaluate, is_seen_from, parameters, segment
 
 __all__ = [
-    "Cloud", "Plane", "PlaneCorner", "PlaneEdge", "PlaneTracker", "TrackedPlane", "__version__",
-    "camera_up", "estimate_up_axis", "evaluate", "filter_planes", "find_plane_edges",
+    "Cloud", "FoundPlanes", "Plane", "PlaneCorner", "PlaneEdge", "PlaneTracker", "TrackedPlane",
+    "__version__", "camera_up", "estimate_up_axis", "evaluate", "filter_planes", "find_plane_edges",
     "from_message", "is_seen_from", "match_planes", "merge_planes", "parameters", "read", "segment",
 ]

@@ -90,6 +90,16 @@ Planes = Sequence[Plane]
 Labels = NDArray[np.int32]
 
 
+class FoundPlanes(List[Plane]):
+    """Planes by falling number of points, and the lengths they were found with."""
+
+    voxel_size: Optional[float] = None
+    """Edge of the voxels; None where the method has none."""
+    distance_threshold: Optional[float] = None
+    """Farthest a point may be from its plane; the median where it follows their noise. None
+    where no plane was found to tell it."""
+
+
 class PlaneEdge(NamedTuple):
     """A stretch of the line that two planes have in common, with points of both beside it."""
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The planes of an array, and how right they are."""
 
-from typing import Any, Dict, List, Literal, Optional, Tuple, get_args
+from typing import Any, Dict, Literal, Optional, Tuple, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from . import _pcl_ops
 from ._arguments import Points, Vector, named_parameters, parameters_of, place, plane_numbers
 from ._arguments import points_array, single_precision, with_given
-from ._planes import Labels, Plane
+from ._planes import FoundPlanes, Labels, Plane
 
 Method = Literal["ops", "fspf", "kht"]
 Preset = Literal["default", "paper"]
@@ -30,7 +30,7 @@ def _preset(method: Any, preset: Any) -> Any:
 def segment(
     points: Points, method: Method = "ops", preset: Preset = "default", *,
     viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any,
-) -> Tuple[Labels, List[Plane]]:
+) -> Tuple[Labels, FoundPlanes]:
     """Find all planes of a point cloud.
 
     points: array of float32 or float64 of shape (N, 3), with any strides; rows with NaN or
@@ -47,7 +47,7 @@ def segment(
 
     Returns (labels, planes): an int32 array of shape (N,) with the position in planes of
     the plane each point is on, -1 on none; and a list of Plane by falling number of
-    points, in the frame of the array.
+    points, in the frame of the array, which has the lengths that were used, too.
 
     Raises ValueError or TypeError, which name the argument at fault.
     """
@@ -55,8 +55,10 @@ def segment(
     sensor = place("viewpoint", viewpoint)
     array = points_array(points)
     single, origin = single_precision(array)
-    segments = _pcl_ops.segment(single, origin, sensor, with_given(by_default, parameters))
-    planes = [Plane(segment, array) for segment in segments]
+    segments, voxel_size, distance_threshold = _pcl_ops.segment(
+        single, origin, sensor, with_given(by_default, parameters))
+    planes = FoundPlanes(Plane(segment, array) for segment in segments)
+    planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
         labels[plane.inliers] = number

@@ -127,6 +127,9 @@ protected:
     for (std::size_t i = points_of_plane; i < damaged.size(); ++i)
       damaged[i].getVector3fMap().setZero();
     save ("damaged.pcd", damaged);
+    InputCloud zeros = floorAndWall();
+    zeros.resize (zeros.size() + 100, pcl::PointXYZI());
+    save ("zeros.pcd", zeros);
     for (int i = 0; i < points_of_plane; i += 2)
       rough[i].z = 0.004f;
     save ("rough.pcd", rough);

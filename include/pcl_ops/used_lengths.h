@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+namespace pcl_ops {
+
+/** \brief Lengths that a detection worked with, whether they were given or followed the
+ * cloud [m]. */
+struct UsedLengths {
+  /** \brief Edge of the voxels, as parameters have it; of voxels of several sizes, of
+   * the smallest that planes begin in. None: the detector has no voxels. */
+  std::optional<double> voxel_size;
+  /** \brief Farthest a point may be from its plane; where this follows the noise of
+   * each plane, the median over the planes. None: no plane was found to tell it. */
+  std::optional<double> distance_threshold;
+};
+
+} // namespace pcl_ops
