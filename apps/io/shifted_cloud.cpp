@@ -222,8 +222,8 @@ damageOf (const ShiftedCloud& shifted)
            "leave them out";
   if (100 * shared >= places.size() && shared >= min_places &&
       shared * different > times_of_a_place * places.size())
-    return shared_share + ", like missing readings, and count as such; leave them out "
-                          "or write them as NaN";
+    return "is missing readings: " + shared_share +
+           " and count as such; leave them out or write them as NaN";
   return "";
 }
 

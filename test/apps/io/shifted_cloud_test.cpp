@@ -98,14 +98,17 @@ TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlaceOrOnePerCentIsVeryFarAway)
 
 TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
 {
-  const std::string said = " % of its points are at (0, 0, 0), like missing readings, "
-                           "and count as such; leave them out or write them as NaN";
+  const auto said = [] (const std::string& share) {
+    return "is missing readings: " + share +
+           " % of its points are at (0, 0, 0) and count as such; leave them out or write "
+           "them as NaN";
+  };
   const XyzCloud floor = floorOfPoints();
   const auto damageWithZeros = [&] (int one_of) {
     return damageOf ({withMoved (floor, one_of, {0, 0, 0}, 0.0f).makeShared()});
   };
-  EXPECT_EQ (damageWithZeros (3), "33" + said);
-  EXPECT_EQ (damageWithZeros (49), "2.1" + said);
+  EXPECT_EQ (damageWithZeros (3), said ("33"));
+  EXPECT_EQ (damageWithZeros (49), said ("2.1"));
   EXPECT_EQ (damageWithZeros (501), "");
   XyzCloud on_a_grid = floor; // of nine places, each shared by a ninth
   for (pcl::PointXYZ& point : on_a_grid)
