@@ -81,6 +81,10 @@ readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
       .help ("distance to a plane that detectors of others are given (0.05)");
   line.add ("peers-noise M", plan.settings.peer_noise, above (0))
       .help ("noise that those of the group peers-measured are tuned to (measured)");
+  line.add ("peers-neighbors K", plan.settings.peer_neighbors, from (3).upTo (10'000))
+      .help ("that they estimate a normal from (24 or 30; 30 to 200 if measured)");
+  line.add ("peers-min-points N", plan.settings.peer_min_points, from (1))
+      .help ("points of the smallest plane they are to find (50; 500 of loops)");
   line.add ("time-limit S", plan.time_limit, from (0).upTo (1e6))
       .help ("for a detector of others on a cloud, 0 for none (600)");
   line.add ("shift X,Y,Z",

@@ -46,8 +46,9 @@ constexpr double min_share = 0.002;
 unsigned
 neighborsFor (const PeerTask& task)
 {
-  return task.source == ValuesFrom::Tutorial ? usual_neighbors
-                                             : unsigned (task.values.neighbors);
+  const bool is_usual =
+      task.source == ValuesFrom::Tutorial && !task.settings.peer_neighbors;
+  return is_usual ? usual_neighbors : unsigned (task.values.neighbors);
 }
 
 OrientedPoints
@@ -80,8 +81,11 @@ planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
 namespace growing = CGAL::Shape_detection::Point_set;
 
 std::vector<std::vector<std::size_t>>
-regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
+regionsOf (const OrientedPoints& points, const PeerTask& task)
 {
+  const unsigned neighbors = neighborsFor (task);
+  const float threshold = float (task.values.threshold);
+  const std::size_t min_points = task.minPoints (min_points_of_region);
   std::vector<std::vector<std::size_t>> regions;
 #if CGAL_VERSION_NR < 1050600000
   using Query = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
@@ -90,7 +94,7 @@ regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
   using Sorting =
       growing::Least_squares_plane_fit_sorting<Kernel, OrientedPoints, Query, PointMap>;
   Query query (points, neighbors);
-  Region region (points, threshold, normal_degrees, min_points_of_region);
+  Region region (points, threshold, normal_degrees, min_points);
   Sorting sorting (points, query);
   sorting.sort();
   CGAL::Shape_detection::
@@ -107,7 +111,7 @@ regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
       set,
       CGAL::parameters::maximum_distance (threshold)
           .maximum_angle (normal_degrees)
-          .minimum_region_size (min_points_of_region));
+          .minimum_region_size (min_points));
   auto sorting = growing::make_least_squares_plane_fit_sorting (set, query);
   sorting.sort();
   using Growing =
@@ -135,7 +139,8 @@ planesByCgalRansac (const PeerTask& task)
   ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
   Ransac::Parameters parameters;
   parameters.probability = miss_probability;
-  parameters.min_points = std::size_t (min_share * double (points.size())) + 1;
+  parameters.min_points =
+      task.minPoints (std::size_t (min_share * double (points.size())) + 1);
   parameters.epsilon = float (task.values.threshold);
   parameters.cluster_epsilon = float (task.values.gap);
   parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));
@@ -152,8 +157,7 @@ planesByCgalRegionGrowing (const PeerTask& task)
 {
   const OrientedPoints points = orientedPointsOf (task);
   Planes planes;
-  for (const std::vector<std::size_t>& members :
-       regionsOf (points, neighborsFor (task), float (task.values.threshold)))
+  for (const std::vector<std::size_t>& members : regionsOf (points, task))
     planes.push_back (planeOf (points, members));
   return planes;
 }

@@ -28,6 +28,10 @@ struct RunSettings {
   double peer_threshold = usual_peer_threshold; // distance to a plane [m]
   /** Of the points; none: as measured from the cloud [m]. */
   std::optional<double> peer_noise = std::nullopt;
+  /** That those of others estimate a normal from; none: as usual. */
+  std::optional<int> peer_neighbors = std::nullopt;
+  /** Points of the smallest plane that those of others are to find; none: as usual. */
+  std::optional<std::size_t> peer_min_points = std::nullopt;
   /** Of detectors of this project; with several, time is that of the wall. */
   unsigned threads = 1;
   /** Of OPS; none: that of its configuration. */

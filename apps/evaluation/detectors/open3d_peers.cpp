@@ -17,7 +17,7 @@ planesByOpen3d (const PeerTask& task)
   omp_set_num_threads (1); // as all others here
 #endif
   open3d::utility::random::Seed (int (task.settings.seed));
-  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
+  return peelPlanes (task, [&] (const pcl::IndicesPtr& rest) {
     open3d::geometry::PointCloud cloud;
     for (const pcl::index_t i : *rest)
       cloud.points_.push_back ((*task.cloud)[i].getVector3fMap().cast<double>());

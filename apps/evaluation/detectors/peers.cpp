@@ -67,7 +67,7 @@ spacingOf (const XyzCloud::ConstPtr& cloud)
   return apps::quantile (spacings, 0.5);
 }
 
-constexpr int min_points_of_region = 50;
+constexpr std::size_t min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
 
@@ -93,7 +93,11 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
            ValuesFrom source)
 {
   const double threshold = settings.peer_threshold;
-  PeerValues values{threshold, 30, 2.0 * threshold, threshold / 3.0};
+  constexpr int usual_neighbors = 30;
+  PeerValues values{threshold,
+                    settings.peer_neighbors.value_or (usual_neighbors),
+                    2.0 * threshold,
+                    threshold / 3.0};
   if (source == ValuesFrom::Tutorial || cloud->empty())
     return values;
   values.noise = settings.peer_noise ? *settings.peer_noise : noiseOf (cloud);
@@ -108,7 +112,8 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
   constexpr double angle = 3.0 * M_PI / 180.0;
   constexpr double most = 200;
   const double wanted = 2.0 * std::sqrt (M_PI) * values.noise / (spacing * angle);
-  values.neighbors = int (std::clamp<double> (wanted, values.neighbors, most));
+  if (!settings.peer_neighbors)
+    values.neighbors = int (std::clamp<double> (wanted, values.neighbors, most));
   return values;
 }
 
@@ -154,11 +159,13 @@ addPeers (std::vector<Configuration>& configurations)
 }
 
 Planes
-peelPlanes (std::size_t points,
+peelPlanes (const PeerTask& task,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment)
 {
-  constexpr std::size_t max_planes = 40, min_inliers = 500;
+  constexpr std::size_t max_planes = 40, usual_inliers = 500;
   constexpr double share_left = 0.02;
+  const std::size_t min_inliers = task.minPoints (usual_inliers);
+  const std::size_t points = task.cloud->size();
   Planes planes;
   pcl::IndicesPtr rest (new pcl::Indices (points));
   std::iota (rest->begin(), rest->end(), 0);
@@ -190,7 +197,7 @@ planesByPclRansac (const PeerTask& task)
   segmentation.setMaxIterations (1000);
   segmentation.setDistanceThreshold (task.values.threshold);
   segmentation.setInputCloud (task.cloud);
-  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
+  return peelPlanes (task, [&] (const pcl::IndicesPtr& rest) {
     pcl::PointIndices inliers;
     pcl::ModelCoefficients coefficients;
     segmentation.setIndices (rest);
@@ -219,7 +226,7 @@ planesByPclRegionGrowing (const PeerTask& task)
   growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
   growing.setSmoothnessThreshold (float (paper_angle_tolerance));
   growing.setCurvatureThreshold (1.0f); // as in PCL's tutorial: normals alone decide
-  growing.setMinClusterSize (min_points_of_region);
+  growing.setMinClusterSize (pcl::uindex_t (task.minPoints (min_points_of_region)));
   Planes regions;
   growing.extract (regions);
   return regions;
@@ -243,7 +250,7 @@ planesInImage (const PeerTask& task)
     estimation.compute (*normals);
   });
   pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
-  finder.setMinInliers (min_points_of_region);
+  finder.setMinInliers (unsigned (task.minPoints (min_points_of_region)));
   finder.setAngularThreshold (angle);
   finder.setDistanceThreshold (
       task.source == ValuesFrom::Tutorial ? usual_distance : task.values.threshold);

@@ -30,6 +30,12 @@ struct PeerTask {
   PeerValues values;
   ValuesFrom source;
   double& normals; // where their time is to be added [ms]
+
+  std::size_t
+  minPoints (std::size_t usual) const
+  {
+    return settings.peer_min_points.value_or (usual);
+  }
 };
 
 using Planes = std::vector<pcl::PointIndices>;
@@ -54,11 +60,10 @@ void
 addPeers (std::vector<Configuration>& configurations);
 
 /** The loop of PCL's tutorial: takes the largest plane away until fewer than 500 of the
- * points are on it, 2 % are left, or 40 are found.
- * \param[in] points of the cloud
+ * points, or as \p task has it, are on it, 2 % are left, or 40 are found.
  * \param[in] segment gives those on the largest plane of some, both ascending */
 Planes
-peelPlanes (std::size_t points,
+peelPlanes (const PeerTask& task,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment);
 
 } // namespace pcl_ops::evaluation

@@ -95,7 +95,8 @@ planesInVoxelOctree (const PeerTask& task)
       pcl::Indices& plane = planes[std::size_t (merged.merged_into[i])].indices;
       plane.insert (plane.end(), octree.points[i].begin(), octree.points[i].end());
     }
-  while (!planes.empty() && planes.back().indices.size() < min_points_of_plane)
+  const std::size_t fewest = task.minPoints (min_points_of_plane);
+  while (!planes.empty() && planes.back().indices.size() < fewest)
     planes.pop_back(); // they come by falling size
   return planes;
 }

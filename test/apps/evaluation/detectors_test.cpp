@@ -13,15 +13,23 @@ namespace {
 
 using namespace pcl_ops::evaluation;
 
-/** A floor of 60 x 60 points, 2 cm apart. */
+/** A square of \p side x \p side points, 2 cm apart. */
+void
+addSquare (XyzCloud& cloud, int side, double height, double sigma)
+{
+  pcl_ops::apps::Random random (1);
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j)
+      cloud.emplace_back (
+          0.02f * i, 0.02f * j, float (height + sigma * random.gaussian()));
+}
+
+/** A floor of 60 x 60 points. */
 XyzCloud::Ptr
 floorWithNoise (double sigma)
 {
-  pcl_ops::apps::Random random (1);
   XyzCloud::Ptr cloud (new XyzCloud);
-  for (int i = 0; i < 60; ++i)
-    for (int j = 0; j < 60; ++j)
-      cloud->emplace_back (0.02f * i, 0.02f * j, float (sigma * random.gaussian()));
+  addSquare (*cloud, 60, 0.0, sigma);
   return cloud;
 }
 
@@ -38,6 +46,29 @@ TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
     EXPECT_GT (*std::max_element (points.begin(), points.end()), 3300u)
         << detector.name;
     EXPECT_GT (run.durations.detection, 0.0);
+  }
+}
+
+TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
+{
+  XyzCloud::Ptr cloud (new XyzCloud);
+  addSquare (*cloud, 40, 0.0, 0.001);
+  const std::size_t floor = cloud->size();
+  addSquare (*cloud, 7, 1.2, 0.001); // 49 points
+  for (const Configuration& detector : selectConfigurations ("peers,peers-measured")) {
+    if (detector.needs_image)
+      continue;
+    for (const std::size_t min_points : {20u, 60u}) {
+      RunSettings settings;
+      settings.peer_min_points = min_points;
+      const PlaneLabels labels = detector.run (cloud, settings).labels;
+      const auto on_board =
+          std::count_if (labels.begin() + std::ptrdiff_t (floor),
+                         labels.end(),
+                         [] (std::uint32_t label) { return label != 0; });
+      EXPECT_TRUE (min_points == 20u ? on_board > 40 : on_board == 0)
+          << detector.name << ", of at least " << min_points << ": " << on_board;
+    }
   }
 }
 
@@ -67,6 +98,8 @@ TEST (PeerValues, AreThoseOfTheCloudOrAsGiven)
   EXPECT_NEAR (measured.gap, 4.0 * 0.02, 0.02);
   settings.peer_noise = 0.01;
   EXPECT_NEAR (valuesFor (cloud, settings, ValuesFrom::Cloud).threshold, 0.03, 1e-9);
+  settings.peer_neighbors = 12;
+  EXPECT_EQ (valuesFor (cloud, settings, ValuesFrom::Cloud).neighbors, 12);
   settings.peer_threshold = 0.2;
   EXPECT_EQ (valuesFor (cloud, settings, ValuesFrom::Tutorial).threshold, 0.2);
 }
