@@ -115,8 +115,8 @@ def smaller(command):
 
 
 def sections_of(page):
-    """What links name headings by: small letters, no punctuation, hyphens for blanks."""
-    return [re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-")
+    """What links name headings by: small letters, digits and _, hyphens for blanks."""
+    return [re.sub(r"[^a-z0-9_ -]", "", heading.lower()).replace(" ", "-")
             for heading in re.findall(r"^#+ (.*)", page.read_text(), re.MULTILINE)]
 
 
