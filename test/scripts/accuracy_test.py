@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What scripts/accuracy makes of measured values.
+
+python3 accuracy_test.py SOURCES: the project's folder.
+"""
+
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import math
+import pathlib
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+SCRIPT = pathlib.Path(sys.argv[1]) / "scripts" / "accuracy"
+sys.dont_write_bytecode = True
+LOADER = importlib.machinery.SourceFileLoader("accuracy", str(SCRIPT))
+accuracy = importlib.util.module_from_spec(importlib.util.spec_from_loader("accuracy", LOADER))
+LOADER.exec_module(accuracy)
+
+
+def with_truth(f_score, **others):
+    return {"clouds": 4, "f_score": f_score, "f_score_75": 0.5, "on_planes_share": 0.9,
+            "thick_factor_share": 0.0, "thick_length_share": 0.0, **others}
+
+
+def without_truth(on_planes, on_thick):
+    return {**with_truth(math.nan), "f_score_75": math.nan, "on_planes_share": on_planes,
+            "thick_length_share": on_thick}
+
+
+def printed(call, *arguments):
+    with contextlib.redirect_stdout(io.StringIO()) as output:
+        call(*arguments)
+    return output.getvalue().splitlines()
+
+
+class Scores(unittest.TestCase):
+    def test_a_set_with_truth_is_judged_by_its_f(self):
+        self.assertEqual(accuracy.score(with_truth(0.6)), 0.6)
+
+    def test_a_set_without_truth_is_judged_by_points_on_thin_planes_less_those_on_thick(self):
+        # 90 of 100 points are on planes, 20 of these on thick ones: 70 less 20.
+        self.assertAlmostEqual(accuracy.score(without_truth(0.9, 0.2)), 0.5)
+
+    def test_sets_with_truth_are_three_quarters_of_the_number(self):
+        sets = {"a": with_truth(0.4), "b": with_truth(0.8), "wild": without_truth(0.2, 0.0)}
+        self.assertAlmostEqual(accuracy.number(sets), 0.75 * 0.6 + 0.25 * 0.2)
+
+    def test_the_number_is_the_mean_where_all_sets_have_truth_or_none_has(self):
+        self.assertAlmostEqual(accuracy.number({"a": with_truth(0.4)}), 0.4)
+        self.assertAlmostEqual(accuracy.number({"wild": without_truth(0.2, 0.0)}), 0.2)
+
+
+class Moves(unittest.TestCase):
+    def test_a_change_within_twice_the_scatter_is_noise(self):
+        before = with_truth(0.6, scatter=0.02)
+        for moved, expected in ((0.039, False), (-0.039, False), (0.041, True), (-0.041, True)):
+            self.assertEqual(accuracy.has_moved(with_truth(0.6 + moved), before), expected)
+
+    def test_four_stored_digits_are_no_change_of_a_set_without_scatter(self):
+        before = with_truth(0.6667, scatter=0.0)
+        self.assertFalse(accuracy.has_moved(with_truth(2 / 3), before))
+        self.assertTrue(accuracy.has_moved(with_truth(0.668), before))
+
+
+class Lines(unittest.TestCase):
+    def test_a_line_has_both_scores_their_difference_and_a_mark_if_it_moved(self):
+        before = with_truth(0.6, scatter=0.02)
+        self.assertEqual(accuracy.line("rooms", with_truth(0.7), before).split()[:7],
+                         ["rooms", "4", "0.700", "0.600", "+0.100", "*", "0.020"])
+        self.assertNotIn("*", accuracy.line("rooms", with_truth(0.61), before))
+
+    def test_a_set_that_is_not_stored_has_no_score_before(self):
+        self.assertEqual(accuracy.line("rooms", with_truth(0.7), None).split()[:5],
+                         ["rooms", "4", "0.700", "-", "-"])
+
+    def test_sets_are_compared_where_both_sides_have_them(self):
+        now = {"rooms": with_truth(0.7), "tables": with_truth(0.1), "roofs": "absent"}
+        before = {"rooms": with_truth(0.6, scatter=0.02), "cad": with_truth(0.9, scatter=0.0)}
+        lines = printed(accuracy.compare, now, before)
+        self.assertIn("roofs               absent", lines)
+        self.assertEqual(lines[-2], "all 2 sets: 0.4000")
+        self.assertEqual(lines[-1], "the 1 sets of both: 0.7000, before 0.6000 (+0.1000); "
+                                    "1 moved by more than their scatter")
+
+
+class Stored(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_what_is_stored_is_read_again(self):
+        values = {"rooms": with_truth(0.625), "wild-kitti": without_truth(0.75, 0.25)}
+        results = {(name, shift): value for name, value in values.items()
+                   for shift in accuracy.SHIFTS}
+        with mock.patch.object(accuracy, "STORED", self.folder / "accuracy.csv"), \
+                mock.patch.object(accuracy, "measure_all",
+                                  lambda folder, names, *_: results if names else {}):
+            accuracy.store(self.folder, list(values), "ops", False)
+            stored = accuracy.read_stored()
+        self.assertEqual(list(stored), list(values))
+        self.assertEqual(stored["rooms"], with_truth(0.625, scatter=0.0))
+        self.assertEqual(accuracy.score(stored["wild-kitti"]), 0.25)
+
+    def test_the_file_of_the_project_has_only_sets_that_are_measured(self):
+        self.assertLessEqual(set(accuracy.read_stored()), set(accuracy.SETS))
+
+    def test_real_clouds_are_left_out_where_they_are_absent(self):
+        (self.folder / "roof_1.pcd").touch()
+        with mock.patch.object(accuracy, "DATA", self.folder):
+            self.assertEqual(accuracy.data("real", "roof*@0.2", "room*@0.03"),
+                             [f"real:{self.folder}/roof*@0.2"])
+
+
+class Arguments(unittest.TestCase):
+    def refusal(self, *arguments):
+        with mock.patch.object(sys, "argv", ["accuracy", *arguments]), \
+                contextlib.redirect_stderr(io.StringIO()) as output, \
+                self.assertRaises(SystemExit) as end:
+            accuracy.arguments()
+        self.assertEqual(end.exception.code, 2)
+        return output.getvalue().strip().splitlines()[-1]
+
+    def test_sets_that_are_none_are_refused(self):
+        self.assertIn("--sets lunar: is no set; give a part of one of rooms, ",
+                      self.refusal("--sets", "lunar"))
+        self.assertIn("--sets (: is no expression; ", self.refusal("--sets", "("))
+
+    def test_a_folder_without_the_program_is_refused(self):
+        self.assertIn("has no pcl_ops_evaluate", self.refusal("--bin", "/"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
