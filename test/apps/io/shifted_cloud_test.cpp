@@ -100,8 +100,8 @@ TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
 {
   const auto said = [] (const std::string& share) {
     return "is missing readings: " + share +
-           " % of its points are at (0, 0, 0) and count as such; leave them out or write "
-           "them as NaN";
+           " % of its points are at (0, 0, 0) and count as such; leave them out or "
+           "write them as NaN";
   };
   const XyzCloud floor = floorOfPoints();
   const auto damageWithZeros = [&] (int one_of) {
