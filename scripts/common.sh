@@ -72,13 +72,18 @@ python_packages=(python3-dev python3-numpy pybind11-dev)
 # shellcheck disable=SC2034
 all_compilers=(g++-12 g++-13 g++-14 clang-14 clang-15 clang-16 clang-17 clang-18 clang-19)
 
-# newest_compiler: the last of them that is here or can be installed.
-newest_compiler() {
-  local name newest=clang
-  for name in "${all_compilers[@]}"; do
-    if command -v "$name" >/dev/null || apt-cache show "$name" >/dev/null 2>&1; then newest=$name; fi
+# install_newest_compiler: the last of them that there is here and that works with the
+# standard library here; sets newest to its name, or to g++.
+install_newest_compiler() {
+  local i
+  for ((i = ${#all_compilers[@]} - 1; i >= 0; --i)); do
+    newest=${all_compilers[i]}
+    install_packages "?$newest"
+    if "${newest/clang-/clang++-}" -std=c++17 -fsyntax-only -x c++ - <<<'#include <algorithm>' 2>/dev/null; then
+      return
+    fi
   done
-  printf '%s\n' "$newest"
+  newest=g++
 }
 
 # How many compilers fit, at 1.5 GB each.
