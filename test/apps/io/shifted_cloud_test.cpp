@@ -115,6 +115,7 @@ TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
     point.getVector3fMap() = point.getVector3fMap().array().round();
   EXPECT_EQ (damageOf ({on_a_grid.makeShared()}), "");
 }
+
 TEST (AdviceOnDegrees, IsGivenWhereAWidthOfDegreesHasAHeightOfMeters)
 {
   // A yard of 11 m by 7 m, 2 m high, and the same in meters.
@@ -135,3 +136,4 @@ TEST (AdviceOnDegrees, IsGivenWhereAWidthOfDegreesHasAHeightOfMeters)
   EXPECT_EQ (advice (degrees, {512345, 5412345, 498}), "") << "no degrees";
   EXPECT_EQ (advice (meters, {11, 48, 498}), "");
   EXPECT_EQ (advice ({}, {0, 0, 0}), "");
+}
