@@ -121,13 +121,13 @@ isBefore (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
 
 /** \brief About so many of the finite places, each once, whatever their order. */
 Places
-sampleByHash (const CoordinateReader& reader, std::size_t size, std::size_t wanted)
+sampleByHash (std::size_t size, const PlaceOf& placeOf, std::size_t wanted)
 {
   const auto share = static_cast<std::uint32_t> (size / wanted + 1);
   const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
   Places places;
   for (std::size_t i = 0; i < size; ++i)
-    if (const Eigen::Vector3d place = reader (i);
+    if (const Eigen::Vector3d place = placeOf (i);
         hashOf (place) <= last_taken && place.allFinite())
       places.push_back (place);
   std::sort (places.begin(), places.end(), isBefore);
@@ -154,19 +154,6 @@ roundedMedian (Places places)
   return (median / step + Eigen::Vector3d::Constant (0.5)).array().floor() * step;
 }
 
-/** \brief Near most points, whatever their order; wherever few stray to, and however
- * many are at one place. */
-Eigen::Vector3d
-placeNearMost (const CoordinateReader& reader, std::size_t size)
-{
-  constexpr std::size_t looked_at = 8192;
-  Places places = sampleByHash (reader, size, looked_at);
-  // Of points at one place the hash takes none or all.
-  if (places.empty())
-    places = sampleByHash (reader, size, size + 1);
-  return roundedMedian (std::move (places));
-}
-
 } // namespace
 
 ShiftedCloud
@@ -176,9 +163,9 @@ shiftedCloudOf (const FileCloud& cloud, double step)
   ShiftedCloud shifted;
   const std::size_t size = cloud.size();
   if (step > 0.0)
-    shifted.shift = (placeNearMost (reader, size) / step).array().round() * step;
+    shifted.shift = (usualPlace (size, reader) / step).array().round() * step;
   else if (!isExactInSingle (reader, size))
-    shifted.shift = placeNearMost (reader, size);
+    shifted.shift = usualPlace (size, reader);
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -267,10 +254,12 @@ somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at)
 Eigen::Vector3d
 usualPlace (std::size_t size, const PlaceOf& place)
 {
-  constexpr std::size_t looked_at = 1000;
-  const Places places = somePlaces (size, place, looked_at);
-  return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
-                        : quantileOfEach (places, 0.5);
+  constexpr std::size_t looked_at = 8192;
+  Places places = sampleByHash (size, place, looked_at);
+  // Of points at one place the hash takes none or all.
+  if (places.empty())
+    places = sampleByHash (size, place, size + 1);
+  return roundedMedian (std::move (places));
 }
 
 } // namespace pcl_ops::apps

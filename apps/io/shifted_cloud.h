@@ -82,9 +82,9 @@ using PlaceOf = std::function<Eigen::Vector3d (std::size_t)>;
 std::vector<Eigen::Vector3d>
 somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);
 
-/** \brief A place near most points: one outlier must not leave the others without
- * digits. Zero where no point is finite. Some thousand are looked at, or as many as it
- * takes to find a finite one. */
+/** \brief A place near most points, whatever their order; wherever few stray to, and
+ * however many are at one place: one outlier must not leave the others without digits.
+ * Zero where no point is finite. All are read, some thousand looked at. */
 Eigen::Vector3d
 usualPlace (std::size_t size, const PlaceOf& place);
 
