@@ -164,7 +164,7 @@ declare (Parameters parameters,
 void
 relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters)
 {
-  if (given.count ("cell") > 0 && parameters.sampling != Sampling::Surfels)
+  if (given.count ("cell") > 0 && parameters.sampling == Sampling::Points)
     throw UsageError ("--cell", "has no meaning to --preset paper; leave it out");
   // Too many take as long as if there were so many points.
   const int k = parameters.k;
@@ -226,6 +226,20 @@ hintOnMinInliers (const GivenNumbers& given,
              asked % left % all));
 }
 
+std::string
+samplingName (Sampling sampling)
+{
+  switch (sampling) {
+  case Sampling::Points:
+    return "points";
+  case Sampling::Leaves:
+    return "leaves";
+  case Sampling::Surfels:
+    break;
+  }
+  return "surfels";
+}
+
 /** \brief By the names of options, and what no option changes. */
 template <typename Parameters>
 Settings
@@ -235,8 +249,7 @@ reportOf (const std::string& preset, Parameters parameters)
   settings["preset"] = preset;
   settings["up"] = Eigen::Vector3d (parameters.up_axis.template cast<double>());
   if constexpr (std::is_same_v<Parameters, OpsParameters>)
-    settings["sampling"] =
-        parameters.sampling == Sampling::Surfels ? "surfels" : "points";
+    settings["sampling"] = samplingName (parameters.sampling);
   if constexpr (std::is_same_v<Parameters, KhtParameters>) {
     settings["refit"] = parameters.refit.enabled;
     settings["merging"] = parameters.merging.enabled;
@@ -277,13 +290,27 @@ hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
         "the voxels their size: leave one of them out");
 }
 
+/** \brief The values that a preset has. */
+template <typename Parameters>
+Parameters
+presetCalled (const std::string& preset)
+{
+  if (preset == "paper")
+    return Parameters::paper();
+  if (preset != "leaves")
+    return Parameters();
+  if constexpr (std::is_same_v<Parameters, OpsParameters>)
+    return Parameters::leaves();
+  else
+    throw UsageError ("--preset leaves", "is of --method ops; leave it out");
+}
+
 template <typename Detector>
 Detected
 detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   using Parameters = typename Detector::Parameters;
-  Parameters parameters =
-      options.preset == "paper" ? Parameters::paper() : Parameters();
+  auto parameters = presetCalled<Parameters> (options.preset);
   parameters.up_axis = options.up.value_or (parameters.up_axis);
   apply (options.numbers, parameters);
   relate (options.numbers, cloud->size(), parameters);
@@ -478,8 +505,9 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
   for (const Method& known : allMethods())
     names.push_back (known.name);
   line.add ("method", method, names).help ("the detector (ops)");
-  line.add ("preset", options.preset, {"default", "paper"})
-      .help ("recommended parameters, or the paper's best ones");
+  line.add ("preset", options.preset, {"default", "leaves", "paper"})
+      .help ("recommended parameters, voxels of mixed sizes for surveys, hills and "
+             "lidars, or the paper's best parameters");
   line.add ("up x,y,z",
             [&options] (const std::string& text) {
               options.finds_up = text == "auto";

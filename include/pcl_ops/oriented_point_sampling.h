@@ -17,7 +17,10 @@ enum class Sampling {
   Points,
   /** \brief A flat voxel of a grid; its normal comes from the moments of the voxels
    * around it, its plane knows where it ends. */
-  Surfels
+  Surfels,
+  /** \brief The same on leaves of an octree: cells of mixed sizes, smaller where points
+   * are denser and their noise is even. */
+  Leaves
 };
 
 /** \brief What Sampling::Points, the paper's algorithm, alone reads; surfels, the
@@ -117,6 +120,13 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   unsigned min_inliers = 20;
   PaperParameters paper_only;
   Surfels surfels;
+
+  /** \brief Sampling::Leaves with the values that suit it: for surveys, hills, lidars
+   * and scans whose density or noise differs from place to place, where voxels of one
+   * size make planes that are far thicker than their surroundings. Several times slower
+   * than the default. */
+  static OrientedPointSamplingParameters
+  leaves ();
 
   /** \brief The algorithm of the paper with its best row (Table III): 3 %, 30
    * neighbors, 0.05 m, 20 samples, p 0.99, 7 degrees, strategy 2. */

@@ -2,12 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/angles.h"
 #include "ops/detect_as_in_paper.h"
+#include "ops/detect_on_leaves.h"
 #include "ops/detect_on_voxels.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <cmath>
 
 namespace pcl_ops {
+
+namespace internal {
+namespace {
+
+LabelledPlanes
+detectBySampling (const DetectorInput& input,
+                  const OrientedPointSamplingParameters& parameters,
+                  const Points& points,
+                  StageDurations& durations)
+{
+  switch (parameters.sampling) {
+  case Sampling::Points:
+    return detectAsInPaper (input, points, parameters, durations);
+  case Sampling::Leaves:
+    return detectOnLeaves (points, parameters, durations);
+  case Sampling::Surfels:
+    break;
+  }
+  return detectOnVoxels (points, parameters, durations);
+}
+
+} // namespace
+} // namespace internal
 
 detail::Detection
 detail::detect (const DetectorInput& input,
@@ -18,11 +42,22 @@ detail::detect (const DetectorInput& input,
       input,
       parameters,
       [&] (const auto& points, auto& durations) {
-        return parameters.sampling == Sampling::Surfels
-                   ? detectOnVoxels (points, parameters, durations)
-                   : detectAsInPaper (input, points, parameters, durations);
+        return detectBySampling (input, parameters, points, durations);
       },
       coarsestVoxel (parameters.surfels));
+}
+
+OrientedPointSamplingParameters
+OrientedPointSamplingParameters::leaves()
+{
+  OrientedPointSamplingParameters parameters;
+  parameters.sampling = Sampling::Leaves;
+  parameters.surfels.resolutions = 4;
+  parameters.surfels.noise_factor = 1.73;
+  parameters.surfels.sure_thickness = 0.265;
+  parameters.surfels.max_thickness = 0.3;
+  parameters.surfels.assignment_noise_factor = 3.45;
+  return parameters;
 }
 
 OrientedPointSamplingParameters

@@ -26,7 +26,9 @@ using Words = std::vector<std::pair<std::string, E>>;
 
 /** \brief What Python calls the values of enumerations. */
 inline const std::tuple words = {
-    Words<Sampling>{{"points", Sampling::Points}, {"surfels", Sampling::Surfels}},
+    Words<Sampling>{{"points", Sampling::Points},
+                    {"surfels", Sampling::Surfels},
+                    {"leaves", Sampling::Leaves}},
     Words<PaperStrategy>{{"detect_then_divide", PaperStrategy::DetectThenDivide},
                          {"divide_then_detect", PaperStrategy::DivideThenDetect}},
     Words<PaperVerification>{{"samples", PaperVerification::Samples},

@@ -77,6 +77,7 @@ void
 addRowsOfPaper (std::vector<Configuration>& all)
 {
   add<Ops> (all, "ops", "presets", {});
+  add<Ops> (all, "ops-leaves", "presets", Ops::Parameters::leaves());
   auto ops = Ops::Parameters::paper();
   const auto addOps = [&] (const char* prefix, double percent) {
     ops.sampling_rate = percent / 100.0;

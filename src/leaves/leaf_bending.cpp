@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "leaves/leaf_bending.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using BendTerms = Eigen::Matrix<double, 6, 1>;
+
+/** \brief Normal equations of the fit: heights [m] over u and v in half extents. */
+struct BendEquations {
+  Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
+  BendTerms products = BendTerms::Zero();
+  double squared_heights = 0.0;
+
+  void
+  add (double weight, double u, double v, double height)
+  {
+    BendTerms terms;
+    terms << 1.0, u, v, u * u, u * v, v * v;
+    squares += weight * terms * terms.transpose();
+    products += weight * height * terms;
+    squared_heights += weight * height * height;
+  }
+
+  /** \brief Sum of squares that a plane of its own leaves. */
+  double
+  leftByPlane () const
+  {
+    const Eigen::Matrix3d a = squares.topLeftCorner<3, 3>();
+    const Eigen::Vector3d b = products.head<3>();
+    return std::max (0.0, squared_heights - b.dot (a.ldlt().solve (b)));
+  }
+};
+
+/** \brief The axes of leaves along their plane, with half the extent along each [m] as
+ * if they were evenly covered. */
+struct BendAxes {
+  Eigen::Vector3d center, u, v;
+  double half_u, half_v;
+};
+
+BendAxes
+bendAxesOf (const Moments& moments, const Plane& plane)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (moments.covariance());
+  const Eigen::Vector3d half_extents =
+      std::sqrt (3.0) * axes.eigenvalues().cwiseMax (1e-300).cwiseSqrt();
+  const Eigen::Vector3d u = axes.eigenvectors().col (2);
+  return {
+      moments.centroid(), u, plane.normal.cross (u), half_extents[2], half_extents[1]};
+}
+
+// The larger principal bend of the second order terms, and its direction.
+void
+takeLargestBend (const BendTerms& terms, const BendAxes& axes, LeafBending& bending)
+{
+  Eigen::Matrix2d second_order;
+  second_order << terms[3], 0.5 * terms[4], 0.5 * terms[4], terms[5];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bends (second_order);
+  const Eigen::Vector2d amplitudes = bends.eigenvalues().cwiseAbs();
+  const int largest = amplitudes[0] > amplitudes[1] ? 0 : 1;
+  const Eigen::Vector2d direction = bends.eigenvectors().col (largest);
+  bending.amplitude = amplitudes[largest];
+  bending.half_extent =
+      1.0 / std::hypot (direction[0] / axes.half_u, direction[1] / axes.half_v);
+}
+
+} // namespace
+
+LeafBending
+bendingOfLeaves (const LeafCloud& cloud, const Indices& leaves, const Plane& plane)
+{
+  constexpr std::size_t min_leaves = 8;
+  LeafBending bending;
+  if (leaves.size() < min_leaves)
+    return bending;
+  Moments all;
+  for (const std::uint32_t leaf : leaves)
+    all.addAligned (cloud.moments[leaf]);
+  const BendAxes axes = bendAxesOf (all, plane);
+  BendEquations equations;
+  double squared_distances = 0.0;
+  for (const std::uint32_t leaf : leaves) {
+    const Moments& moments = cloud.moments[leaf];
+    const Eigen::Vector3d offset = moments.centroid() - axes.center;
+    equations.add (moments.count,
+                   axes.u.dot (offset) / axes.half_u,
+                   axes.v.dot (offset) / axes.half_v,
+                   plane.normal.dot (offset));
+    squared_distances += moments.count * meanSquaredDistance (moments, plane);
+  }
+  const BendTerms terms = equations.squares.ldlt().solve (equations.products);
+  const double gain =
+      std::min (equations.squared_heights, equations.products.dot (terms));
+  const double flat = equations.leftByPlane();
+  const auto number = static_cast<double> (leaves.size());
+  if (flat > 0.0)
+    bending.explained = 1.0 - (equations.squared_heights - gain) /
+                                  std::max (1.0, number - 6.0) /
+                                  (flat / (number - 3.0));
+  takeLargestBend (terms, axes, bending);
+  bending.left = std::sqrt (std::max (0.0, squared_distances - gain) / all.count);
+  return bending;
+}
+
+bool
+isCurved (const LeafBending& bending)
+{
+  constexpr double min_share = 0.4;
+  // At .01 real walls, bent by a sensor, go.
+  constexpr double min_slope = 0.05;
+  return bending.explained > min_share &&
+         bending.amplitude > min_slope * bending.half_extent;
+}
+
+} // namespace pcl_ops::internal

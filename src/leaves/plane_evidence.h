@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "leaves/leaf_surfels.h"
+
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief How a plane ends, counted in pairs of touching leaves of which one is its
+ * own. A plane ends at a crease or in the air; a facet of something curved goes on
+ * smoothly beyond its border: what lies there is near, and turned by no more than the
+ * facet itself bends. */
+struct PlaneBorder {
+  double links = 0.0;
+  double goes_on = 0.0;
+  double ends = 0.0;
+  /** \brief Leaves that touch none of others. */
+  double inner_leaves = 0.0;
+};
+
+/** \brief Which planes are kept: those for which more speaks than against them.
+ *
+ * Against a plane speak its bend over its noise, and the share of its border where it
+ * goes on smoothly; for it its size, the share of its border where it ends, and the
+ * share of its leaves that are inside. Tests one after the other lose planes that fail
+ * one of them by little.
+ * \param[in] surfels of leaves without a plane
+ * \param[in] points of each plane */
+std::vector<char>
+keptPlanes (const LeafCloud& cloud,
+            const LeafPlanes& planes,
+            const std::vector<LeafSurfel>& surfels,
+            const std::vector<std::size_t>& points);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "leaves/leaf_cloud.h"
+
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Makes two planes of those that are two layers: the sides of a thin wall fall
+ * into the same leaves and into one plane. Where a threshold on the signed distances of
+ * a plane's points explains most of their variance, what lies above it is another plane
+ * (Otsu's threshold; N. Otsu, "A Threshold Selection Method from Gray-Level
+ * Histograms", IEEE Trans. Systems, Man, and Cybernetics, 1979).
+ * \param[in,out] labels of the points; new planes are numbered from \p is_kept.size()
+ * \param[in,out] is_kept planes that are kept, new ones are added */
+void
+splitLayers (const LeafCloud& cloud,
+             const LeafPlanes& planes,
+             Labels& labels,
+             std::vector<char>& is_kept);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "leaves/uneven_noise.h"
+
+#include <algorithm>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+float
+lowerQuartile (std::vector<float>& values)
+{
+  constexpr std::size_t min_cells = 4;
+  if (values.size() < min_cells)
+    return 0.0f;
+  constexpr double share = 0.25;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t> (
+                                       share * static_cast<double> (values.size()));
+  std::nth_element (values.begin(), at, values.end());
+  return *at;
+}
+
+} // namespace
+
+UnevenNoise::UnevenNoise (const CurvePoints& points,
+                          const std::vector<CellScatter>& cells,
+                          int region_level)
+: region_level_ (region_level)
+{
+  const int shift = 3 * region_level;
+  std::array<std::vector<float>, top_level + 1> of_level;
+  const auto endRegion = [&] (MortonCode code) {
+    Region region{code, {}};
+    for (int level = 0; level <= region_level; ++level) {
+      region.unevenness[level] = lowerQuartile (of_level[level]);
+      of_level[level].clear();
+    }
+    regions_.push_back (region);
+  };
+  MortonCode region_code = 0;
+  bool is_in_region = false;
+  for (const CellScatter& cell : cells) {
+    if (cell.level > region_level || !cell.is_wide)
+      continue;
+    const MortonCode code = points.code[cell.begin] >> shift;
+    if (is_in_region && code != region_code)
+      endRegion (region_code);
+    region_code = code;
+    is_in_region = true;
+    of_level[cell.level].push_back (cell.unevenness);
+  }
+  if (is_in_region)
+    endRegion (region_code);
+}
+
+float
+UnevenNoise::of (MortonCode code, int level) const
+{
+  const MortonCode wanted = code >> 3 * region_level_;
+  const auto region = std::lower_bound (
+      regions_.begin(),
+      regions_.end(),
+      wanted,
+      [] (const Region& one, MortonCode other) { return one.code < other; });
+  return region != regions_.end() && region->code == wanted ? region->unevenness[level]
+                                                            : 0.0f;
+}
+
+} // namespace pcl_ops::internal

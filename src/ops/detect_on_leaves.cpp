@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/detect_on_leaves.h"
+
+#include "leaves/leaf_growing.h"
+#include "leaves/leaf_halving.h"
+#include "leaves/leaf_joining.h"
+#include "leaves/leaf_labels.h"
+#include "leaves/leaf_noise.h"
+#include "leaves/leaf_spreading.h"
+#include "leaves/plane_evidence.h"
+#include "leaves/plane_layers.h"
+#include "voxels/voxel_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using OpsParameters = OrientedPointSamplingParameters;
+using LeafSurfelSettings = OrientedPointSamplingParameters::Surfels;
+
+/** \brief How finely a cloud is divided. */
+struct OctreeSizes {
+  double cell = 0.0; // edge of the finest cells [m]; 0: there is no surface
+  LeafSizes leaves;
+  double min_points_of_normal = 0.0;
+  /** \brief Leaves a plane needs, over those of a large cloud. */
+  double leaves_factor = 1.0;
+};
+
+constexpr double points_of_large_cloud = 300'000.0;
+
+// Edge at which the cloud would fill so many leaves, were they all of one size.
+// Measured on rooms of 50 k to 3 M points: smaller planes need more leaves, but noise
+// does not shrink with their size, so that their number grows much more slowly than the
+// points'.
+double
+usualEdge (const Points& points, double sampling_rate)
+{
+  constexpr double leaves_per_sample = 2.0 / 3.0;
+  constexpr double min_points_per_leaf = 10.0;
+  const auto number = static_cast<double> (points.size());
+  const double wanted = leaves_per_sample * sampling_rate * points_of_large_cloud *
+                        std::cbrt (number / points_of_large_cloud);
+  return voxelSizeFor (points, std::min (wanted, number / min_points_per_leaf));
+}
+
+// Sizes of leaves: given, or by the number of points.
+OctreeSizes
+octreeSizes (const Points& points, const OpsParameters& parameters)
+{
+  OctreeSizes sizes;
+  if (const std::optional<double>& given = parameters.surfels.voxel_size) {
+    // All leaves are of one size; the second round halves them.
+    constexpr int level = 4;
+    sizes.cell = std::ldexp (*given, -level);
+    sizes.leaves.largest_level = level;
+    sizes.leaves.smallest_level = level;
+    return sizes;
+  }
+  constexpr int usual_level = 6;
+  constexpr int smallest_level = 1;
+  sizes.cell = std::ldexp (
+      std::sqrt (2.0) * usualEdge (points, parameters.sampling_rate), -usual_level);
+  sizes.leaves.largest_level = usual_level + 1;
+  sizes.leaves.smallest_level = smallest_level;
+  return sizes;
+}
+
+// What depends on the number of different points.
+void
+adaptToPoints (std::size_t points, const OpsParameters& parameters, OctreeSizes& sizes)
+{
+  constexpr double usual_points_per_leaf = 45.0;
+  constexpr double growth = 0.4;
+  constexpr double min_points_per_leaf = 2.0;
+  constexpr double usual_rate = 0.03;
+  constexpr double points_of_small_cloud = 1000.0;
+  const auto number = static_cast<double> (points);
+  sizes.leaves.max_points =
+      std::max (min_points_per_leaf,
+                usual_points_per_leaf * (usual_rate / parameters.sampling_rate) *
+                    std::pow (number / points_of_large_cloud, growth));
+  // A fifth of k where points are few, more where leaves hold many.
+  constexpr double least_share_of_k = 0.2;
+  constexpr double share_of_leaf = 0.8;
+  constexpr double usual_k = 30.0;
+  sizes.min_points_of_normal =
+      parameters.k *
+      std::max (least_share_of_k, share_of_leaf / usual_k * sizes.leaves.max_points);
+  // Fewer points offer fewer leaves that lie on a plane by chance.
+  sizes.leaves_factor = std::min (1.0, std::cbrt (number / points_of_small_cloud));
+}
+
+/** \brief What all rounds share. */
+struct Rounds {
+  CurvePoints points;
+  OctreeSizes sizes;
+  ExpectedNoise expected;
+  UnevenNoise uneven;
+  CoordinateSteps steps;
+  const OpsParameters& parameters;
+};
+
+/** \brief Adds the time until its end to a duration. */
+class StageTime {
+public:
+  explicit StageTime (double& duration) : duration_ (duration) {}
+  StageTime (const StageTime&) = delete;
+  StageTime&
+  operator= (const StageTime&) = delete;
+  ~StageTime() { clock_.lap (duration_); }
+
+private:
+  double& duration_;
+  StageClock clock_;
+};
+
+/** \brief What a stage returns; its time is added to a duration. */
+template <typename Stage>
+auto
+timed (double& duration, const Stage& stage)
+{
+  const StageTime time (duration);
+  return stage();
+}
+
+// P along a curve, where equal points count once, and what noise it shows.
+Rounds
+sortPoints (const Points& points, OctreeSizes sizes, const OpsParameters& parameters)
+{
+  CurvePoints sorted = sortAlongCurve (points, sizes.cell, parameters.threads);
+  adaptToPoints (sorted.size(), parameters, sizes);
+  const std::vector<CellScatter> cells = scatterOfCells (sorted);
+  ExpectedNoise expected (cells, sorted.cell);
+  UnevenNoise uneven (sorted, cells, sizes.leaves.largest_level + 1);
+  CoordinateSteps steps (sorted);
+  return {std::move (sorted),
+          sizes,
+          std::move (expected),
+          std::move (uneven),
+          std::move (steps),
+          parameters};
+}
+
+LeafCloud
+measure (const Rounds& rounds, std::vector<Leaf> leaves)
+{
+  return measureLeaves (rounds.points,
+                        rounds.expected,
+                        rounds.steps,
+                        std::move (leaves),
+                        rounds.parameters.threads);
+}
+
+// P_s: the leaves of an octree.
+LeafCloud
+divide (const Rounds& rounds)
+{
+  return measure (rounds,
+                  divideIntoLeaves (rounds.points, rounds.sizes.leaves, rounds.uneven));
+}
+
+JoiningParameters
+joiningBy (const OpsParameters& parameters)
+{
+  constexpr double usual_noise_factor = 2.0;
+  JoiningParameters joining;
+  joining.max_distance = usual_noise_factor;
+  joining.joins_over_gaps = parameters.merging.enabled;
+  joining.max_angle_over_gaps = parameters.merging.angle_threshold;
+  joining.max_distance_over_gaps =
+      parameters.merging.noise_factor.value_or (usual_noise_factor);
+  return joining;
+}
+
+// n_i: normals from the moments around.
+std::vector<LeafSurfel>
+orient (const Rounds& rounds, const LeafCloud& cloud, const LeafPlanes& planes)
+{
+  const OpsParameters& parameters = rounds.parameters;
+  return orientLeaves (
+      cloud,
+      planes,
+      {rounds.sizes.min_points_of_normal, parameters.surfels.resolutions},
+      parameters.threads);
+}
+
+// Pi: finds planes among the leaves that have none, and lets all planes grow by a leaf.
+void
+spread (const Rounds& rounds,
+        const LeafCloud& cloud,
+        const std::vector<LeafSurfel>& surfels,
+        double max_thickness,
+        double leaves_per_inlier,
+        LeafPlanes& planes)
+{
+  constexpr double max_distance = 2.5;
+  const OpsParameters& parameters = rounds.parameters;
+  spreadPlanes (
+      cloud,
+      surfels,
+      {max_thickness,
+       rounds.sizes.leaves_factor * leaves_per_inlier * parameters.min_inliers,
+       parameters.surfels.noise_factor,
+       parameters.surfels.angle_threshold},
+      planes);
+  measureNoise (cloud, parameters.threads, planes);
+  growPlanes (cloud, max_distance, 1, parameters.threads, planes);
+  refitPlanes (cloud, planes);
+  measureNoise (cloud, parameters.threads, planes);
+}
+
+void
+join (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
+{
+  joinPlanes (cloud, joiningBy (rounds.parameters), rounds.parameters.threads, planes);
+}
+
+// Section III-C, by the noise of the planes instead of theta_h: lets planes grow to
+// their borders, and makes one of those that are one.
+void
+finishPlanes (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
+{
+  constexpr double max_distance = 3.0;
+  constexpr int max_rings = 50;
+  const unsigned threads = rounds.parameters.threads;
+  const std::vector<char> grown =
+      growPlanes (cloud, max_distance, max_rings, threads, planes);
+  refitPlanes (cloud, planes);
+  measureNoise (cloud, threads, planes, &grown);
+  join (rounds, cloud, planes);
+  const std::vector<char> relaxed = relaxLabels (cloud, threads, planes);
+  measureNoise (cloud, threads, planes, &relaxed);
+}
+
+// The labels of all points of the cloud, of planes that are kept.
+AssignedPoints
+labelCloud (const Points& points,
+            const CurvePoints& sorted,
+            const Labels& labels,
+            const std::vector<char>& is_kept,
+            unsigned threads)
+{
+  Labels number (is_kept.size(), no_plane);
+  std::int32_t planes = 0;
+  for (std::size_t p = 0; p < is_kept.size(); ++p)
+    if (is_kept[p] != 0) {
+      number[p] = planes;
+      ++planes;
+    }
+  AssignedPoints assigned;
+  assigned.labels.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t plane = labels[sorted.of_input[i]];
+    assigned.labels[i] = plane == no_plane ? no_plane : number[plane];
+  }
+  assigned.moments = momentsOfLabels (
+      points, assigned.labels, static_cast<std::size_t> (planes), threads);
+  return assigned;
+}
+
+// Every point of P, not of P_s alone, to a plane; planes for which enough speaks.
+AssignedPoints
+assign (const Rounds& rounds,
+        const Points& points,
+        const LeafCloud& cloud,
+        const LeafPlanes& planes,
+        const std::vector<LeafSurfel>& surfels)
+{
+  const OpsParameters& parameters = rounds.parameters;
+  Labels labels = labelPoints (cloud,
+                               planes,
+                               parameters.surfels.assignment_noise_factor,
+                               parameters.distance_threshold,
+                               parameters.threads);
+  std::vector<char> is_kept =
+      keptPlanes (cloud, planes, surfels, countLabels (labels, planes.planes.size()));
+  splitLayers (cloud, planes, labels, is_kept);
+  return labelCloud (points, rounds.points, labels, is_kept, parameters.threads);
+}
+
+// Planes of a distance that a user gave are one, too.
+LabelledPlanes
+merge (AssignedPoints assigned, const OpsParameters& parameters)
+{
+  MergingParameters given = parameters.merging;
+  given.enabled = given.enabled && given.distance_threshold.has_value();
+  return mergeAssigned (std::move (assigned), given, parameters.threads);
+}
+
+// The median over the planes of how far a point may be from them, as the median of
+// their leaves says.
+std::optional<double>
+usualDistance (const LeafPlanes& planes, const OpsParameters& parameters)
+{
+  if (parameters.distance_threshold)
+    return parameters.distance_threshold;
+  std::vector<std::vector<float>> noises (planes.planes.size());
+  for (std::size_t i = 0; i < planes.plane_of_leaf.size(); ++i)
+    if (planes.plane_of_leaf[i] != no_plane)
+      noises[planes.plane_of_leaf[i]].push_back (static_cast<float> (planes.noise[i]));
+  std::vector<float> of_planes;
+  for (std::vector<float>& noise : noises)
+    if (!noise.empty())
+      of_planes.push_back (static_cast<float> (medianOf (noise)));
+  if (of_planes.empty())
+    return std::nullopt;
+  return parameters.surfels.assignment_noise_factor * medianOf (of_planes);
+}
+
+// The edge of the smallest leaves [m].
+double
+smallestEdge (const LeafCloud& cloud)
+{
+  return *std::min_element (cloud.edge.begin(), cloud.edge.end());
+}
+
+std::size_t
+countPlanes (const LeafPlanes& planes)
+{
+  std::vector<char> has_leaves (planes.planes.size(), 0);
+  for (const std::int32_t plane : planes.plane_of_leaf)
+    if (plane != no_plane)
+      has_leaves[plane] = 1;
+  return static_cast<std::size_t> (
+      std::count (has_leaves.begin(), has_leaves.end(), 1));
+}
+
+LeafPlanes
+noPlanes (std::size_t leaves)
+{
+  return {{},
+          Labels (leaves, no_plane),
+          std::vector<double> (leaves, 0.0),
+          std::vector<char> (leaves, 0)};
+}
+
+// Where no plane explains the points, leaves of half the edge.
+void
+divideAgain (const Rounds& rounds, LeafCloud& cloud, LeafPlanes& planes)
+{
+  HalvedLeaves halved = halveOpenLeaves (cloud, planes);
+  cloud = measure (rounds, std::move (halved.leaves));
+  planes = std::move (halved.planes);
+}
+
+} // namespace
+
+LabelledPlanes
+detectOnLeaves (const Points& points,
+                const OpsParameters& parameters,
+                StageDurations& times)
+{
+  // Leaves a plane needs: more while they are large, fewer in the last round.
+  constexpr double first_leaves_per_inlier = 1.3;
+  constexpr double last_leaves_per_inlier = 0.75;
+  const LeafSurfelSettings& limits = parameters.surfels;
+  LabelledPlanes found;
+  found.labels.assign (points.size(), no_plane);
+  const OctreeSizes sizes = octreeSizes (points, parameters);
+  if (!(sizes.cell > 0.0))
+    return found;
+  const Rounds rounds =
+      timed (times.search, [&] { return sortPoints (points, sizes, parameters); });
+  LeafCloud cloud = timed (times.search, [&] { return divide (rounds); });
+  const double used_edge = smallestEdge (cloud);
+  LeafPlanes planes = noPlanes (cloud.size());
+  const auto findPlanes = [&] (double max_thickness, double leaves_per_inlier) {
+    std::vector<LeafSurfel> surfels =
+        timed (times.normals, [&] { return orient (rounds, cloud, planes); });
+    timed (times.extraction, [&] {
+      spread (rounds, cloud, surfels, max_thickness, leaves_per_inlier, planes);
+    });
+    return surfels;
+  };
+  findPlanes (limits.sure_thickness, first_leaves_per_inlier);
+  timed (times.merging, [&] { join (rounds, cloud, planes); });
+  timed (times.search, [&] { divideAgain (rounds, cloud, planes); });
+  const std::vector<LeafSurfel> surfels =
+      findPlanes (limits.max_thickness, last_leaves_per_inlier);
+  const std::size_t planes_before_merging = countPlanes (planes);
+  timed (times.merging, [&] { finishPlanes (rounds, cloud, planes); });
+  found = timed (times.assignment, [&] {
+    return merge (assign (rounds, points, cloud, planes, surfels), parameters);
+  });
+  found.planes_before_merging = planes_before_merging;
+  found.used = {used_edge, usualDistance (planes, parameters)};
+  return found;
+}
+
+} // namespace pcl_ops::internal
