@@ -8,9 +8,13 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Uneven noise over the edge of a cell: a slope that normals of its eighths err by.
-constexpr double max_slope_to_divide = 0.02;
-constexpr float max_slope_to_halve = 0.04f;
+// Uneven noise over the edge of a cell is the slope that normals of its eighths err by.
+// Leaves where it is larger hold several times the points: leaves as small as elsewhere
+// are facets there (src/doc/decisions.md). Not to divide them at all costs CAD models, facades and offices,
+// whose creases look uneven, too.
+constexpr float max_even_slope = 0.009f;
+constexpr double points_where_uneven = 5.0;
+constexpr float max_slope_to_halve = 0.03f;
 
 MortonCode
 cornerOf (MortonCode code, int level)
@@ -30,28 +34,14 @@ struct Division {
     if (level > sizes.largest_level)
       return divideFurther (begin, end, level);
     const MortonCode code = points.code[begin];
-    const double slope = slopeAt (code, level);
-    constexpr double uneven_factor = 3.3;
+    const auto edge = static_cast<float> (std::ldexp (points.cell, level));
+    const float slope = uneven.of (code, level) / edge;
     const double max_points =
-        sizes.max_points * (slope > max_slope_to_divide ? uneven_factor : 1.0);
+        sizes.max_points * (slope > max_even_slope ? points_where_uneven : 1.0);
     if (end - begin <= max_points || level <= sizes.smallest_level)
-      leaves.push_back (
-          {cornerOf (code, level), begin, end, level, static_cast<float> (slope)});
+      leaves.push_back ({cornerOf (code, level), begin, end, level, slope});
     else
       divideFurther (begin, end, level);
-  }
-
-  // Uneven noise over the edge of a cell, where it is noise: that of a bent surface
-  // grows as fast as the edge.
-  double
-  slopeAt (MortonCode code, int level) const
-  {
-    constexpr int larger = 2;
-    constexpr double max_growth = 1e9;
-    const double slope = uneven.of (code, level) / std::ldexp (points.cell, level);
-    const double of_larger =
-        uneven.of (code, level + larger) / std::ldexp (points.cell, level + larger);
-    return of_larger < max_growth * slope ? slope : 0.0;
   }
 
   void

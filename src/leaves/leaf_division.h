@@ -30,8 +30,8 @@ struct LeafSizes {
 };
 
 /** \brief Divides the octree from its root down, by the number of points: leaves are
- * small where points are dense. A cell whose place is uneven at its size is not
- * divided: its eighths would be facets of the noise. */
+ * small where points are dense, and larger where noise is uneven, as their eighths
+ * would be facets of the noise. */
 std::vector<Leaf>
 divideIntoLeaves (const CurvePoints& points,
                   const LeafSizes& sizes,

@@ -65,7 +65,7 @@ borderOf (const LeafCloud& cloud,
   return border;
 }
 
-// Fitted to 1,850 candidates of all data sets with truth, as a linear rule.
+// A linear rule: tests one after the other lose planes (src/doc/decisions.md).
 bool
 isKept (const PlaneParts& own, const PlaneBorder& border)
 {

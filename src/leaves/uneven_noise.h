@@ -20,8 +20,8 @@ public:
                const std::vector<CellScatter>& cells,
                int region_level);
 
-  /** \brief What a quarter of the cells of a level, in the region that a point is in,
-   * are less uneven than [m]; 0 where too few tell.
+  /** \brief What somewhat more than a quarter of the cells of a level, in the region
+   * that a point is in, are less uneven than [m]; 0 where too few tell.
    * \param[in] code of any point of the region */
   float
   of (MortonCode code, int level) const;
