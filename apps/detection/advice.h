@@ -202,7 +202,7 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
   return str (
       boost::format ("planes are thick: %1$.0f %% of the points on planes are on "
                      "such as are more than %2% times thicker than their "
-                     "surroundings: try --preset leaves, or --cell %3% or more") %
+                     "surroundings: give --cell %3%, or more for larger planes") %
       (100.0 * share) % thick_factor % (digit * std::round (cell / digit)));
 }
 

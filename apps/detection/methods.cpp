@@ -232,12 +232,14 @@ samplingName (Sampling sampling)
   switch (sampling) {
   case Sampling::Points:
     return "points";
+  case Sampling::Surfels:
+    return "surfels";
   case Sampling::Leaves:
     return "leaves";
-  case Sampling::Surfels:
+  case Sampling::Automatic:
     break;
   }
-  return "surfels";
+  return "automatic";
 }
 
 /** \brief By the names of options, and what no option changes. */
@@ -290,27 +292,13 @@ hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
         "the voxels their size: leave one of them out");
 }
 
-/** \brief The values that a preset has. */
-template <typename Parameters>
-Parameters
-presetCalled (const std::string& preset)
-{
-  if (preset == "paper")
-    return Parameters::paper();
-  if (preset != "leaves")
-    return Parameters();
-  if constexpr (std::is_same_v<Parameters, OpsParameters>)
-    return Parameters::leaves();
-  else
-    throw UsageError ("--preset leaves", "is of --method ops; leave it out");
-}
-
 template <typename Detector>
 Detected
 detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   using Parameters = typename Detector::Parameters;
-  auto parameters = presetCalled<Parameters> (options.preset);
+  Parameters parameters =
+      options.preset == "paper" ? Parameters::paper() : Parameters();
   parameters.up_axis = options.up.value_or (parameters.up_axis);
   apply (options.numbers, parameters);
   relate (options.numbers, cloud->size(), parameters);
@@ -335,7 +323,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   }
   detected.advice = adviceFor (parameters, *cloud, detected.planes);
   if constexpr (std::is_same_v<Parameters, OpsParameters>)
-    if (parameters.sampling == Sampling::Surfels &&
+    if (parameters.sampling != Sampling::Points &&
         options.numbers.count ("cell") == 0) {
       const std::string hint = hintOnThickPlanes (*cloud, detected.planes);
       if (!hint.empty())
@@ -505,9 +493,8 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
   for (const Method& known : allMethods())
     names.push_back (known.name);
   line.add ("method", method, names).help ("the detector (ops)");
-  line.add ("preset", options.preset, {"default", "leaves", "paper"})
-      .help ("recommended parameters, voxels of mixed sizes for surveys, hills and "
-             "lidars, or the paper's best parameters");
+  line.add ("preset", options.preset, {"default", "paper"})
+      .help ("recommended parameters, or the paper's best ones");
   line.add ("up x,y,z",
             [&options] (const std::string& text) {
               options.finds_up = text == "auto";

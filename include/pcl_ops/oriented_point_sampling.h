@@ -20,7 +20,11 @@ enum class Sampling {
   Surfels,
   /** \brief The same on leaves of an octree: cells of mixed sizes, smaller where points
    * are denser and their noise is even. */
-  Leaves
+  Leaves,
+  /** \brief Leaves; surfels where neighboring points err alike in three tenths of it,
+   * as in images of depth cameras, whose noise voxels of one size average better, and
+   * where \ref OrientedPointSamplingParameters::Surfels::voxel_size is given. */
+  Automatic
 };
 
 /** \brief What Sampling::Points, the paper's algorithm, alone reads; surfels, the
@@ -72,7 +76,8 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   /** \brief Of the class, for messages. */
   static constexpr const char* class_name = "OrientedPointSampling";
 
-  /** \brief Expert knobs of Sampling::Surfels. */
+  /** \brief Expert knobs of Sampling::Surfels; of leaves the voxel size and the angle
+   * threshold alone. */
   struct Surfels {
     /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked
      * at in voxels of half the edge. Voxels then begin at whole multiples of it from
@@ -108,7 +113,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   /** \brief theta_h is not given: what is near enough to a plane follows the noise. */
   OrientedPointSamplingParameters() { distance_threshold.reset(); }
 
-  Sampling sampling = Sampling::Surfels;
+  Sampling sampling = Sampling::Automatic;
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1; on
    * surfels it decides how many voxels the cloud is divided into. */
   double sampling_rate = 0.03;
@@ -120,13 +125,6 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   unsigned min_inliers = 20;
   PaperParameters paper_only;
   Surfels surfels;
-
-  /** \brief Sampling::Leaves with the values that suit it: for surveys, hills, lidars
-   * and scans whose density or noise differs from place to place, where voxels of one
-   * size make planes that are far thicker than their surroundings. Several times slower
-   * than the default. */
-  static OrientedPointSamplingParameters
-  leaves ();
 
   /** \brief The algorithm of the paper with its best row (Table III): 3 %, 30
    * neighbors, 0.05 m, 20 samples, p 0.99, 7 degrees, strategy 2. */

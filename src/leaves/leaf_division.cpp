@@ -10,8 +10,8 @@ namespace {
 
 // Uneven noise over the edge of a cell is the slope that normals of its eighths err by.
 // Leaves where it is larger hold several times the points: leaves as small as elsewhere
-// are facets there (src/doc/decisions.md). Not to divide them at all costs CAD models, facades and offices,
-// whose creases look uneven, too.
+// are facets there (src/doc/decisions.md). Not to divide them at all costs CAD models,
+// facades and offices, whose creases look uneven, too.
 constexpr float max_even_slope = 0.009f;
 constexpr double points_where_uneven = 5.0;
 constexpr float max_slope_to_halve = 0.03f;
@@ -78,6 +78,12 @@ halveLeaf (const CurvePoints& points, const Leaf& leaf, std::vector<Leaf>& halve
         {cornerOf (points.code[i], level), i, next, level, leaf.unevenness});
     i = next;
   }
+}
+
+bool
+isUneven (const Leaf& leaf)
+{
+  return leaf.unevenness > max_even_slope;
 }
 
 bool

@@ -41,6 +41,10 @@ divideIntoLeaves (const CurvePoints& points,
 void
 halveLeaf (const CurvePoints& points, const Leaf& leaf, std::vector<Leaf>& halves);
 
+/** \brief Whether neighboring points err alike in the place of a leaf. */
+bool
+isUneven (const Leaf& leaf);
+
 /** \brief Whether leaves may be halved: the second round looks at places where noise
  * makes facets, unless that is far too much. */
 bool

@@ -10,6 +10,7 @@
 #include "leaves/leaf_spreading.h"
 #include "leaves/plane_evidence.h"
 #include "leaves/plane_layers.h"
+#include "ops/detect_on_voxels.h"
 #include "voxels/voxel_size.h"
 
 #include <algorithm>
@@ -23,7 +24,14 @@ namespace pcl_ops::internal {
 namespace {
 
 using OpsParameters = OrientedPointSamplingParameters;
-using LeafSurfelSettings = OrientedPointSamplingParameters::Surfels;
+
+// A surfel's noise over its spread: of the first round, and of the last.
+constexpr double first_max_thickness = 0.265;
+constexpr double last_max_thickness = 0.3;
+// Largest distance of a leaf's points while planes spread, and of a point to its plane,
+// in units of the noise there.
+constexpr double noises_of_a_leaf = 1.73;
+constexpr double noises_of_a_point = 3.45;
 
 /** \brief How finely a cloud is divided. */
 struct OctreeSizes {
@@ -160,11 +168,24 @@ measure (const Rounds& rounds, std::vector<Leaf> leaves)
 }
 
 // P_s: the leaves of an octree.
-LeafCloud
+std::vector<Leaf>
 divide (const Rounds& rounds)
 {
-  return measure (rounds,
-                  divideIntoLeaves (rounds.points, rounds.sizes.leaves, rounds.uneven));
+  return divideIntoLeaves (rounds.points, rounds.sizes.leaves, rounds.uneven);
+}
+
+// Whether neighboring points err alike in so much of the cloud that voxels of one size
+// average their noise better: in images of depth cameras, not in lidar scans, surveys,
+// fused meshes, CAD models (src/doc/decisions.md).
+bool
+prefersVoxels (const std::vector<Leaf>& leaves, std::size_t points)
+{
+  constexpr double max_uneven_share = 0.3;
+  double uneven = 0.0;
+  for (const Leaf& leaf : leaves)
+    if (isUneven (leaf))
+      uneven += leaf.end - leaf.begin;
+  return uneven > max_uneven_share * static_cast<double> (points);
 }
 
 JoiningParameters
@@ -184,12 +205,11 @@ joiningBy (const OpsParameters& parameters)
 std::vector<LeafSurfel>
 orient (const Rounds& rounds, const LeafCloud& cloud, const LeafPlanes& planes)
 {
-  const OpsParameters& parameters = rounds.parameters;
-  return orientLeaves (
-      cloud,
-      planes,
-      {rounds.sizes.min_points_of_normal, parameters.surfels.resolutions},
-      parameters.threads);
+  constexpr int rings = 4;
+  return orientLeaves (cloud,
+                       planes,
+                       {rounds.sizes.min_points_of_normal, rings},
+                       rounds.parameters.threads);
 }
 
 // Pi: finds planes among the leaves that have none, and lets all planes grow by a leaf.
@@ -208,7 +228,7 @@ spread (const Rounds& rounds,
       surfels,
       {max_thickness,
        rounds.sizes.leaves_factor * leaves_per_inlier * parameters.min_inliers,
-       parameters.surfels.noise_factor,
+       noises_of_a_leaf,
        parameters.surfels.angle_threshold},
       planes);
   measureNoise (cloud, parameters.threads, planes);
@@ -277,7 +297,7 @@ assign (const Rounds& rounds,
   const OpsParameters& parameters = rounds.parameters;
   Labels labels = labelPoints (cloud,
                                planes,
-                               parameters.surfels.assignment_noise_factor,
+                               noises_of_a_point,
                                parameters.distance_threshold,
                                parameters.threads);
   std::vector<char> is_kept =
@@ -312,7 +332,7 @@ usualDistance (const LeafPlanes& planes, const OpsParameters& parameters)
       of_planes.push_back (static_cast<float> (medianOf (noise)));
   if (of_planes.empty())
     return std::nullopt;
-  return parameters.surfels.assignment_noise_factor * medianOf (of_planes);
+  return noises_of_a_point * medianOf (of_planes);
 }
 
 // The edge of the smallest leaves [m].
@@ -361,7 +381,6 @@ detectOnLeaves (const Points& points,
   // Leaves a plane needs: more while they are large, fewer in the last round.
   constexpr double first_leaves_per_inlier = 1.3;
   constexpr double last_leaves_per_inlier = 0.75;
-  const LeafSurfelSettings& limits = parameters.surfels;
   LabelledPlanes found;
   found.labels.assign (points.size(), no_plane);
   const OctreeSizes sizes = octreeSizes (points, parameters);
@@ -369,7 +388,11 @@ detectOnLeaves (const Points& points,
     return found;
   const Rounds rounds =
       timed (times.search, [&] { return sortPoints (points, sizes, parameters); });
-  LeafCloud cloud = timed (times.search, [&] { return divide (rounds); });
+  std::vector<Leaf> leaves = timed (times.search, [&] { return divide (rounds); });
+  if (parameters.sampling == Sampling::Automatic &&
+      prefersVoxels (leaves, rounds.points.size()))
+    return detectOnVoxels (points, parameters, times);
+  LeafCloud cloud = measure (rounds, std::move (leaves));
   const double used_edge = smallestEdge (cloud);
   LeafPlanes planes = noPlanes (cloud.size());
   const auto findPlanes = [&] (double max_thickness, double leaves_per_inlier) {
@@ -380,11 +403,11 @@ detectOnLeaves (const Points& points,
     });
     return surfels;
   };
-  findPlanes (limits.sure_thickness, first_leaves_per_inlier);
+  findPlanes (first_max_thickness, first_leaves_per_inlier);
   timed (times.merging, [&] { join (rounds, cloud, planes); });
   timed (times.search, [&] { divideAgain (rounds, cloud, planes); });
   const std::vector<LeafSurfel> surfels =
-      findPlanes (limits.max_thickness, last_leaves_per_inlier);
+      findPlanes (last_max_thickness, last_leaves_per_inlier);
   const std::size_t planes_before_merging = countPlanes (planes);
   timed (times.merging, [&] { finishPlanes (rounds, cloud, planes); });
   found = timed (times.assignment, [&] {

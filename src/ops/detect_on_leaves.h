@@ -9,7 +9,7 @@ namespace pcl_ops::internal {
 
 /** \brief OPS on leaves of an octree: planes as thin as the noise of their
  * surroundings, in leaves of mixed sizes, with one graph, one label a leaf and one list
- * of planes. */
+ * of planes. With Sampling::Automatic on voxels where noise is uneven. */
 LabelledPlanes
 detectOnLeaves (const Points& points,
                 const OrientedPointSamplingParameters& parameters,

@@ -19,15 +19,14 @@ detectBySampling (const DetectorInput& input,
                   const Points& points,
                   StageDurations& durations)
 {
-  switch (parameters.sampling) {
-  case Sampling::Points:
+  if (parameters.sampling == Sampling::Points)
     return detectAsInPaper (input, points, parameters, durations);
-  case Sampling::Leaves:
-    return detectOnLeaves (points, parameters, durations);
-  case Sampling::Surfels:
-    break;
-  }
-  return detectOnVoxels (points, parameters, durations);
+  const bool has_one_size = parameters.surfels.voxel_size.has_value();
+  if (parameters.sampling == Sampling::Surfels ||
+      (parameters.sampling == Sampling::Automatic && has_one_size))
+    return detectOnVoxels (points, parameters, durations);
+  // turns to voxels where it sees noise that they average better
+  return detectOnLeaves (points, parameters, durations);
 }
 
 } // namespace
@@ -45,19 +44,6 @@ detail::detect (const DetectorInput& input,
         return detectBySampling (input, parameters, points, durations);
       },
       coarsestVoxel (parameters.surfels));
-}
-
-OrientedPointSamplingParameters
-OrientedPointSamplingParameters::leaves()
-{
-  OrientedPointSamplingParameters parameters;
-  parameters.sampling = Sampling::Leaves;
-  parameters.surfels.resolutions = 4;
-  parameters.surfels.noise_factor = 1.73;
-  parameters.surfels.sure_thickness = 0.265;
-  parameters.surfels.max_thickness = 0.3;
-  parameters.surfels.assignment_noise_factor = 3.45;
-  return parameters;
 }
 
 OrientedPointSamplingParameters

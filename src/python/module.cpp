@@ -324,9 +324,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   using Fspf = FastSamplingPlaneFilteringParameters;
   using Kht = KernelHoughTransformParameters;
   module.attr ("__version__") = PCL_OPS_VERSION;
-  defineParameters<Ops> (module, "ops")
-      .def_static ("leaves", &Ops::leaves)
-      .def_static ("paper", &Ops::paper);
+  defineParameters<Ops> (module, "ops").def_static ("paper", &Ops::paper);
   defineParameters<Fspf> (module, "fspf").def_static ("paper", &Fspf::paper);
   defineParameters<Kht> (module, "kht").def_static ("paper", &Kht::paper);
   defineParameters<PlaneDetectorParameters> (module, "evaluate");

@@ -28,7 +28,8 @@ using Words = std::vector<std::pair<std::string, E>>;
 inline const std::tuple words = {
     Words<Sampling>{{"points", Sampling::Points},
                     {"surfels", Sampling::Surfels},
-                    {"leaves", Sampling::Leaves}},
+                    {"leaves", Sampling::Leaves},
+                    {"automatic", Sampling::Automatic}},
     Words<PaperStrategy>{{"detect_then_divide", PaperStrategy::DetectThenDivide},
                          {"divide_then_detect", PaperStrategy::DivideThenDetect}},
     Words<PaperVerification>{{"samples", PaperVerification::Samples},

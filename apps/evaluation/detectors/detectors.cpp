@@ -77,7 +77,12 @@ void
 addRowsOfPaper (std::vector<Configuration>& all)
 {
   add<Ops> (all, "ops", "presets", {});
-  add<Ops> (all, "ops-leaves", "presets", Ops::Parameters::leaves());
+  for (const auto& [name, sampling] : {std::make_pair ("ops-leaves", Sampling::Leaves),
+                                       {"ops-voxels", Sampling::Surfels}}) {
+    Ops::Parameters parameters;
+    parameters.sampling = sampling;
+    add<Ops> (all, name, "sampling", parameters);
+  }
   auto ops = Ops::Parameters::paper();
   const auto addOps = [&] (const char* prefix, double percent) {
     ops.sampling_rate = percent / 100.0;

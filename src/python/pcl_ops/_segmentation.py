@@ -13,7 +13,7 @@ from ._arguments import points_array, single_precision, with_given
 from ._planes import FoundPlanes, Labels, Plane
 
 Method = Literal["ops", "fspf", "kht"]
-Preset = Literal["default", "leaves", "paper"]
+Preset = Literal["default", "paper"]
 
 
 def _preset(method: Any, preset: Any) -> Any:
@@ -23,9 +23,7 @@ def _preset(method: Any, preset: Any) -> Any:
             raise (ValueError if isinstance(value, str) else TypeError)(
                 f"{name}: has to be one of {words}, not {value!r:.80}")
     kind = getattr(_pcl_ops, method)
-    if preset == "leaves" and method != "ops":
-        raise ValueError('preset: "leaves" is of the method "ops"')
-    return kind() if preset == "default" else getattr(kind, preset)()
+    return kind.paper() if preset == "paper" else kind()
 
 
 @named_parameters("ops", "fspf", "kht")
@@ -41,8 +39,7 @@ def segment(
         where float32 could not hold it. Other threads must not change it meanwhile.
     method: "ops" (Oriented Point Sampling), "fspf" (Fast Sampling Plane Filtering) or
         "kht" (3D Kernel-based Hough Transform).
-    preset: "default", "leaves" (voxels of mixed sizes, for surveys, hills and lidars; "ops"
-        alone) or "paper", what the other parameters are by default.
+    preset: "default" or "paper", what the other parameters are by default.
     viewpoint: where the sensor was; normals point towards it.
     parameters: see pcl_ops.parameters(method), with the values of the preset.
         distance_threshold, up=(x, y, z), angle_tolerance, seed and threads (0: all) are
