@@ -117,7 +117,7 @@ isCurved (const LeafBending& bending)
 {
   constexpr double min_share = 0.4;
   // At .01 real walls, bent by a sensor, go.
-  constexpr double min_slope = 0.05;
+  constexpr double min_slope = 0.04;
   return bending.explained > min_share &&
          bending.amplitude > min_slope * bending.half_extent;
 }

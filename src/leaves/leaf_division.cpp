@@ -31,8 +31,13 @@ struct Division {
   void
   divide (std::uint32_t begin, std::uint32_t end, int level)
   {
-    if (level > sizes.largest_level)
-      return divideFurther (begin, end, level);
+    if (level > sizes.largest_level) {
+      // Alone in leaves, sparse points would have no neighbors.
+      constexpr std::uint32_t sparse_points = 8;
+      constexpr int larger_levels = 5;
+      if (end - begin > sparse_points || level > sizes.largest_level + larger_levels)
+        return divideFurther (begin, end, level);
+    }
     const MortonCode code = points.code[begin];
     const auto edge = static_cast<float> (std::ldexp (points.cell, level));
     const float slope = uneven.of (code, level) / edge;

@@ -140,7 +140,7 @@ medianNoise (const LeafCloud& cloud, const std::vector<LeafSurfel>& surfels)
 void
 rejectOutlyingNoise (const LeafCloud& cloud, std::vector<LeafSurfel>& surfels)
 {
-  constexpr double max_medians = 12.0;
+  constexpr double max_medians = 25.0;
   const double limit = max_medians * medianNoise (cloud, surfels);
   for (LeafSurfel& surfel : surfels)
     if (limit > 0.0 && surfel.noise > limit)

@@ -11,6 +11,7 @@
 #include "leaves/plane_evidence.h"
 #include "leaves/plane_layers.h"
 #include "ops/detect_on_voxels.h"
+#include "ops/voxel_choice.h"
 #include "voxels/voxel_size.h"
 
 #include <algorithm>

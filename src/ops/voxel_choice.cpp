@@ -30,16 +30,6 @@ wantedVoxels (std::size_t points, double sampling_rate)
   return std::min (voxels_per_sample * samples, number / min_points_per_voxel);
 }
 
-// Single precision rounds coordinates far from zero to steps, which are planes to
-// voxels no larger than they.
-double
-smallestVoxel (const Points& points)
-{
-  constexpr double steps = 8.0;
-  const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
-  return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
-}
-
 // Of the points of a voxel about their plane [m], in voxels as flat as a quarter of
 // those that have any: the steps of a quantized depth have none.
 double
@@ -101,6 +91,14 @@ voxelSizeByNoise (const VoxelGrid& grid)
 }
 
 } // namespace
+
+double
+smallestVoxel (const Points& points)
+{
+  constexpr double steps = 8.0;
+  const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
+  return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
+}
 
 double
 meanPointsPerVoxel (const VoxelGrid& grid)

@@ -7,6 +7,11 @@
 
 namespace pcl_ops::internal {
 
+/** \brief Single precision rounds coordinates far from zero to steps, which are planes
+ * to voxels no larger than they: the edge of the smallest ones that are of use [m]. */
+double
+smallestVoxel (const Points& points);
+
 /** \brief Divides a cloud into voxels as large as its noise asks and its points allow.
  * \param[in] sampling_rate alpha_s, which the number of voxels grows with
  * \return an empty grid for fewer than two different points */
