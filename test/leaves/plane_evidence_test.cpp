@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "leaf_scene.h"
+#include "leaves/leaf_noise.h"
+#include "leaves/plane_evidence.h"
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+/** \brief Which planes of a scene are kept, of as many points as their leaves hold. */
+std::vector<char>
+keptIn (LeafScene& scene)
+{
+  refitPlanes (scene.cloud, scene.planes);
+  measureNoise (scene.cloud, 1, scene.planes);
+  std::vector<std::size_t> points;
+  for (const pcl_ops::Moments& moments : momentsOfPlanes (scene.cloud, scene.planes))
+    points.push_back (static_cast<std::size_t> (moments.count));
+  const auto surfels = orientLeaves (scene.cloud, scene.planes, {30.0, 4}, 1);
+  return keptPlanes (scene.cloud, scene.planes, surfels, points);
+}
+
+} // namespace
+
+TEST (PlaneEvidence, KeepsPlanesThatEndAtACorner)
+{
+  LeafScene scene ({ground, wall}, 5_mm);
+  scene.addPlane (ground, 0.0, [] (const auto& at) { return at.z() < 0.1; });
+  scene.addPlane (wall, 0.0, [] (const auto& at) { return at.z() >= 0.1; });
+  EXPECT_EQ (keptIn (scene), (std::vector<char>{1, 1}));
+}
+
+TEST (PlaneEvidence, KeepsTheFacesOfARoofThatMeetAtACrease)
+{
+  LeafScene scene (pointsOver (
+      1_m, 1_cm, [] (double x, double) { return 1.0 - 0.5 * std::abs (x); }));
+  scene.addPlane (ground, 0.0, before (0.0));
+  scene.addPlane (ground, 0.0, behind (0.0));
+  EXPECT_EQ (keptIn (scene), (std::vector<char>{1, 1}));
+}
+
+TEST (PlaneEvidence, DropsTheFacetsOfASmoothCylinder)
+{
+  // A barrel of a meter in five strips of 40 cm.
+  LeafScene scene (pointsOver (
+      1_m, 2_mm, [] (double x, double) { return std::sqrt (1.1 * 1.1 - x * x); }));
+  for (const double x : {-1.0, -0.6, -0.2, 0.2, 0.6})
+    scene.addPlane (
+        ground, 0.0, [x] (const auto& at) { return at.x() >= x && at.x() < x + 0.4; });
+  const std::vector<char> kept = keptIn (scene);
+  EXPECT_EQ (kept, std::vector<char> (5, 0));
+}
+
+TEST (PlaneEvidence, DropsAFacetWhoseSurroundingsHaveNoPlane)
+{
+  LeafScene scene (pointsOver (
+      1_m, 2_mm, [] (double x, double) { return std::sqrt (1.1 * 1.1 - x * x); }));
+  scene.addPlane (ground, 0.0, [] (const auto& at) { return std::abs (at.x()) < 0.2; });
+  EXPECT_EQ (keptIn (scene), std::vector<char>{0});
+}
+
+TEST (PlaneEvidence, DropsTinyPlanesAmongOthers)
+{
+  LeafScene scene ({ground}, 5_mm);
+  scene.addPlane (ground, 0.0, anywhere);
+  scene.addPlane (ground, 0.0, [] (const auto& at) {
+    return std::abs (at.x() - 1.1) < 0.1 && std::abs (at.y() - 1.1) < 0.1;
+  });
+  EXPECT_EQ (scene.leavesOn (1), 4u);
+  EXPECT_EQ (keptIn (scene), (std::vector<char>{1, 0}));
+}
+
+TEST (PlaneEvidence, DropsPlanesOfAFewPointsAndOfNoLeaves)
+{
+  LeafScene scene ({ground}, 5_mm);
+  scene.addPlane (ground, 5_mm, anywhere);
+  scene.addPlane (ground, 5_mm, [] (const auto&) { return false; });
+  const std::vector<LeafSurfel> surfels (scene.cloud.size());
+  EXPECT_EQ (keptPlanes (scene.cloud, scene.planes, surfels, {14400, 14400}),
+             (std::vector<char>{1, 0}));
+  EXPECT_EQ (keptPlanes (scene.cloud, scene.planes, surfels, {5, 0}),
+             (std::vector<char>{0, 0}));
+}
+
+TEST (PlaneEvidence, KeepsAWallBentByAnInstrument)
+{
+  // 5 mm in 2 m, with 3 mm of noise.
+  LeafScene scene (
+      pointsOver (1_m, 5_mm, [] (double x, double) { return 0.05 + 5_mm * x * x; }));
+  scene.addPlane (ground, 0.0, anywhere);
+  EXPECT_EQ (keptIn (scene), std::vector<char>{1});
+}
