@@ -385,7 +385,7 @@ detectOnLeaves (const Points& points,
   LabelledPlanes found;
   found.labels.assign (points.size(), no_plane);
   const OctreeSizes sizes = octreeSizes (points, parameters);
-  if (!(sizes.cell > 0.0))
+  if (points.size() == 0 || !(sizes.cell > 0.0))
     return found;
   const Rounds rounds =
       timed (times.search, [&] { return sortPoints (points, sizes, parameters); });
