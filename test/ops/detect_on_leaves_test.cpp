@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/detect_on_leaves.h"
+#include "voxel_scene.h"
+
+#include <set>
+
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+using LeafParameters = pcl_ops::OrientedPointSamplingParameters;
+
+LeafParameters
+usualLeaves (double voxel_size = 0.0)
+{
+  LeafParameters parameters = LeafParameters::leaves();
+  if (voxel_size > 0.0)
+    parameters.surfels.voxel_size = voxel_size;
+  return parameters;
+}
+
+LabelledPlanes
+detectIn (const Points& points, const LeafParameters& parameters = usualLeaves())
+{
+  pcl_ops::StageDurations durations;
+  return detectOnLeaves (points, parameters, durations);
+}
+
+/** \brief Adds points anywhere on a surface, so far from each other on average. */
+void
+addDrawn (Points& points, const Surface& surface, double spacing, double noise)
+{
+  RandomGenerator generator (seedOfTest() + static_cast<unsigned> (points.size()));
+  const long number = std::lround (surface.area() / (spacing * spacing));
+  for (long i = 0; i < number; ++i) {
+    const pcl::PointXYZ point = toPoint (drawPointOf (surface, noise, generator));
+    points.add (point.x, point.y, point.z);
+  }
+}
+
+Points
+drawnPoints (const std::vector<Surface>& surfaces, double spacing, double noise)
+{
+  Points points;
+  for (const Surface& surface : surfaces)
+    addDrawn (points, surface, spacing, noise);
+  return points;
+}
+
+const Surface floor_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
+const Surface wall_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}};
+const Surface table = {{1.5, 1, 0.75}, {1.2, 0, 0}, {0, 0.8, 0}};
+
+/** \brief 38,000 points of a floor, a wall and a table. */
+Points
+leafRoom ()
+{
+  return drawnPoints ({floor_of_room, wall_of_room, table}, 2.5e-2, 3_mm);
+}
+
+/** \brief The label that most points of a range have, and their share of it. */
+std::pair<std::int32_t, double>
+usualLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
+{
+  std::vector<std::size_t> counts (found.planes.fits.size() + 1);
+  for (std::size_t i = begin; i < end; ++i)
+    ++counts[static_cast<std::size_t> (found.labels[i] + 1)];
+  const auto most = std::max_element (counts.begin() + 1, counts.end());
+  if (most == counts.end())
+    return {no_plane, 0.0};
+  return {static_cast<std::int32_t> (most - counts.begin()) - 1,
+          static_cast<double> (*most) / static_cast<double> (end - begin)};
+}
+
+/** \brief Each surface, of points that follow each other, has a plane of its own with
+ * nearly all of them. */
+void
+expectEachHasItsPlane (const LabelledPlanes& found,
+                       const std::vector<std::size_t>& ends,
+                       double min_share = 0.9)
+{
+  std::set<std::int32_t> planes;
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    const auto [plane, share] = usualLabel (found, begin, end);
+    EXPECT_GE (share, min_share) << "the surface up to point " << end;
+    planes.insert (plane);
+    begin = end;
+  }
+  EXPECT_EQ (planes.size(), ends.size());
+}
+
+/** \brief The points in an order. */
+Points
+inOrder (const Points& points, const Indices& order)
+{
+  Points ordered;
+  for (const std::uint32_t i : order)
+    ordered.add (points.x[i], points.y[i], points.z[i]);
+  return ordered;
+}
+
+} // namespace
+
+TEST (DetectOnLeaves, FindsTheSurfacesOfARoomAndNothingElse)
+{
+  const Points points = leafRoom();
+  const LabelledPlanes found = detectIn (points);
+  EXPECT_EQ (found.planes.fits.size(), 3u);
+  expectEachHasItsPlane (found, {19200, 19200 + 16000, points.size()});
+}
+
+TEST (DetectOnLeaves, LabelsPointsTheSameInAnyOrder)
+{
+  const Points points = leafRoom();
+  const LabelledPlanes found = detectIn (points);
+  ASSERT_EQ (found.planes.fits.size(), 3u);
+  RandomGenerator generator (seedOfTest());
+  Indices order = upTo (points.size());
+  for (int shuffle = 0; shuffle < 3; ++shuffle) {
+    std::shuffle (order.begin(), order.end(), generator);
+    const LabelledPlanes again = detectIn (inOrder (points, order));
+    ASSERT_EQ (again.planes.fits.size(), found.planes.fits.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      ASSERT_EQ (again.labels[i], found.labels[order[i]]);
+  }
+}
+
+TEST (DetectOnLeaves, FindsTheSameWithAnyNumberOfThreads)
+{
+  const Points points = leafRoom();
+  const LabelledPlanes found = detectIn (points);
+  for (const unsigned threads : {2u, 3u}) {
+    LeafParameters parameters = usualLeaves();
+    parameters.threads = threads;
+    const LabelledPlanes again = detectIn (points, parameters);
+    EXPECT_EQ (again.labels, found.labels);
+    ASSERT_EQ (again.planes.fits.size(), found.planes.fits.size());
+    for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
+      EXPECT_EQ (again.planes.fits[p].plane.normal, found.planes.fits[p].plane.normal);
+  }
+}
+
+TEST (DetectOnLeaves, FindsTheFacesOfARoofAndNoPlaneInTheHillBelow)
+{
+  // A hill 4 m high and some 20 m wide; above its top a roof of two faces.
+  Points points;
+  const Surface site = {{-12, -12, 0}, {24, 0, 0}, {0, 24, 0}};
+  addDrawn (points, site, 15_cm, 0.0);
+  const std::size_t of_hill = points.size();
+  RandomGenerator generator (seedOfTest());
+  for (std::size_t i = 0; i < of_hill; ++i) {
+    const double squared = points.x[i] * points.x[i] + points.y[i] * points.y[i];
+    points.z[i] = static_cast<float> (4.0 * std::exp (-squared / 50.0) +
+                                      1_cm * drawNormal (generator));
+  }
+  addDrawn (points, {{-4, -5, 6}, {4, 0, 2}, {0, 10, 0}}, 15_cm, 1_cm);
+  const std::size_t half = points.size();
+  addDrawn (points, {{0, -5, 8}, {4, 0, -2}, {0, 10, 0}}, 15_cm, 1_cm);
+  const LabelledPlanes found = detectIn (points);
+  ASSERT_GE (found.planes.fits.size(), 2u);
+  std::size_t on_hill = 0;
+  for (std::size_t i = 0; i < of_hill; ++i)
+    on_hill += found.labels[i] != no_plane;
+  EXPECT_LT (static_cast<double> (on_hill), 0.3 * static_cast<double> (of_hill));
+  const auto [first, share_of_first] = usualLabel (found, of_hill, half);
+  const auto [second, share_of_second] = usualLabel (found, half, points.size());
+  EXPECT_NE (first, second);
+  EXPECT_GT (share_of_first, 0.9);
+  EXPECT_GT (share_of_second, 0.9);
+}
+
+TEST (DetectOnLeaves, TellsTheSidesOfAWallApart)
+{
+  // 10 cm thick: less than leaves are wide.
+  const Points points = drawnPoints (
+      {{{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}}, {{0, 0.1, 0}, {4, 0, 0}, {0, 0, 2.5}}},
+      2_cm,
+      3_mm);
+  const LabelledPlanes found = detectIn (points);
+  EXPECT_EQ (found.planes.fits.size(), 2u);
+  expectEachHasItsPlane (found, {points.size() / 2, points.size()});
+  const LabelledPlanes in_large = detectIn (points, usualLeaves (20_cm));
+  EXPECT_EQ (in_large.planes.fits.size(), 2u);
+  expectEachHasItsPlane (in_large, {points.size() / 2, points.size()});
+}
+
+TEST (DetectOnLeaves, MakesOnePlaneOfWhatAGapDivides)
+{
+  const Points points = drawnPoints (
+      {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{3, 0, 0}, {2, 0, 0}, {0, 2, 0}}},
+      2_cm,
+      3_mm);
+  EXPECT_EQ (detectIn (points).planes.fits.size(), 1u);
+  LeafParameters parameters = usualLeaves();
+  parameters.merging.enabled = false;
+  EXPECT_EQ (detectIn (points, parameters).planes.fits.size(), 2u);
+}
+
+TEST (DetectOnLeaves, KeepsApartWhatNoiseDoesNotExplain)
+{
+  for (const double noise : {2_mm, 5_cm}) {
+    const Points points = drawnPoints (
+        {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{2.5, 0, 0.03}, {2, 0, 0}, {0, 2, 0}}},
+        2_cm,
+        noise);
+    EXPECT_EQ (detectIn (points).planes.fits.size(), noise < 1_cm ? 2u : 1u);
+  }
+}
+
+TEST (DetectOnLeaves, UsesAGivenSizeAndSaysWhatItUsed)
+{
+  const Points points = leafRoom();
+  for (const double size : {10_cm, 17_cm}) {
+    const LabelledPlanes found = detectIn (points, usualLeaves (size));
+    EXPECT_DOUBLE_EQ (found.used.voxel_size.value_or (0.0), size);
+    EXPECT_GE (found.planes.fits.size(), 2u);
+  }
+  const LabelledPlanes by_itself = detectIn (points);
+  EXPECT_GT (by_itself.used.voxel_size.value_or (0.0), 1_cm);
+  EXPECT_LT (by_itself.used.voxel_size.value_or (1.0), 50_cm);
+  // 3.45 times a noise of 3 mm or a little more.
+  EXPECT_GT (by_itself.used.distance_threshold.value_or (0.0), 5_mm);
+  EXPECT_LT (by_itself.used.distance_threshold.value_or (1.0), 5_cm);
+}
+
+TEST (DetectOnLeaves, LabelsPointsWithinAGivenDistanceAlone)
+{
+  const Points points = drawnPoints ({floor_of_room}, 2_cm, 1_cm);
+  LeafParameters parameters = usualLeaves();
+  parameters.distance_threshold = 1_cm;
+  const LabelledPlanes found = detectIn (points, parameters);
+  ASSERT_EQ (found.planes.fits.size(), 1u);
+  EXPECT_EQ (found.used.distance_threshold, 1_cm);
+  std::size_t labelled = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (found.labels[i] != no_plane) {
+      ++labelled;
+      EXPECT_LT (std::abs (points.z[i]), 1.05e-2);
+    }
+  EXPECT_NEAR (static_cast<double> (labelled) / points.size(), 0.68, 0.03);
+}
+
+TEST (DetectOnLeaves, CountsEachPointOnce)
+{
+  const LabelledPlanes found = detectIn (leafRoom());
+  for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
+    EXPECT_EQ (found.planes.moments[p].count,
+               static_cast<double> (std::count (found.labels.begin(),
+                                                found.labels.end(),
+                                                static_cast<std::int32_t> (p))));
+}
+
+TEST (DetectOnLeaves, LabelsEqualPointsAlike)
+{
+  const Points points = leafRoom();
+  Indices twice = upTo (points.size());
+  for (std::uint32_t i = 0; i < points.size(); i += 2)
+    twice.push_back (i);
+  const LabelledPlanes found = detectIn (inOrder (points, twice));
+  EXPECT_EQ (found.planes.fits.size(), 3u);
+  for (std::size_t i = points.size(); i < twice.size(); ++i)
+    ASSERT_EQ (found.labels[i], found.labels[twice[i]]);
+}
+
+TEST (DetectOnLeaves, IsNotDisturbedByMissingReadingsAtZero)
+{
+  // Those of a room about zero, as few as no earlier stage takes for missing ones.
+  Points points = leafRoom();
+  const std::size_t of_room = points.size();
+  for (float& z : points.z)
+    z -= 1.5f;
+  for (std::size_t i = 0; i < of_room / 50; ++i)
+    points.add (0.0f, 0.0f, 0.0f);
+  const LabelledPlanes found = detectIn (points);
+  EXPECT_EQ (found.planes.fits.size(), 3u);
+  expectEachHasItsPlane (found, {19200, 19200 + 16000, of_room});
+}
+
+TEST (DetectOnLeaves, FindsNothingWhereThereIsNoSurface)
+{
+  Points line, same;
+  for (int i = 0; i < 5000; ++i) {
+    line.add (0.01f * static_cast<float> (i), 1.0f, 2.0f);
+    same.add (1.1f, 2.2f, 3.3f);
+  }
+  Points few;
+  for (int number = 0; number < 4; ++number) {
+    EXPECT_EQ (detectIn (few).planes.fits.size(), 0u) << number << " points";
+    EXPECT_EQ (detectIn (few, usualLeaves (10_cm)).planes.fits.size(), 0u);
+    few.add (static_cast<float> (number), static_cast<float> (number * number), 0.0f);
+  }
+  for (const Points& points : {line, same}) {
+    const LabelledPlanes found = detectIn (points);
+    EXPECT_EQ (found.planes.fits.size(), 0u);
+    EXPECT_EQ (found.labels, pcl_ops::Labels (points.size(), no_plane));
+    EXPECT_EQ (found.used.distance_threshold, std::nullopt);
+  }
+}
+
+TEST (DetectOnLeaves, FindsASurfaceThatIsFarDenserInAPlace)
+{
+  // Denser by far at one end, as where an instrument stood.
+  Points points = drawnPoints ({floor_of_room}, 3_cm, 3_mm);
+  addDrawn (points, {{0, 0, 0}, {0.6, 0, 0}, {0, 0.6, 0}}, 3_mm, 3_mm);
+  const LabelledPlanes found = detectIn (points);
+  EXPECT_EQ (found.planes.fits.size(), 1u);
+  expectEachHasItsPlane (found, {points.size()}, 0.97);
+}
