@@ -5,7 +5,7 @@
 #include "leaves/leaf_labels.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 namespace pcl_ops::internal {
 
@@ -13,7 +13,7 @@ namespace {
 
 // The signed distance that parts two layers, if there are two.
 std::optional<double>
-thresholdOf (std::vector<double>& distances, double min_noise)
+thresholdOf (std::vector<double>& distances, double min_noise, double min_apart)
 {
   constexpr std::size_t min_distances = 50;
   // 0.64 of the variance of an even distribution, .75 of two normal ones that touch.
@@ -30,6 +30,7 @@ thresholdOf (std::vector<double>& distances, double min_noise)
   const auto all = static_cast<double> (distances.size());
   const double total = squares - sum * sum / all;
   double best = 0.0;
+  double best_apart = 0.0;
   double sum_below = 0.0;
   std::size_t first_above = 0;
   for (std::size_t i = 1; i < distances.size(); ++i) {
@@ -39,10 +40,12 @@ thresholdOf (std::vector<double>& distances, double min_noise)
     const double explained = below * (all - below) / all * apart * apart;
     if (explained > best) {
       best = explained;
+      best_apart = std::abs (apart);
       first_above = i;
     }
   }
-  if (best <= min_explained * total || total <= all * min_noise * min_noise)
+  if (best <= min_explained * total || total <= all * min_noise * min_noise ||
+      best_apart < min_apart)
     return std::nullopt;
   return 0.5 * (distances[first_above - 1] + distances[first_above]);
 }
@@ -80,6 +83,7 @@ sampleDistances (const LeafCloud& cloud, const LeafPlanes& planes, const Labels&
 void
 splitLayers (const LeafCloud& cloud,
              const LeafPlanes& planes,
+             std::optional<double> distance_threshold,
              Labels& labels,
              std::vector<char>& is_kept)
 {
@@ -90,7 +94,8 @@ splitLayers (const LeafCloud& cloud,
   for (std::size_t p = 0; p < samples.size(); ++p) {
     if (is_kept[p] == 0)
       continue;
-    thresholds[p] = thresholdOf (samples[p].distances, samples[p].min_noise);
+    thresholds[p] = thresholdOf (
+        samples[p].distances, samples[p].min_noise, distance_threshold.value_or (0.0));
     if (!thresholds[p])
       continue;
     above[p] = static_cast<std::int32_t> (is_kept.size());

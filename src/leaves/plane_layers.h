@@ -4,6 +4,7 @@
 
 #include "leaves/leaf_cloud.h"
 
+#include <optional>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -13,11 +14,14 @@ namespace pcl_ops::internal {
  * a plane's points explains most of their variance, what lies above it is another plane
  * (Otsu's threshold; N. Otsu, "A Threshold Selection Method from Gray-Level
  * Histograms", IEEE Trans. Systems, Man, and Cybernetics, 1979).
+ * \param[in] distance_threshold theta_h: layers nearer to each other are one plane; not
+ * given: none are
  * \param[in,out] labels of the points; new planes are numbered from \p is_kept.size()
  * \param[in,out] is_kept planes that are kept, new ones are added */
 void
 splitLayers (const LeafCloud& cloud,
              const LeafPlanes& planes,
+             std::optional<double> distance_threshold,
              Labels& labels,
              std::vector<char>& is_kept);
 

@@ -303,7 +303,7 @@ assign (const Rounds& rounds,
                                parameters.threads);
   std::vector<char> is_kept =
       keptPlanes (cloud, planes, surfels, countLabels (labels, planes.planes.size()));
-  splitLayers (cloud, planes, labels, is_kept);
+  splitLayers (cloud, planes, parameters.distance_threshold, labels, is_kept);
   return labelCloud (points, rounds.points, labels, is_kept, parameters.threads);
 }
 

@@ -21,11 +21,13 @@ layersApart (double distance)
 
 /** \brief All points of a scene on one plane, split. */
 struct Split {
-  explicit Split (LeafScene& scene, bool is_plane_kept = true)
+  explicit Split (LeafScene& scene,
+                  bool is_plane_kept = true,
+                  std::optional<double> theta_h = std::nullopt)
   : labels (scene.points.size(), 0), is_kept (1, is_plane_kept)
   {
     scene.addPlane (middle, 1_cm, anywhere);
-    splitLayers (scene.cloud, scene.planes, labels, is_kept);
+    splitLayers (scene.cloud, scene.planes, theta_h, labels, is_kept);
   }
 
   Labels labels;
@@ -61,6 +63,14 @@ TEST (PlaneLayers, AreFartherApartThanTheLeastNoise)
   EXPECT_EQ (Split (scene).is_kept.size(), 1u);
 }
 
+TEST (PlaneLayers, AreFartherApartThanAGivenThreshold)
+{
+  for (const double theta_h : {3_cm, 5_cm}) {
+    LeafScene scene (layersApart (4_cm), 3_mm);
+    EXPECT_EQ (Split (scene, true, theta_h).is_kept.size(), theta_h < 4_cm ? 2u : 1u);
+  }
+}
+
 TEST (PlaneLayers, NeedPoints)
 {
   LeafScene scene (gridsOf (layersApart (4_cm), 4));
@@ -82,7 +92,7 @@ TEST (PlaneLayers, LeavePointsOnNoPlaneAlone)
   Labels labels (scene.points.size(), 0);
   labels[0] = labels[20000] = no_plane;
   std::vector<char> is_kept = {1};
-  splitLayers (scene.cloud, scene.planes, labels, is_kept);
+  splitLayers (scene.cloud, scene.planes, std::nullopt, labels, is_kept);
   EXPECT_EQ (labels[0], no_plane);
   EXPECT_EQ (labels[20000], no_plane);
   EXPECT_EQ (is_kept.size(), 2u);
