@@ -18,7 +18,8 @@
 #include <stdexcept>
 #include <thread>
 
-// What holds for all three detectors by default, and for OPS as in the paper.
+// What holds for all three detectors by default, and for OPS on leaves and as in the
+// paper.
 
 using pcl_ops::PlaneSegment;
 
@@ -129,7 +130,13 @@ struct PublishedOps : Ops {
   PublishedOps() : Ops (paperOn (nullptr)) {}
 };
 
+/** \brief On leaves of an octree. */
+struct OpsOnLeaves : Ops {
+  OpsOnLeaves() { setParameters (Ops::Parameters::leaves()); }
+};
+
 using Detectors = ::testing::Types<Ops,
+                                   OpsOnLeaves,
                                    PublishedOps,
                                    pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
                                    pcl_ops::KernelHoughTransform<pcl::PointXYZ>>;
