@@ -34,6 +34,16 @@ opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters = {})
   return ops;
 }
 
+/** \brief On leaves of an octree, with as many as by default. */
+inline Ops
+leavesOn (const Cloud::ConstPtr& cloud)
+{
+  Ops ops;
+  ops.setParameters (Ops::Parameters::leaves());
+  ops.setInputCloud (cloud);
+  return ops;
+}
+
 inline Ops
 paperOn (const Cloud::ConstPtr& cloud)
 {

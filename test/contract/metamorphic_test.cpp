@@ -165,11 +165,7 @@ struct Method {
 const Method methods[] = {
     {"ops", [] (const auto& v) { return planesBy (Ops(), v); }, 99_percent},
     {"ops on leaves",
-     [] (const auto& v) {
-       Ops ops;
-       ops.setParameters (Ops::Parameters::leaves());
-       return planesBy (ops, v);
-     },
+     [] (const auto& v) { return planesBy (leavesOn (v.cloud), v); },
      99_percent},
     {"ops as in the paper",
      [] (const auto& v) { return planesBy (paperOn (v.cloud), v); },

@@ -132,7 +132,7 @@ struct PublishedOps : Ops {
 
 /** \brief On leaves of an octree. */
 struct OpsOnLeaves : Ops {
-  OpsOnLeaves() { setParameters (Ops::Parameters::leaves()); }
+  OpsOnLeaves() : Ops (leavesOn (nullptr)) {}
 };
 
 using Detectors = ::testing::Types<Ops,
@@ -480,9 +480,27 @@ TYPED_TEST (PlaneDetector, MergesWhatIsOnePlaneUnlessMergingIsOff)
 
 TEST (OpsOf, ASamplingRateThatDrawsNoPointFindsNone)
 {
-  for (Ops ops : {opsOn (room().build().cloud), paperOn (room().build().cloud)}) {
+  for (Ops ops : {opsOn (room().build().cloud),
+                  leavesOn (room().build().cloud),
+                  paperOn (room().build().cloud)}) {
     ops.setSamplingRate (1e-9);
     EXPECT_TRUE (planesOf (ops).empty());
+  }
+}
+
+TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
+{
+  // A third of the points is. The final fit moves a plane a little.
+  const auto cloud = room().noise (1_cm).spacing (2_cm).build().cloud;
+  for (Ops ops : {opsOn (cloud), leavesOn (cloud)}) {
+    ops.setDistanceThreshold (1_cm);
+    const auto planes = planesOf (ops);
+    ASSERT_GE (planes.size(), 3u);
+    for (const PlaneSegment& plane : planes)
+      for (const pcl::index_t i : plane.inliers)
+        ASSERT_LT (std::abs (plane.plane().distance (
+                       (*cloud)[i].getVector3fMap().cast<double>())),
+                   1.1e-2);
   }
 }
 
@@ -501,8 +519,10 @@ TEST (OpsOf, CoordinatesOfAThousandKilometersFindsWhatIsThere)
   const auto small = room().movedBy (place).spacing (2_cm).build();
   const std::tuple<Ops, LabelledScene, std::size_t> rows[] = {
       {opsOn (hall.cloud), hall, 3},
+      {leavesOn (hall.cloud), hall, 3},
       {paperOn (hall.cloud), hall, 3},
       {opsOn (small.cloud), small, 0},
+      {leavesOn (small.cloud), small, 0},
       {paperOn (small.cloud), small, 3}};
   for (auto [ops, scene, min_planes] : rows) {
     const auto planes = planesOf (ops);
