@@ -87,6 +87,27 @@ TEST (LeafJoining, LeavesPlanesApartThatAStepDivides)
   EXPECT_EQ (planesOfGroundAnd (anotherGround (2.0, 0.0), 3_mm), 1u);
 }
 
+TEST (LeafJoining, LeavesPlanesApartThatASharpStepDividesWithinTheirNoise)
+{
+  // A wavy ground: from leaf to leaf it scatters by 5 mm, about its plane by 2 cm. Half
+  // of it lies as high as the other or 3 cm higher.
+  for (const double step : {0_cm, 3_cm}) {
+    LeafScene scene (pointsOver (1_m,
+                                 8.7e-3,
+                                 [step] (double x, double y) {
+                                   return 0.15 + 0.03 * std::sin (2.0 * pi * y) +
+                                          (x < 0.0 ? 0.0 : step);
+                                 }),
+                     1_cm);
+    scene.addPlane (ground, 0.0, before (0.0));
+    scene.addPlane (ground, 0.0, behind (0.0));
+    JoiningParameters parameters = usualJoining();
+    parameters.joins_over_gaps = false;
+    join (scene, parameters);
+    EXPECT_EQ (scene.planesWithLeaves(), step > 0.0 ? 2u : 1u);
+  }
+}
+
 TEST (LeafJoining, LeavesPlanesApartThatMeetAtACrease)
 {
   const Surface slope = {{2, 0, 0.05}, {2, 0, 0.5}, {0, 2, 0}};

@@ -61,6 +61,17 @@ TEST (LeafLabels, WeighDistancesByTheNoise)
   EXPECT_EQ (withLabel (labels, 0), 120 * 54u);
 }
 
+TEST (LeafLabels, AreThoseOfTheLessNoisyOfTwoPlanesThatAreNear)
+{
+  LeafScene scene ({ground});
+  scene.addPlane (lower, 2_cm, before (1.0));
+  scene.addPlane (lower, 5_mm, behind (1.0));
+  const pcl_ops::Labels labels =
+      labelPoints (scene.cloud, scene.planes, 3.45, std::nullopt, 1);
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
+    ASSERT_EQ (labels[i], scene.points.x[i] < 0.9f ? 0 : 1);
+}
+
 TEST (LeafLabels, AreOfPointsWithinSomeTimesTheNoise)
 {
   // Points from -6 cm to 6 cm, of a plane with a noise of 1 cm.
