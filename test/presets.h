@@ -34,14 +34,25 @@ opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters = {})
   return ops;
 }
 
-/** \brief On leaves of an octree, with as many as by default. */
+/** \brief By default but for what samples are. */
+inline Ops
+sampledOn (pcl_ops::Sampling sampling, const Cloud::ConstPtr& cloud)
+{
+  Ops::Parameters parameters;
+  parameters.sampling = sampling;
+  return opsOn (cloud, parameters);
+}
+
 inline Ops
 leavesOn (const Cloud::ConstPtr& cloud)
 {
-  Ops ops;
-  ops.setParameters (Ops::Parameters::leaves());
-  ops.setInputCloud (cloud);
-  return ops;
+  return sampledOn (pcl_ops::Sampling::Leaves, cloud);
+}
+
+inline Ops
+voxelsOn (const Cloud::ConstPtr& cloud)
+{
+  return sampledOn (pcl_ops::Sampling::Surfels, cloud);
 }
 
 inline Ops

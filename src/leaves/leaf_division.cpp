@@ -29,15 +29,10 @@ struct Division {
   std::vector<Leaf> leaves = {};
 
   void
-  divide (std::uint32_t begin, std::uint32_t end, int level)
+  divide (std::uint32_t begin, std::uint32_t end, int level, std::uint32_t around)
   {
-    if (level > sizes.largest_level) {
-      // Alone in leaves, sparse points would have no neighbors.
-      constexpr std::uint32_t sparse_points = 8;
-      constexpr int larger_levels = 5;
-      if (end - begin > sparse_points || level > sizes.largest_level + larger_levels)
-        return divideFurther (begin, end, level);
-    }
+    if (level > sizes.largest_level && !isSparse (end - begin, level, around))
+      return divideFurther (begin, end, level);
     const MortonCode code = points.code[begin];
     const auto edge = static_cast<float> (std::ldexp (points.cell, level));
     const float slope = uneven.of (code, level) / edge;
@@ -49,12 +44,25 @@ struct Division {
       divideFurther (begin, end, level);
   }
 
+  // Alone in leaves of usual sizes sparse points would have no neighbors: where a cell
+  // and the one that holds it have few, it is a leaf. A corner that a dense wire cuts
+  // is none.
+  bool
+  isSparse (std::uint32_t number, int level, std::uint32_t around) const
+  {
+    constexpr std::uint32_t sparse_points = 8;
+    constexpr std::uint32_t cells_around = 4; // of a surface
+    constexpr int larger_levels = 5;
+    return number <= sparse_points && around <= cells_around * sparse_points &&
+           level <= sizes.largest_level + larger_levels;
+  }
+
   void
   divideFurther (std::uint32_t begin, std::uint32_t end, int level)
   {
     for (std::uint32_t i = begin; i < end;) {
       const std::uint32_t next = endOfCell (points.code, i, end, level - 1);
-      divide (i, next, level - 1);
+      divide (i, next, level - 1, end - begin);
       i = next;
     }
   }
@@ -68,8 +76,9 @@ divideIntoLeaves (const CurvePoints& points,
                   const UnevenNoise& uneven)
 {
   Division division{points, sizes, uneven};
-  if (points.size() > 0)
-    division.divide (0, static_cast<std::uint32_t> (points.size()), top_level);
+  const auto number = static_cast<std::uint32_t> (points.size());
+  if (number > 0)
+    division.divide (0, number, top_level, number);
   return std::move (division.leaves);
 }
 

@@ -44,7 +44,9 @@ thresholdOf (std::vector<double>& distances, double min_noise, double min_apart)
       first_above = i;
     }
   }
-  if (best <= min_explained * total || total <= all * min_noise * min_noise ||
+  // Two steps of a quantized coordinate are no layers: they are two noises apart.
+  constexpr double noises_apart = 3.0;
+  if (best <= min_explained * total || best_apart < noises_apart * min_noise ||
       best_apart < min_apart)
     return std::nullopt;
   return 0.5 * (distances[first_above - 1] + distances[first_above]);

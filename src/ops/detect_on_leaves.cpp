@@ -32,7 +32,7 @@ constexpr double last_max_thickness = 0.3;
 // Largest distance of a leaf's points while planes spread, and of a point to its plane,
 // in units of the noise there.
 constexpr double noises_of_a_leaf = 1.73;
-constexpr double noises_of_a_point = 3.45;
+constexpr double noises_of_a_point = 4.0;
 
 /** \brief How finely a cloud is divided. */
 struct OctreeSizes {
@@ -75,10 +75,15 @@ octreeSizes (const Points& points, const OpsParameters& parameters)
   }
   constexpr int usual_level = 6;
   constexpr int smallest_level = 1;
-  sizes.cell = std::ldexp (
-      std::sqrt (2.0) * usualEdge (points, parameters.sampling_rate), -usual_level);
+  const double smallest = smallestVoxel (points);
+  const double edge = std::sqrt (2.0) * usualEdge (points, parameters.sampling_rate);
+  sizes.cell = std::ldexp (edge > 0.0 ? std::max (edge, smallest) : 0.0, -usual_level);
   sizes.leaves.largest_level = usual_level + 1;
   sizes.leaves.smallest_level = smallest_level;
+  // The second round halves leaves.
+  while (std::ldexp (sizes.cell, sizes.leaves.smallest_level - 1) < smallest &&
+         sizes.leaves.smallest_level < sizes.leaves.largest_level)
+    ++sizes.leaves.smallest_level;
   return sizes;
 }
 

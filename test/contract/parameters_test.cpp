@@ -150,15 +150,6 @@ TEST (Parameters, AreThoseOfTheTable)
     EXPECT_EQ (valuesOf (pcl_ops::UpAxisParameters()).at (row.name), row.value);
 }
 
-TEST (Parameters, OfLeavesAreDefaultsButForThoseOfTheTable)
-{
-  Values expected = valuesOf (OpsParameters());
-  for (const Row& row : rowsOf ("ops_leaves", false))
-    expected.at (row.name) = row.value;
-  EXPECT_EQ (valuesOf (OpsParameters::leaves()), expected);
-  expectRanges (rowsOf ("ops", true), OpsParameters::leaves());
-}
-
 TEST (Parameters, NeedADistanceThresholdButForSurfels)
 {
   const auto problem = [] (auto parameters) {
@@ -167,7 +158,6 @@ TEST (Parameters, NeedADistanceThresholdButForSurfels)
   };
   const std::string message = "the distance threshold must be a length above 0";
   EXPECT_EQ (problem (OpsParameters()), "");
-  EXPECT_EQ (problem (OpsParameters::leaves()), "");
   EXPECT_EQ (problem (OpsParameters::paper()), message);
   EXPECT_EQ (problem (FspfParameters()), message);
   EXPECT_EQ (problem (KhtParameters()), message);

@@ -18,8 +18,8 @@
 #include <stdexcept>
 #include <thread>
 
-// What holds for all three detectors by default, and for OPS on leaves and as in the
-// paper.
+// What holds for all three detectors by default, and for OPS on leaves, on voxels and
+// as in the paper.
 
 using pcl_ops::PlaneSegment;
 
@@ -135,11 +135,16 @@ struct OpsOnLeaves : Ops {
   OpsOnLeaves() : Ops (leavesOn (nullptr)) {}
 };
 
+struct OpsOnVoxels : Ops {
+  OpsOnVoxels() : Ops (voxelsOn (nullptr)) {}
+};
+
 using Detectors = ::testing::Types<Ops,
                                    OpsOnLeaves,
                                    PublishedOps,
                                    pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
-                                   pcl_ops::KernelHoughTransform<pcl::PointXYZ>>;
+                                   pcl_ops::KernelHoughTransform<pcl::PointXYZ>,
+                                   OpsOnVoxels>;
 TYPED_TEST_SUITE (PlaneDetector, Detectors);
 
 TYPED_TEST (PlaneDetector, FindsNothingWhereThereIsNoPlaneAndCallsThatSuccess)
@@ -482,6 +487,7 @@ TEST (OpsOf, ASamplingRateThatDrawsNoPointFindsNone)
 {
   for (Ops ops : {opsOn (room().build().cloud),
                   leavesOn (room().build().cloud),
+                  voxelsOn (room().build().cloud),
                   paperOn (room().build().cloud)}) {
     ops.setSamplingRate (1e-9);
     EXPECT_TRUE (planesOf (ops).empty());
@@ -492,7 +498,7 @@ TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 {
   // A third of the points is. The final fit moves a plane a little.
   const auto cloud = room().noise (1_cm).spacing (2_cm).build().cloud;
-  for (Ops ops : {opsOn (cloud), leavesOn (cloud)}) {
+  for (Ops ops : {opsOn (cloud), leavesOn (cloud), voxelsOn (cloud)}) {
     ops.setDistanceThreshold (1_cm);
     const auto planes = planesOf (ops);
     ASSERT_GE (planes.size(), 3u);
@@ -520,9 +526,11 @@ TEST (OpsOf, CoordinatesOfAThousandKilometersFindsWhatIsThere)
   const std::tuple<Ops, LabelledScene, std::size_t> rows[] = {
       {opsOn (hall.cloud), hall, 3},
       {leavesOn (hall.cloud), hall, 3},
+      {voxelsOn (hall.cloud), hall, 3},
       {paperOn (hall.cloud), hall, 3},
       {opsOn (small.cloud), small, 0},
       {leavesOn (small.cloud), small, 0},
+      {voxelsOn (small.cloud), small, 0},
       {paperOn (small.cloud), small, 3}};
   for (auto [ops, scene, min_planes] : rows) {
     const auto planes = planesOf (ops);

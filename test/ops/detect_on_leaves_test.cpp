@@ -15,7 +15,8 @@ using LeafParameters = pcl_ops::OrientedPointSamplingParameters;
 LeafParameters
 usualLeaves (double voxel_size = 0.0)
 {
-  LeafParameters parameters = LeafParameters::leaves();
+  LeafParameters parameters;
+  parameters.sampling = pcl_ops::Sampling::Leaves;
   if (voxel_size > 0.0)
     parameters.surfels.voxel_size = voxel_size;
   return parameters;
