@@ -58,17 +58,20 @@ TEST (LeafNoise, IsNotLessThanALeafCanHave)
 
 TEST (LeafNoise, IsOfTheLeavesOfThePlaneAlone)
 {
-  // The leaves between those of the ground lie 5 cm beside it, on a plane of their own.
-  const Surface higher = {{0, 0, 0.08}, {2, 0, 0}, {0, 2, 0}};
-  Coordinates points = gridsOf ({ground}, 120);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.x[i] > 1.0f)
-      points.z[i] += 0.03f;
+  // Beside an exact plane one of up to 3 cm of noise.
+  Coordinates points = gridsOf ({{{0, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}}, 120);
+  addGrid (points, {{1, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}, 120, 3_cm);
   LeafScene scene (points, 1_cm);
   scene.addPlane (ground, 0.0, before (1.0));
-  scene.addPlane (higher, 0.0, behind (1.0));
+  scene.addPlane (ground, 0.0, behind (1.0));
   measureNoise (scene.cloud, 1, scene.planes);
-  EXPECT_EQ (scene.planes.noise, scene.cloud.min_noise);
+  for (std::size_t leaf = 0; leaf < scene.cloud.size(); ++leaf)
+    if (scene.centroid (leaf).x() < 1.0) {
+      EXPECT_EQ (scene.planes.noise[leaf], scene.cloud.min_noise[leaf]);
+    }
+    else {
+      EXPECT_GT (scene.planes.noise[leaf], 1_cm);
+    }
 }
 
 TEST (LeafNoise, IsMeasuredOfChangedPlanesAlone)

@@ -75,6 +75,26 @@ TEST (PlaneEvidence, DropsTinyPlanesAmongOthers)
   EXPECT_EQ (keptIn (scene), (std::vector<char>{1, 0}));
 }
 
+TEST (PlaneEvidence, KeepsANarrowStripWhereItEndsAtSteps)
+{
+  // Two leaves wide, 8 cm above the ground on both sides or at its height.
+  for (const double height : {8_cm, 0_cm}) {
+    const auto isStrip = [] (const auto& at) { return at.x() > 1.0 && at.x() < 1.2; };
+    RandomGenerator generator (seedOfTest());
+    Coordinates points;
+    for (int i = 0; i < 14400; ++i) {
+      const Eigen::Vector3d at = drawPointOf (ground, 3_mm, generator);
+      const pcl::PointXYZ point =
+          toPoint (at + Eigen::Vector3d (0, 0, isStrip (at) ? height : 0.0));
+      points.add (point.x, point.y, point.z);
+    }
+    LeafScene scene (points);
+    scene.addPlane (ground, 0.0, anywhere);
+    scene.addPlane (ground, 0.0, isStrip);
+    EXPECT_EQ (keptIn (scene), (std::vector<char>{1, height > 0.0}));
+  }
+}
+
 TEST (PlaneEvidence, DropsPlanesOfAFewPointsAndOfNoLeaves)
 {
   LeafScene scene ({ground}, 5_mm);

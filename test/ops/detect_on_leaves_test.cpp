@@ -200,6 +200,28 @@ TEST (DetectOnLeaves, MakesOnePlaneOfWhatAGapDivides)
   EXPECT_EQ (detectIn (points, parameters).planes.fits.size(), 2u);
 }
 
+TEST (DetectOnLeaves, GrowsOverPointsTooFewForANormal)
+{
+  // Two halves of a ground, and in three meters between them one point in each leaf.
+  Points points = drawnPoints (
+      {{{0, 0, 0}, {1.5, 0, 0}, {0, 2, 0}}, {{4.5, 0, 0}, {1.5, 0, 0}, {0, 2, 0}}},
+      2_cm,
+      3_mm);
+  const std::size_t of_halves = points.size();
+  for (int x = 0; x < 30; ++x)
+    for (int y = 0; y < 20; ++y)
+      points.add (1.55f + 0.1f * static_cast<float> (x),
+                  0.05f + 0.1f * static_cast<float> (y),
+                  0.0f);
+  LeafParameters parameters = usualLeaves (10_cm);
+  parameters.k = 400;
+  parameters.surfels.resolutions = 1;
+  const LabelledPlanes found = detectIn (points, parameters);
+  EXPECT_EQ (found.planes.fits.size(), 1u);
+  for (std::size_t i = of_halves; i < points.size(); ++i)
+    EXPECT_EQ (found.labels[i], 0) << points.x[i];
+}
+
 TEST (DetectOnLeaves, KeepsApartWhatNoiseDoesNotExplain)
 {
   for (const double noise : {2_mm, 5_cm}) {
