@@ -430,6 +430,8 @@ allTargets ()
       {"ascii", loadText},
       {"options", readOptions},
       {"ops", [] (const Bytes& bytes) { detect<Ops> (bytes, {}); }},
+      {"ops_leaves",
+       [] (const Bytes& bytes) { detect<Ops> (bytes, Ops::Parameters::leaves()); }},
       {"ops_paper",
        [] (const Bytes& bytes) { detect<Ops> (bytes, Ops::Parameters::paper()); }},
       {"fspf", [] (const Bytes& bytes) { detect<Fspf> (bytes, {}); }},
