@@ -431,7 +431,11 @@ allTargets ()
       {"options", readOptions},
       {"ops", [] (const Bytes& bytes) { detect<Ops> (bytes, {}); }},
       {"ops_leaves",
-       [] (const Bytes& bytes) { detect<Ops> (bytes, Ops::Parameters::leaves()); }},
+       [] (const Bytes& bytes) {
+         Ops::Parameters parameters;
+         parameters.sampling = Sampling::Leaves;
+         detect<Ops> (bytes, parameters);
+       }},
       {"ops_paper",
        [] (const Bytes& bytes) { detect<Ops> (bytes, Ops::Parameters::paper()); }},
       {"fspf", [] (const Bytes& bytes) { detect<Fspf> (bytes, {}); }},

@@ -200,7 +200,7 @@ TEST (DetectOnLeaves, MakesOnePlaneOfWhatAGapDivides)
   EXPECT_EQ (detectIn (points, parameters).planes.fits.size(), 2u);
 }
 
-TEST (DetectOnLeaves, GrowsOverPointsTooFewForANormal)
+TEST (DetectOnLeaves, ReachesOverPointsThatAreFarSparser)
 {
   // Two halves of a ground, and in three meters between them one point in each leaf.
   Points points = drawnPoints (
@@ -213,10 +213,7 @@ TEST (DetectOnLeaves, GrowsOverPointsTooFewForANormal)
       points.add (1.55f + 0.1f * static_cast<float> (x),
                   0.05f + 0.1f * static_cast<float> (y),
                   0.0f);
-  LeafParameters parameters = usualLeaves (10_cm);
-  parameters.k = 400;
-  parameters.surfels.resolutions = 1;
-  const LabelledPlanes found = detectIn (points, parameters);
+  const LabelledPlanes found = detectIn (points, usualLeaves (10_cm));
   EXPECT_EQ (found.planes.fits.size(), 1u);
   for (std::size_t i = of_halves; i < points.size(); ++i)
     EXPECT_EQ (found.labels[i], 0) << points.x[i];
