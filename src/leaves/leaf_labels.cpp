@@ -56,7 +56,7 @@ struct LeafLabeling {
   bool
   isWholly (std::size_t leaf, const std::vector<CandidatePlane>& candidates) const
   {
-    constexpr double max_squared = 2.25; // 1.5 sigma
+    constexpr double max_squared = 4.0; // 2 sigma
     const CandidatePlane& only = candidates.front();
     return candidates.size() == 1 && planes.plane_of_leaf[leaf] == only.number &&
            !(max_distance < std::numeric_limits<double>::infinity()) &&

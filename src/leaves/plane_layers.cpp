@@ -45,7 +45,7 @@ thresholdOf (std::vector<double>& distances, double min_noise, double min_apart)
     }
   }
   // Two steps of a quantized coordinate are no layers: they are two noises apart.
-  constexpr double noises_apart = 3.0;
+  constexpr double noises_apart = 2.2;
   if (best <= min_explained * total || best_apart < noises_apart * min_noise ||
       best_apart < min_apart)
     return std::nullopt;

@@ -32,7 +32,7 @@ constexpr double last_max_thickness = 0.3;
 // Largest distance of a leaf's points while planes spread, and of a point to its plane,
 // in units of the noise there.
 constexpr double noises_of_a_leaf = 1.73;
-constexpr double noises_of_a_point = 5.0;
+constexpr double noises_of_a_point = 3.45;
 
 /** \brief How finely a cloud is divided. */
 struct OctreeSizes {

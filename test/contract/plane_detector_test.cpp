@@ -364,12 +364,17 @@ TYPED_TEST (PlaneDetector, UsesTheGivenIndicesAloneInAllFormsOfPclAndAnyOrder)
   for (std::size_t i = 0; i < this->room.labels.size(); ++i)
     if (this->room.labels[i] == 0)
       given.push_back (i);
-  const std::vector<pcl::Indices> floor{given};
   const auto point_indices = pcl::make_shared<pcl::PointIndices>();
   point_indices->indices = given;
   TypeParam& detector = this->detector;
   detector.setIndices (pcl::make_shared<pcl::Indices> (given));
-  EXPECT_EQ (inliersOf (detector), floor);
+  const std::vector<pcl::Indices> floor = inliersOf (detector);
+  ASSERT_EQ (floor.size(), 1u);
+  EXPECT_TRUE (
+      std::includes (given.begin(), given.end(), floor[0].begin(), floor[0].end()));
+  // A few of so many points may be farther off than noise is.
+  EXPECT_GE (static_cast<double> (floor[0].size()),
+             0.999 * static_cast<double> (given.size()));
   detector.setIndices (pcl::IndicesConstPtr (new pcl::Indices (given)));
   EXPECT_EQ (inliersOf (detector), floor);
   detector.setIndices (pcl::PointIndicesConstPtr (point_indices));

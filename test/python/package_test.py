@@ -71,7 +71,8 @@ class Stubs(unittest.TestCase):
                  for arg in self.stubs[name].args.kwonlyargs}
         for name, kind in {
             "threads": "int", "up": "Vector", "distance_threshold": "Optional[float]",
-            "sampling": "Literal['points', 'surfels']", "merging_enabled": "bool",
+            "sampling": "Literal['points', 'surfels', 'leaves', 'automatic']",
+            "merging_enabled": "bool",
             "orientation": "Optional[Literal['horizontal', 'vertical', 'other']]",
         }.items():
             self.assertEqual(kinds[name], kind)
