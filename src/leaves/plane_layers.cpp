@@ -55,9 +55,16 @@ thresholdOf (std::vector<double>& distances, double min_noise, double min_apart)
 /** \brief Some signed distances of a plane's points, spread evenly over them [m]. */
 struct SampledDistances {
   std::vector<double> distances;
-  double min_noise = 0.0;
+  double sum_of_min_noise = 0.0; // of the leaves they are in
   std::size_t seen = 0;
 };
+
+double
+minNoiseOf (const SampledDistances& sample)
+{
+  return sample.sum_of_min_noise /
+         static_cast<double> (std::max<std::size_t> (1, sample.distances.size()));
+}
 
 std::vector<SampledDistances>
 sampleDistances (const LeafCloud& cloud, const LeafPlanes& planes, const Labels& labels)
@@ -73,7 +80,7 @@ sampleDistances (const LeafCloud& cloud, const LeafPlanes& planes, const Labels&
       SampledDistances& sample = samples[plane];
       if (sample.seen % (counts[plane] / wanted + 1) == 0) {
         sample.distances.push_back (planes.planes[plane].distance ((*cloud.points)[p]));
-        sample.min_noise = std::max (sample.min_noise, cloud.min_noise[i]);
+        sample.sum_of_min_noise += cloud.min_noise[i];
       }
       ++sample.seen;
     }
@@ -96,8 +103,9 @@ splitLayers (const LeafCloud& cloud,
   for (std::size_t p = 0; p < samples.size(); ++p) {
     if (is_kept[p] == 0)
       continue;
-    thresholds[p] = thresholdOf (
-        samples[p].distances, samples[p].min_noise, distance_threshold.value_or (0.0));
+    thresholds[p] = thresholdOf (samples[p].distances,
+                                 minNoiseOf (samples[p]),
+                                 distance_threshold.value_or (0.0));
     if (!thresholds[p])
       continue;
     above[p] = static_cast<std::int32_t> (is_kept.size());
