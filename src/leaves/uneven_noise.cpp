@@ -3,6 +3,7 @@
 #include "leaves/uneven_noise.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl_ops::internal {
 
@@ -42,7 +43,10 @@ UnevenNoise::UnevenNoise (const CurvePoints& points,
   MortonCode region_code = 0;
   bool is_in_region = false;
   for (const CellScatter& cell : cells) {
-    if (cell.level > region_level || !cell.is_wide)
+    // Both sides of a thin wall are no noise.
+    constexpr double max_noise = 0.2; // of the edge of a cell
+    if (cell.level > region_level || !cell.is_wide ||
+        cell.noise > max_noise * std::ldexp (points.cell, cell.level))
       continue;
     const MortonCode code = points.code[cell.begin] >> shift;
     if (is_in_region && code != region_code)
