@@ -45,19 +45,14 @@ struct OctreeSizes {
 
 constexpr double points_of_large_cloud = 300'000.0;
 
-// Edge at which the cloud would fill so many leaves, were they all of one size.
-// Measured on rooms of 50 k to 3 M points: smaller planes need more leaves, but noise
-// does not shrink with their size, so that their number grows much more slowly than the
-// points'.
+// Edge at which the cloud would fill as many leaves as are wanted, were they all of one
+// size.
 double
 usualEdge (const Points& points, double sampling_rate)
 {
-  constexpr double leaves_per_sample = 2.0 / 3.0;
   constexpr double min_points_per_leaf = 10.0;
-  const auto number = static_cast<double> (points.size());
-  const double wanted = leaves_per_sample * sampling_rate * points_of_large_cloud *
-                        std::cbrt (number / points_of_large_cloud);
-  return voxelSizeFor (points, std::min (wanted, number / min_points_per_leaf));
+  return voxelSizeFor (
+      points, wantedVoxels (points.size(), sampling_rate, min_points_per_leaf));
 }
 
 // Sizes of leaves: given, or by the number of points.
@@ -398,7 +393,8 @@ detectOnLeaves (const Points& points,
   if (parameters.sampling == Sampling::Automatic &&
       prefersVoxels (leaves, rounds.points.size()))
     return detectOnVoxels (points, parameters, times);
-  LeafCloud cloud = measure (rounds, std::move (leaves));
+  LeafCloud cloud =
+      timed (times.search, [&] { return measure (rounds, std::move (leaves)); });
   const double used_edge = smallestEdge (cloud);
   LeafPlanes planes = noPlanes (cloud.size());
   const auto findPlanes = [&] (double max_thickness, double leaves_per_inlier) {

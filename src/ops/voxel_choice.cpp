@@ -15,21 +15,6 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// How many voxels to divide a cloud into. Measured on rooms of 50 k to 3 M points:
-// smaller planes need more voxels, but noise does not shrink with their size, so that
-// their number grows much more slowly than that of the points.
-double
-wantedVoxels (std::size_t points, double sampling_rate)
-{
-  constexpr double voxels_per_sample = 2.0 / 3.0;
-  constexpr double reference_points = 300000.0;
-  constexpr double min_points_per_voxel = 5.0;
-  const auto number = static_cast<double> (points);
-  const double samples =
-      sampling_rate * reference_points * std::cbrt (number / reference_points);
-  return std::min (voxels_per_sample * samples, number / min_points_per_voxel);
-}
-
 // Of the points of a voxel about their plane [m], in voxels as flat as a quarter of
 // those that have any: the steps of a quantized depth have none.
 double
@@ -93,6 +78,17 @@ voxelSizeByNoise (const VoxelGrid& grid)
 } // namespace
 
 double
+wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel)
+{
+  constexpr double voxels_per_sample = 2.0 / 3.0;
+  constexpr double reference_points = 300000.0;
+  const auto number = static_cast<double> (points);
+  const double samples =
+      sampling_rate * reference_points * std::cbrt (number / reference_points);
+  return std::min (voxels_per_sample * samples, number / min_points_per_voxel);
+}
+
+double
 smallestVoxel (const Points& points)
 {
   constexpr double steps = 8.0;
@@ -112,8 +108,9 @@ meanPointsPerVoxel (const VoxelGrid& grid)
 VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
 {
-  const double size =
-      voxelSizeFor (points, wantedVoxels (points.size(), sampling_rate));
+  constexpr double min_points_per_voxel = 5.0;
+  const double size = voxelSizeFor (
+      points, wantedVoxels (points.size(), sampling_rate, min_points_per_voxel));
   if (!(size > 0.0))
     return {};
   // Of twice the edge, as they are halved where needed.

@@ -7,6 +7,12 @@
 
 namespace pcl_ops::internal {
 
+/** \brief How many voxels to divide a cloud into. Measured on rooms of 50 k to 3 M
+ * points: smaller planes need more voxels, but noise does not shrink with their size,
+ * so that their number grows much more slowly than that of the points. */
+double
+wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel);
+
 /** \brief Single precision rounds coordinates far from zero to steps, which are planes
  * to voxels no larger than they: the edge of the smallest ones that are of use [m]. */
 double
