@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/detect_on_leaves.h"
+#include "ops/detect_on_voxels.h"
 #include "voxel_scene.h"
 
 #include <set>
@@ -328,4 +329,24 @@ TEST (DetectOnLeaves, FindsASurfaceThatIsFarDenserInAPlace)
   const LabelledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 1u);
   expectEachHasItsPlane (found, {points.size()}, 0.97);
+}
+
+TEST (DetectOnLeaves, LeavesCloudsToVoxelsWhereNeighborsErrAlike)
+{
+  LeafParameters automatic;
+  ASSERT_EQ (automatic.sampling, pcl_ops::Sampling::Automatic);
+  const Surface wall = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const Points white = drawnPoints ({wall}, 1e-2, 5_mm);
+  // Bumps of 3 cm, 30 cm wide, as those of a smoothed depth image far away.
+  Points bumpy = drawnPoints ({wall}, 1e-2, 1_mm);
+  const auto wave = [] (float along) { return std::sin (2.0 * M_PI * along / 0.3); };
+  for (std::size_t i = 0; i < bumpy.size(); ++i)
+    bumpy.z[i] += static_cast<float> (3_cm * wave (bumpy.x[i]) * wave (bumpy.y[i]));
+  const auto onVoxels = [&] (const Points& points) {
+    pcl_ops::StageDurations durations;
+    return detectOnVoxels (points, automatic, durations).labels;
+  };
+  EXPECT_EQ (detectIn (white, automatic).labels, detectIn (white).labels);
+  EXPECT_NE (detectIn (bumpy).labels, onVoxels (bumpy)) << "else nothing is asked here";
+  EXPECT_EQ (detectIn (bumpy, automatic).labels, onVoxels (bumpy));
 }
