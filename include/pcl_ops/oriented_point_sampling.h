@@ -21,14 +21,14 @@ enum class Sampling {
   /** \brief The same on leaves of an octree: cells of mixed sizes, smaller where points
    * are denser and their noise is even. */
   Leaves,
-  /** \brief Leaves; surfels where neighboring points err alike in three tenths of it,
+  /** \brief Leaves; surfels where three tenths of the points err as their neighbors do,
    * as in images of depth cameras, whose noise voxels of one size average better, and
    * where \ref OrientedPointSamplingParameters::Surfels::voxel_size is given. */
   Automatic
 };
 
-/** \brief What Sampling::Points, the paper's algorithm, alone reads; surfels, the
- * default, are not drawn, divided or weighted, and are always refitted. */
+/** \brief What Sampling::Points, the paper's algorithm, alone reads; those of
+ * voxels and leaves are not drawn, divided or weighted, and are always refitted. */
 struct PaperParameters {
   /** \brief When planes are divided by orientation (paper, "Detecting planes in
    * multiple orientations"). */
@@ -203,7 +203,7 @@ public:
   }
 
   /** \brief p: probability that RANSAC draws an inlier of the largest plane, above 0
-   * and below 1. Belongs to the paper preset: surfels, the default, are not drawn. */
+   * and below 1. Belongs to the paper preset: voxels and leaves are not drawn. */
   void
   setProbability (double probability)
   {

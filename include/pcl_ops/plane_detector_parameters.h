@@ -17,8 +17,8 @@ namespace pcl_ops {
 /** \brief What the parameters of all detectors have in common. */
 struct PlaneDetectorParameters {
   /** \brief theta_h: largest distance of a point to its plane [m]. Not given, which
-   * only Sampling::Surfels allows: it follows the noise of the cloud, whatever its
-   * unit. */
+   * only OPS but for Sampling::Points allows: it follows the noise of the cloud,
+   * whatever its unit. */
   std::optional<double> distance_threshold = 0.05;
   /** \brief Direction against gravity in the frame of the input cloud, any length but
    * 0. It only names the orientation of a plane; detection does not depend on it,
