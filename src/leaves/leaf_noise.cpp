@@ -58,7 +58,7 @@ measureNoise (const LeafCloud& cloud,
               LeafPlanes& planes,
               const std::vector<char>* changed)
 {
-  constexpr int rings = 3;
+  constexpr int rings = 2;
   Indices measured;
   std::vector<SquaredDistances> sums (cloud.size());
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {

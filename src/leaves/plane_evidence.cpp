@@ -67,22 +67,28 @@ borderOf (const LeafCloud& cloud,
 
 // A linear rule: tests one after the other lose planes (src/doc/decisions.md).
 bool
-isKept (const PlaneParts& own, const PlaneBorder& border)
+isKept (const PlaneParts& own, const PlaneBorder& border, std::size_t points_of_cloud)
 {
   constexpr double max_bend = 5.0;
   constexpr double of_going_on = 6.5;
   constexpr double of_size = 2.8; // for each decade of leaves above the next
-  constexpr double usual_leaves = 100.0;
+  // What planes of noise have by chance: more where there are more leaves.
+  constexpr double usual_leaves = 100.0; // in a cloud of so many points
+  constexpr double usual_points = 300'000.0;
+  constexpr double growth = 0.15;
   constexpr double of_ending = 4.6;
   constexpr double of_inner = 6.8;
   constexpr double rounding = 1e-5; // of half the extent
   const auto leaves = static_cast<double> (own.leaves.size());
+  const double leaves_by_chance =
+      usual_leaves *
+      std::pow (static_cast<double> (points_of_cloud) / usual_points, growth);
   const double links = std::max (1.0, border.links);
   const double bend =
       own.bending.amplitude / (own.bending.left + rounding * own.bending.half_extent);
   const double against =
       std::min (max_bend, bend) + of_going_on * border.goes_on / links;
-  const double in_favor = of_size * std::log10 (leaves / usual_leaves) +
+  const double in_favor = of_size * std::log10 (leaves / leaves_by_chance) +
                           of_ending * border.ends / links +
                           of_inner * border.inner_leaves / leaves;
   return against < in_favor;
@@ -112,7 +118,8 @@ keptPlanes (const LeafCloud& cloud,
                            leaves[p],
                            meanSquaredDistance (moments[p], plane),
                            bendingOfLeaves (cloud, leaves[p], plane)};
-    is_kept[p] = isKept (parts, borderOf (cloud, planes, surfels, parts));
+    is_kept[p] =
+        isKept (parts, borderOf (cloud, planes, surfels, parts), cloud.points->size());
   }
   return is_kept;
 }

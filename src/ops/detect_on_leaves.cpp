@@ -10,6 +10,7 @@
 #include "leaves/leaf_spreading.h"
 #include "leaves/plane_evidence.h"
 #include "leaves/plane_layers.h"
+#include "leaves/plane_splitting.h"
 #include "ops/detect_on_voxels.h"
 #include "ops/voxel_choice.h"
 #include "voxels/voxel_size.h"
@@ -244,6 +245,15 @@ join (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
   joinPlanes (cloud, joiningBy (rounds.parameters), rounds.parameters.threads, planes);
 }
 
+// Gives leaves to likelier planes.
+void
+relax (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
+{
+  const unsigned threads = rounds.parameters.threads;
+  const std::vector<char> relaxed = relaxLabels (cloud, threads, planes);
+  measureNoise (cloud, threads, planes, &relaxed);
+}
+
 // Section III-C, by the noise of the planes instead of theta_h: lets planes grow to
 // their borders, and makes one of those that are one.
 void
@@ -257,8 +267,22 @@ finishPlanes (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
   refitPlanes (cloud, planes);
   measureNoise (cloud, threads, planes, &grown);
   join (rounds, cloud, planes);
-  const std::vector<char> relaxed = relaxLabels (cloud, threads, planes);
-  measureNoise (cloud, threads, planes, &relaxed);
+  relax (rounds, cloud, planes);
+}
+
+// Planes stay as thin as the noise of their surroundings asks for: hills are joined of
+// pieces each of which is.
+void
+split (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
+{
+  const unsigned threads = rounds.parameters.threads;
+  const std::vector<char> changed =
+      splitThickPlanes (cloud, rounds.sizes.leaves.max_points, planes);
+  if (std::find (changed.begin(), changed.end(), 1) == changed.end())
+    return;
+  refitPlanes (cloud, planes);
+  measureNoise (cloud, threads, planes, &changed);
+  relax (rounds, cloud, planes);
 }
 
 // The labels of all points of the cloud, of planes that are kept.
@@ -411,7 +435,10 @@ detectOnLeaves (const Points& points,
   const std::vector<LeafSurfel> surfels =
       findPlanes (last_max_thickness, last_leaves_per_inlier);
   const std::size_t planes_before_merging = countPlanes (planes);
-  timed (times.merging, [&] { finishPlanes (rounds, cloud, planes); });
+  timed (times.merging, [&] {
+    finishPlanes (rounds, cloud, planes);
+    split (rounds, cloud, planes);
+  });
   found = timed (times.assignment, [&] {
     return merge (assign (rounds, points, cloud, planes, surfels), parameters);
   });

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "leaves/plane_splitting.h"
 #include "ops/detect_on_leaves.h"
 #include "ops/detect_on_voxels.h"
 #include "voxel_scene.h"
@@ -349,4 +350,19 @@ TEST (DetectOnLeaves, LeavesCloudsToVoxelsWhereNeighborsErrAlike)
   EXPECT_EQ (detectIn (white, automatic).labels, detectIn (white).labels);
   EXPECT_NE (detectIn (bumpy).labels, onVoxels (bumpy)) << "else nothing is asked here";
   EXPECT_EQ (detectIn (bumpy, automatic).labels, onVoxels (bumpy));
+}
+
+TEST (DetectOnLeaves, FindsPlanesAsThinAsTheNoiseOnAHill)
+{
+  // A point a square meter, and so little slope that planes of neighboring parts touch
+  // and agree: joined they have an rms of 30 cm.
+  constexpr double noise = 3_cm;
+  Points points = drawnPoints ({{{0, 0, 0}, {200, 0, 0}, {0, 200, 0}}}, 1.0, noise);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.z[i] += static_cast<float> (2.5 * std::sin (points.x[i] / 60.0) *
+                                       std::cos (points.y[i] / 80.0));
+  const LabelledPlanes found = detectIn (points);
+  EXPECT_GT (found.planes.fits.size(), 2u);
+  for (const pcl_ops::PlaneFit& fit : found.planes.fits)
+    EXPECT_LT (std::sqrt (fit.variances[0]), max_thickness_of_plane * noise);
 }

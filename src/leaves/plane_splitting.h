@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "leaves/leaf_cloud.h"
+
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief A plane is thick where the rms distance of its points exceeds this multiple
+ * of the noise of its surroundings. Planes that people labeled reach 6.5 (a facade),
+ * 5.4 (a fused office) and 4.7 (plaster that bends); hills taken for one plane have 10
+ * to 40 (src/doc/decisions.md). */
+constexpr double max_thickness_of_plane = 7.0;
+
+/** \brief Divides planes that are thick into connected pieces that are not, as few as
+ * a few joins find. Leaves of what is thick until it is small go on no plane.
+ *
+ * The noise of the surroundings is the median over the leaves of a plane of how far
+ * points scatter about the plane through a leaf and those beside it.
+ * \param[in] points_around such surroundings have so many points
+ * \return the planes that changed, of as many as there are then; they have to be fitted
+ * again */
+std::vector<char>
+splitThickPlanes (const LeafCloud& cloud, double points_around, LeafPlanes& planes);
+
+} // namespace pcl_ops::internal
