@@ -102,7 +102,7 @@ frontWith (const std::vector<LasField>& fields, LasFile& las)
   }
   else {
     ++copy.vlr_count;
-    front.insert (las.vlrs_end, extraBytesVlr (description));
+    front.insert (las.vlrs_end, extraBytesVlr (description, header.minor_version));
   }
   const std::uint64_t end = front.size() + las.size() * copy.record_length;
   las.putHeader (copy, header.pointsEnd(), end, front);
@@ -230,7 +230,7 @@ LasFile::validate (const std::vector<LasField>& wanted) const
   constexpr std::uint64_t max_short = std::numeric_limits<std::uint16_t>::max();
   const std::uint64_t described = extra_bytes ? extra_bytes->size() : 0;
   const std::uint64_t description = descriptionsOf (added, *this).size();
-  const std::uint64_t with_vlr = extraBytesVlr ("").size() + description;
+  const std::uint64_t with_vlr = extraBytesVlr ("", 0).size() + description;
   if (described + description > max_short ||
       header.record_length + added.size() * field_length > max_short ||
       header.points_offset + with_vlr > std::numeric_limits<std::uint32_t>::max())
@@ -304,8 +304,9 @@ saveLas (const std::string& file,
          double scale,
          const Eigen::Vector3d& offset)
 {
-  const std::string vlr = extraBytesVlr (descriptionOf (label_field));
   LasHeader header = headerOf (points, scale, offset);
+  const std::string vlr =
+      extraBytesVlr (descriptionOf (label_field), header.minor_version);
   header.points_offset = static_cast<std::uint32_t> (header.size + vlr.size());
   writeFile (file, [&] (std::ostream& stream) {
     stream.write (reinterpret_cast<const char*> (&header), header.size) << vlr;

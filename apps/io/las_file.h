@@ -23,7 +23,7 @@ using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
 /** \brief A field of extra bytes, and its four of the next point. */
 using LasColumn = std::pair<LasField, LabelOfPlace>;
 
-/** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that what is no coordinate
+/** \brief A LAS file, versions 1.0 to 1.4. It stays open, so that what is no coordinate
  * need not be in memory to be written again, and may be removed meanwhile. */
 struct LasFile {
   /** \throws WorkError if it is none, a variable length record does not fit in front of

@@ -16,7 +16,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::uint8_t oldest_minor = 2, newest_minor = 4;
+constexpr std::uint8_t newest_minor = 4;
 constexpr std::uint16_t extra_bytes_id = 4;
 constexpr const char* specification = "LASF_Spec";
 
@@ -49,12 +49,12 @@ extraBytesLength (const LasField& field)
   return count > 3 ? 0 : count * lengths.at ((field.type - 1U) % lengths.size());
 }
 
-/** \brief How many bytes of it a version 1.2, 1.3 or 1.4 has. */
+/** \brief How many bytes of it a version 1.0 to 1.4 has. */
 std::size_t
 headerLength (const LasHeader& header)
 {
-  constexpr std::array<std::size_t, 3> lengths = {227, 235, sizeof (header)};
-  return lengths.at (header.minor_version - oldest_minor);
+  constexpr std::array<std::size_t, 5> lengths = {227, 227, 227, 235, sizeof (header)};
+  return lengths.at (header.minor_version);
 }
 
 /** \brief Of the records of a point data record format; 0 where there is none. */
@@ -102,6 +102,19 @@ check (const LasHeader& header, const HeaderReader& reader)
                header.points == header.legacy_points,
            "its numbers of points " + to_string (header.points) + " and " +
                to_string (header.legacy_points) + " (legacy) differ");
+}
+
+/** \brief Of LAS 1.0: two bytes mark where points begin, behind which some writers let
+ * the offset point, as the format says, and some let it point to the mark. */
+std::uint32_t
+lengthOfMark (const LasHeader& header, HeaderReader& reader)
+{
+  constexpr std::uint16_t mark = 0xccdd;
+  const bool has_room = header.pointsEnd() + sizeof (mark) <= reader.fileSize();
+  return header.minor_version == 0 && has_room &&
+                 reader.at<LasHeader::Short> (header.points_offset) == mark
+             ? sizeof (mark)
+             : 0;
 }
 
 template <typename Length>
@@ -170,12 +183,12 @@ readLasHeader (HeaderReader& reader)
     reader.fail ("its first bytes are not LASF");
   if (reader.fileSize() < smallest)
     reader.fail ("it ends within its header");
-  if (header.major_version != 1 || header.minor_version < oldest_minor ||
-      header.minor_version > newest_minor)
+  if (header.major_version != 1 || header.minor_version > newest_minor)
     reader.fail ("its version " + std::to_string (header.major_version) + "." +
-                 std::to_string (header.minor_version) + " is not 1.2, 1.3 or 1.4");
+                 std::to_string (header.minor_version) + " is not 1.0 to 1.4");
   std::fill (bytes + headerLength (header), bytes + sizeof (header), '\0');
   check (header, reader);
+  header.points_offset += lengthOfMark (header, reader);
   return header;
 }
 
@@ -191,9 +204,12 @@ descriptionOf (const LasField& field)
 }
 
 std::string
-extraBytesVlr (const std::string& content)
+extraBytesVlr (const std::string& content, std::uint8_t minor_version)
 {
+  constexpr std::uint16_t signature_of_1_0 = 0xaabb; // reserved since then
   LasShortVlrHeader header{};
+  if (minor_version == 0)
+    header.reserved = signature_of_1_0;
   std::strcpy (header.user.data(), specification);
   header.id = extra_bytes_id;
   header.length = static_cast<std::uint16_t> (content.size());

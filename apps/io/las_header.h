@@ -21,7 +21,8 @@ bytesOf (const What& what)
 }
 
 /** \brief The public header block of a LAS 1.4, as its bytes are. In older versions it
- * ends before the waveforms (1.2) or the extended variable length records (1.3). */
+ * ends before the waveforms (up to 1.2) or the extended variable length records (1.3).
+ */
 struct LasHeader {
   using Short = boost::endian::little_uint16_t;
   using Long = boost::endian::little_uint32_t;
@@ -120,6 +121,6 @@ std::string
 descriptionOf (const LasField& field);
 
 std::string
-extraBytesVlr (const std::string& content);
+extraBytesVlr (const std::string& content, std::uint8_t minor_version);
 
 } // namespace pcl_ops::apps

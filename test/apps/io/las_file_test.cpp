@@ -42,7 +42,7 @@ invalid (const std::string& reason)
 
 TEST_F (LasFileTest, HasTheCoordinatesOfEveryPointFormat)
 {
-  for (std::uint8_t minor = 2; minor <= 4; ++minor)
+  for (std::uint8_t minor = 0; minor <= 4; ++minor)
     for (std::uint8_t format = 0; format <= 10; ++format)
       EXPECT_EQ (textOf (load ("a.las", lasBytes ({minor, format}))),
                  "x 500000.001 500000.004; y 5400000.002 5400000.005; z 0.003 0.006; "
@@ -67,7 +67,7 @@ TEST_F (LasFileTest, KeepsEveryIntegerOfMorePointsThanABlockHas)
 TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
 {
   constexpr std::uint32_t added = 54 + 192;
-  for (std::uint8_t minor = 2; minor <= 4; ++minor) {
+  for (std::uint8_t minor = 0; minor <= 4; ++minor) {
     SCOPED_TRACE (int (minor));
     LasRecipe recipe{minor, 3};
     recipe.vlrs = {lasVlr ("someone", 7, "content"),
@@ -90,6 +90,30 @@ TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
     after.erase (points - recipe.gap.size(), added);
     EXPECT_TRUE (after == expected);
   }
+}
+
+TEST_F (LasFileTest, Of10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
+{
+  const LasRecipe recipe{0, 1};
+  LasRecipe marked = recipe;
+  marked.gap = "\xdd\xcc";
+  std::string las = lasBytes (marked);
+  const std::string expected = textOf (load ("a.las", lasBytes (recipe)));
+  EXPECT_EQ (textOf (load ("a.las", las)), expected);
+  headerIn (las).points_offset = headerIn (las).size;
+  EXPECT_EQ (textOf (load ("a.las", las)), expected) << "where the offset is theirs";
+  std::string after = labelled (las, {5, 6});
+  EXPECT_EQ (after.substr (headerIn (after).points_offset),
+             labelledRecords (recipe, 5, 6));
+  const std::string record = after.substr (headerIn (after).size);
+  EXPECT_EQ (record.substr (0, 2), "\xbb\xaa") << "as records of 1.0 begin";
+}
+
+TEST_F (LasFileTest, Of10BeginsWithAPointWhoseBytesAreThatMark)
+{
+  LasRecipe recipe{0, 1};
+  recipe.points[0][0] = 0xccdd;
+  EXPECT_EQ (valuesOf (load ("a.las", lasBytes (recipe)), "x")[0], 500052.445);
 }
 
 TEST_F (LasFileTest, MovesTheWaveformsBehindThePoints)

@@ -87,7 +87,7 @@ lasBytes (const LasRecipe& recipe)
   header.system.fill ('s');
   header.major_version = 1;
   header.minor_version = recipe.minor_version;
-  header.size = std::array{227, 235, 375}.at (recipe.minor_version - 2U);
+  header.size = std::array{227, 227, 227, 235, 375}.at (recipe.minor_version);
   header.points_offset = static_cast<std::uint32_t> (header.size + vlrs.size());
   header.vlr_count = static_cast<std::uint32_t> (recipe.vlrs.size());
   header.format = recipe.format;
