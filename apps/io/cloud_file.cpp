@@ -110,6 +110,19 @@ fieldOf (const std::string& name,
   return field;
 }
 
+/** \brief Of PDAL, they are in capital letters. */
+void
+nameCoordinates (pcl::PCLPointCloud2& points)
+{
+  const std::pair<const char*, const char*> names[] = {
+      {"x", "X"}, {"y", "Y"}, {"z", "Z"}};
+  for (const auto& [name, capital] : names)
+    if (pcl::getFieldIndex (points, name) < 0)
+      for (pcl::PCLPointField& field : points.fields)
+        if (field.name == capital)
+          field.name = name;
+}
+
 FileCloud
 partOf (const FileCloud& cloud,
         std::size_t first,
@@ -155,6 +168,7 @@ loadCloud (const std::string& file)
   if (stream.get() == 0x1f && stream.get() == 0x8b)
     throw gzip;
   FileCloud cloud = format->read (file);
+  nameCoordinates (cloud.points);
   for (const char* axis : {"x", "y", "z"})
     if (!hasField (cloud, axis))
       throw WorkError (file,

@@ -71,14 +71,17 @@ readFields (const HeaderReader& reader,
     if (type == nullptr)
       reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
     const std::uint64_t count = reader.count ("COUNT", counts[i]);
-    if (count == 0 || count > max_count)
+    if (count > max_count)
       reader.fail ("COUNT " + counts[i] + " is out of range");
-    addField (names[i], type->id, points, static_cast<pcl::uindex_t> (count));
+    if (count > 0) // PCL drops the others, too
+      addField (names[i], type->id, points, static_cast<pcl::uindex_t> (count));
     bytes += count * type->size;
     if (bytes > max_bytes)
       reader.fail ("its points do not have 1 to " + std::to_string (max_bytes) +
                    " bytes each");
   }
+  if (bytes == 0)
+    reader.fail ("its points have no numbers");
 }
 
 void

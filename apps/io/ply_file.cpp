@@ -106,9 +106,8 @@ checkHeader (const HeaderReader& reader, const PlyHeader& header)
     reader.fail ("it has no element vertex");
   std::set<std::string> names;
   for (const PlyProperty& property : vertex->properties) {
-    if (property.length_type != nullptr)
-      reader.fail ("its vertices have a list, " + property.name);
-    if (!names.insert (property.name).second)
+    const bool is_number = property.length_type == nullptr;
+    if (is_number && !names.insert (property.name).second)
       reader.fail ("its vertices have " + property.name + " twice");
   }
   if (vertex->count == 0)
@@ -239,12 +238,14 @@ placeInColor (const PlyProperty& property)
 }
 
 /** \brief As PCL names fields: normals, a packed color, and the intensity as a float.
- */
+ * No field has room for a list. */
 void
 addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
 {
   std::size_t color = 0; // one after its index
   for (PlyProperty& property : vertex.properties) {
+    if (property.length_type != nullptr)
+      continue;
     const std::string& name = property.name;
     const int place = placeInColor (property);
     if (place < 0) {
@@ -283,13 +284,14 @@ readRows (PlyData& data,
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     data.beginRow (element);
     for (const PlyProperty& property : element.properties) {
-      if (is_vertex && !property.becomes_float) {
+      const bool is_list = property.length_type != nullptr;
+      if (is_vertex && !is_list && !property.becomes_float) {
         data.read (*property.type, point + property.offset);
         continue;
       }
       const double number = data.readProperty (property);
       const auto single = static_cast<float> (number);
-      if (is_vertex)
+      if (is_vertex && !is_list)
         std::memcpy (point + property.offset, &single, sizeof (single));
       else if (element.name == "camera")
         grid[property.name] = number;
