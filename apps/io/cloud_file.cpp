@@ -49,7 +49,9 @@ formatOf (const std::string& file)
                                    {".las", readLas, true, true},
                                    {".laz", readLas, hasLaszip(), true},
                                    {".xyz", readTextCloud, true, true},
+                                   {".xyzrgb", readTextCloud, true, true},
                                    {".pts", readTextCloud, true, true},
+                                   {".asc", readTextCloud, true, true},
                                    {".txt", readTextCloud, false, true},
                                    {".csv", readTextCloud, false, true}};
   for (const Format& format : formats)

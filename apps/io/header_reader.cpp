@@ -130,13 +130,23 @@ HeaderReader::number (std::size_t word) const
   return number;
 }
 
+bool
+HeaderReader::isNumber (std::size_t word) const
+{
+  double number = 0.0;
+  const std::string_view text = words_[word];
+  return text.empty() || numberType (pcl::PCLPointField::FLOAT64).parse (text, &number);
+}
+
 void
-HeaderReader::expectNumbers (std::size_t count) const
+HeaderReader::expectNumbers (std::size_t count,
+                             const std::vector<bool>& may_be_words) const
 {
   if (words_.size() == count)
     return;
   for (std::size_t i = 0; i < words_.size(); ++i)
-    number (i); // what is no number is the better reason
+    if (i >= may_be_words.size() || !may_be_words[i])
+      number (i); // what is no number is the better reason
   failAtLine ("has " + std::to_string (words_.size()) + " numbers instead of " +
               std::to_string (count));
 }

@@ -114,9 +114,13 @@ public:
   double
   number (std::size_t word) const;
 
-  /** \throws WorkError unless the line has numbers only, and so many */
+  bool
+  isNumber (std::size_t word) const;
+
+  /** \throws WorkError unless the line has so many numbers, and nothing else but
+   * words where \p may_be_words says so */
   void
-  expectNumbers (std::size_t count) const;
+  expectNumbers (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
 
   /** \throws WorkError if there is more than blanks left */
   void

@@ -8,6 +8,7 @@
 
 #include "cloud_formats.h"
 #include "header_reader.h"
+#include "output_file.h"
 #include <cli/errors.h>
 
 #include <algorithm>
@@ -112,26 +113,31 @@ areNames (const Words& words)
 }
 
 /** \brief The fields that columns become: coordinates by \ref findAxis, the first three
- * where there are no names. The others keep their names as far as a field can have
- * them, or are field_4, field_5, ...
+ * of numbers where there are no names. The others keep their names as far as a field
+ * can have them, or are field_4, field_5, ...; those of words have none.
  * \throws WorkError where columns have names, but a coordinate has none */
 Words
-fieldNames (const std::string& file, const Words& names, std::size_t count)
+fieldNames (const std::string& file,
+            const Words& names,
+            const std::vector<bool>& are_words)
 {
-  Words fields (count);
+  Words fields (are_words.size());
   std::set<std::string> taken;
+  auto number = are_words.begin();
   for (std::size_t i = 0; i < axes.size(); ++i) {
+    number = std::find (number, are_words.end(), false);
     const auto found = findAxis (names, axes[i]);
     if (!names.empty() && found == names.end())
       throw WorkError (
           file,
           std::string ("has names of columns, but none is ") + axes[i][0] +
               "; call the coordinates x, y and z, or remove the line of names");
-    fields[names.empty() ? i : std::size_t (found - names.begin())] = axes[i][0];
+    fields[std::size_t (names.empty() ? number++ - are_words.begin()
+                                      : found - names.begin())] = axes[i][0];
     taken.insert (axes[i][0]);
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!fields[i].empty())
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!fields[i].empty() || are_words[i])
       continue;
     std::string name = names.empty() ? "" : fieldName (names[i]);
     if (name.empty() || taken.count (name) > 0)
@@ -155,6 +161,8 @@ public:
       reader_.fail ("it is UTF-16, not UTF-8");
     if (mark != "\xef\xbb\xbf")
       reader_.goTo (0);
+    if (extensionOf (file) == ".xyzrgb")
+      comment_names_ = {"x", "y", "z", "r", "g", "b"};
   }
 
   pcl::PCLPointCloud2
@@ -163,21 +171,28 @@ public:
     readHead();
     const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
     pcl::PCLPointCloud2 cloud;
-    const std::size_t columns = reader_.wordCount();
-    for (const std::string& name : fieldNames (file_, names_, columns))
-      addField (name, pcl::PCLPointField::FLOAT64, cloud);
+    std::vector<std::size_t> columns; // of the fields
+    const Words names = fieldNames (file_, names_, are_words_);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (!names[i].empty()) {
+        reader_.number (i); // is one in the first line
+        addField (names[i], pcl::PCLPointField::FLOAT64, cloud);
+        columns.push_back (i);
+      }
     // Lines are about as long as the first.
     const std::uint64_t expected = reader_.fileSize() / (line_.size() + 1) + 1;
     cloud.data.reserve (std::min (expected, promised_.value_or (expected)) *
                         cloud.point_step);
     std::uint64_t points = 0;
     do {
-      reader_.takeNumbers (line_, separator_);
-      reader_.expectNumbers (columns);
+      takeLine();
+      reader_.expectNumbers (are_words_.size(), are_words_);
       cloud.data.resize (cloud.data.size() + cloud.point_step);
-      std::uint8_t* const point = cloud.data.data() + points * cloud.point_step;
-      for (std::size_t i = 0; i < columns; ++i)
-        reader_.readNumber (i, type, point + cloud.fields[i].offset);
+      std::uint8_t* number = cloud.data.data() + points * cloud.point_step;
+      for (const std::size_t column : columns) {
+        reader_.readNumber (column, type, number);
+        number += type.size;
+      }
       if (++points > promised_.value_or (points))
         reader_.failAtLine ("is more than its header promises");
       if (points >
@@ -220,6 +235,14 @@ private:
     return false;
   }
 
+  void
+  takeLine ()
+  {
+    if (separator_ == ';') // a comma is that of decimals
+      std::replace (line_.begin(), line_.end(), ',', '.');
+    reader_.takeNumbers (line_, separator_);
+  }
+
   /** \brief Reads up to the first point, that too. */
   void
   readHead ()
@@ -231,10 +254,13 @@ private:
         names_ = words;
         continue;
       }
+      if (plainName (words[0]) == "ncols")
+        throw WorkError (file_,
+                         "is a raster (ESRI grid); convert it to points, e.g. by "
+                         "gdal_translate -of XYZ");
       separator_ = separatorOf (line_);
-      reader_.takeNumbers (line_, separator_);
-      for (std::size_t i = 0; i < reader_.wordCount(); ++i)
-        reader_.number (i); // is one
+      takeLine();
+      findWords (words);
       if (is_number_of_points) {
         promised_ = reader_.count ("its number of points", words[0]);
         continue;
@@ -243,6 +269,23 @@ private:
       return checkColumns();
     }
     reader_.failEmpty();
+  }
+
+  /** \brief Finds the columns of words by the first point, which has three numbers.
+   * What does not begin as a name, as 5abc, is damage unless columns have names.
+   * \param[in] words without quotes */
+  void
+  findWords (const Words& words)
+  {
+    are_words_.clear();
+    for (std::size_t i = 0; i < reader_.wordCount(); ++i)
+      are_words_.push_back (!reader_.isNumber (i));
+    const auto numbers = std::count (are_words_.begin(), are_words_.end(), false);
+    for (std::size_t i = 0; i < are_words_.size(); ++i) {
+      const bool can_be_word = !names_.empty() || isName (words[i]);
+      if (numbers < 3 || !can_be_word)
+        reader_.number (i); // is one
+    }
   }
 
   void
@@ -268,6 +311,8 @@ private:
   std::string line_;
   Words names_, comment_names_;
   std::optional<std::uint64_t> promised_;
+  /** \brief Of columns; no field has room for words. */
+  std::vector<bool> are_words_;
   char separator_ = ' ';
   bool has_points_ = false;
 };
