@@ -33,31 +33,67 @@ readLas (const std::string& file)
   return cloud;
 }
 
+[[noreturn]] FileCloud
+refuseE57 (const std::string& file)
+{
+  throw WorkError (file,
+                   "is E57; read it in Python by pye57 and give the points to "
+                   "pcl_ops.segment, or write them as .ply");
+}
+
 struct Format {
   const char* extension;
   FileCloud (*read) (const std::string& file);
   /** \brief As \ref isCloudFile and \ref FileCloud have it. */
   bool is_cloud_file, is_survey;
+  /** \brief Named in messages: what every build reads. */
+  bool is_named = true;
 };
+
+const std::vector<Format>&
+allFormats ()
+{
+  static const std::vector<Format> formats = {
+      {".pcd", readPcd, true, false},
+      {".ply", readPly, true, false},
+      {".las", readLas, true, true},
+      {".laz", readLas, hasLaszip(), true, false},
+      {".ptx", readPtx, true, false},
+      {".xyz", readTextCloud, true, true},
+      {".xyzrgb", readTextCloud, true, true},
+      {".pts", readTextCloud, true, true},
+      {".asc", readTextCloud, true, true},
+      {".txt", readTextCloud, false, true},
+      {".csv", readTextCloud, false, true},
+      {".bin", readKitti, true, false},
+      {".npy", readNpy, false, false},
+      {".off", readOff, false, true},
+      {".obj", readObj, false, true},
+      {".e57", refuseE57, false, false, false}};
+  return formats;
+}
 
 /** \return nullptr where the extension is that of no cloud */
 const Format*
 formatOf (const std::string& file)
 {
-  static const Format formats[] = {{".pcd", readPcd, true, false},
-                                   {".ply", readPly, true, false},
-                                   {".las", readLas, true, true},
-                                   {".laz", readLas, hasLaszip(), true},
-                                   {".xyz", readTextCloud, true, true},
-                                   {".xyzrgb", readTextCloud, true, true},
-                                   {".pts", readTextCloud, true, true},
-                                   {".asc", readTextCloud, true, true},
-                                   {".txt", readTextCloud, false, true},
-                                   {".csv", readTextCloud, false, true}};
-  for (const Format& format : formats)
+  for (const Format& format : allFormats())
     if (extensionOf (file) == format.extension)
       return &format;
   return nullptr;
+}
+
+/** \brief ".a, .b or .c" of the formats that are wanted. */
+std::string
+listOf (const std::function<bool (const Format&)>& is_wanted)
+{
+  std::string list, last;
+  for (const Format& format : allFormats())
+    if (is_wanted (format)) {
+      list += (list.empty() || last.empty() ? "" : ", ") + last;
+      last = format.extension;
+    }
+  return list + " or " + last;
 }
 
 /** \brief Fills the buffer as far as the input reaches. \return bytes read */
@@ -86,8 +122,11 @@ readInput (std::vector<char>& buffer)
 std::string
 extensionOfContent (const std::string& start)
 {
-  if (start.compare (0, 4, "LASF") == 0)
-    return ".las";
+  const std::pair<const char*, const char*> formats[] = {
+      {"LASF", ".las"}, {"\x93NUMPY", ".npy"}, {"ASTM-E57", ".e57"}};
+  for (const auto& [begin, extension] : formats)
+    if (start.rfind (begin, 0) == 0)
+      return extension;
   std::istringstream lines (start);
   std::string line, word;
   while (std::getline (lines, line))
@@ -142,6 +181,20 @@ partOf (const FileCloud& cloud,
 
 } // namespace
 
+std::string
+cloudFileKinds ()
+{
+  return "a " + listOf ([] (const Format& format) { return format.is_named; }) +
+         " file";
+}
+
+std::string
+folderExtensions ()
+{
+  return listOf (
+      [] (const Format& format) { return format.is_cloud_file && format.is_named; });
+}
+
 bool
 isCloudFile (const std::string& file)
 {
@@ -163,9 +216,8 @@ loadCloud (const std::string& file)
     throw gzip;
   const Format* const format = formatOf (file);
   if (format == nullptr)
-    throw UsageError (
-        file, std::string ("has an unknown extension; give ") + cloud_file_kinds);
-  checkReadable (file, cloud_file_kinds);
+    throw UsageError (file, "has an unknown extension; give " + cloudFileKinds());
+  checkReadable (file, cloudFileKinds());
   std::ifstream stream (file, std::ios::binary);
   if (stream.get() == 0x1f && stream.get() == 0x8b)
     throw gzip;

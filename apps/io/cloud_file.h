@@ -10,14 +10,23 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
 struct LasFile;
 
-/** \brief The files of \ref loadCloud, for messages. */
-inline constexpr const char* cloud_file_kinds =
-    "a .pcd, .ply, .las, .xyz, .txt, .pts or .csv file";
+/** \brief One of several in a file, of the points from its \p first on. */
+struct Scan {
+  std::size_t first;
+  /** \brief Where it was taken from, in the frame of all. */
+  Eigen::Vector3d place;
+};
+
+/** \brief The files of \ref loadCloud, for messages: "a .pcd, ... or .obj file". */
+std::string
+cloudFileKinds ();
 
 inline std::size_t
 sizeOf (const pcl::PCLPointCloud2& points)
@@ -33,8 +42,11 @@ struct FileCloud {
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   /** \brief Of a cloud from a LAS: what has all its other bytes, too. */
   std::shared_ptr<LasFile> las = {};
-  /** \brief From a LAS or a text, which have no pose. */
+  /** \brief From a LAS, a text or a mesh, which have no pose. */
   bool is_survey = false;
+  /** \brief Where there are several, in the order of their points; else the pose above
+   * is that of the one. */
+  std::vector<Scan> scans = {};
 
   std::size_t
   size () const
@@ -47,16 +59,18 @@ struct FileCloud {
 bool
 hasCloudExtension (const std::string& file);
 
-/** \brief Whether a file in a folder is taken for a cloud: not .txt and .csv, which
- * mostly are something else there, nor .laz without LASzip. */
+/** \brief Whether a file in a folder is taken for a cloud: not .txt, .csv, .npy and
+ * meshes, which mostly are something else there, nor .laz without LASzip. */
 bool
 isCloudFile (const std::string& file);
 
-/** \brief Those of \ref isCloudFile, for messages. */
-inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts";
+/** \brief Those of \ref isCloudFile, for messages: ".pcd, .ply, ... or .bin". */
+std::string
+folderExtensions ();
 
-/** \brief Reads a cloud, .laz where LASzip is. The readers are our own: PCL's crash on
- * broken headers, and are in a library that loads VTK and more.
+/** \brief Reads a cloud, .laz where LASzip is. All formats are listed in
+ * cloud_file.cpp; programs and Python have those. The readers are our own: PCL's crash
+ * on broken headers, and are in a library that loads VTK and more.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
  * gzip, malformed, truncated or without points, or has no x, y and z */
 FileCloud

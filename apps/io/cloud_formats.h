@@ -38,6 +38,30 @@ plyHeader (const pcl::PCLPointCloud2& points);
 std::string
 plyVertices (const pcl::PCLPointCloud2& points);
 
+/** \brief Reads scans of a Leica scanner, with colors, in the frame of all of them.
+ * Points at the scanner, which are missing readings, are NaN. One scan is organized,
+ * and has the pose of its scanner. */
+FileCloud
+readPtx (const std::string& file);
+
+/** \brief Reads the vertices of an OFF, with normals and colors. */
+FileCloud
+readOff (const std::string& file);
+
+/** \brief Reads the vertices of a Wavefront OBJ, with colors. */
+FileCloud
+readObj (const std::string& file);
+
+/** \brief Reads a scan of the KITTI data set: x, y, z and intensity of each point in
+ * single precision; nuScenes's (.pcd.bin) have a ring, too. */
+FileCloud
+readKitti (const std::string& file);
+
+/** \brief Reads an array of NumPy, of shape (N, 3) or (H, W, 3), or more columns, in
+ * the type it has. */
+FileCloud
+readNpy (const std::string& file);
+
 /** \brief Reads a line for each point: x, y and z and further columns of numbers, each
  * a field in double precision, separated by blanks, commas or semicolons. In front of
  * them there may be the names of the columns and, in a line of its own, the number of

@@ -152,6 +152,28 @@ HeaderReader::expectNumbers (std::size_t count,
 }
 
 void
+HeaderReader::checkColumns() const
+{
+  const std::size_t count = words_.size();
+  if (count < 3)
+    failAtLine ("has " + std::to_string (count) +
+                (count == 1 ? " number" : " numbers") + ", and a point has x, y and z");
+  if (count > max_columns)
+    failAtLine ("has more than " + std::to_string (max_columns) + " numbers");
+}
+
+bool
+HeaderReader::nextWords()
+{
+  while (readLine (line_)) {
+    splitWords (line_, ' ', words_);
+    if (!words_.empty() && words_[0][0] != '#')
+      return true;
+  }
+  return false;
+}
+
+void
 HeaderReader::expectEnd()
 {
   while (readLine (line_))

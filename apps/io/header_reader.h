@@ -14,6 +14,9 @@ namespace pcl_ops::apps {
 
 using Words = std::vector<std::string>;
 
+/** \brief How many columns a line of numbers may have. */
+constexpr std::size_t max_columns = 1000;
+
 /** \brief The words of a line, without blanks around them.
  * \param[in] separator between words that may be empty; a space: any blanks */
 void
@@ -122,9 +125,32 @@ public:
   void
   expectNumbers (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
 
+  /** \throws WorkError unless the line has as many words as a point has numbers */
+  void
+  checkColumns () const;
+
   /** \throws WorkError if there is more than blanks left */
   void
   expectEnd ();
+
+  const std::string_view&
+  word (std::size_t i) const
+  {
+    return words_[i];
+  }
+
+  /** \brief Leaves out the first word of the line. */
+  void
+  dropWord ()
+  {
+    words_.erase (words_.begin());
+  }
+
+  /** \brief Goes on to the next line with a word that does not begin with #. Of text
+   * only.
+   * \return false where there is none */
+  bool
+  nextWords ();
 
   /** \brief Of points: as many as PCL's indices can tell apart. */
   std::uint64_t

@@ -42,7 +42,7 @@ addFolder (const std::string& folder, InputFiles& found)
                               "); check its permissions");
   else if (clouds.empty())
     found.problems.push_back (
-        folder + ": has no " + folder_extensions +
+        folder + ": has no " + folderExtensions() +
         " file; give a folder with clouds (subfolders are not searched), or a pattern");
   std::sort (clouds.begin(), clouds.end());
   found.files.insert (found.files.end(), clouds.begin(), clouds.end());

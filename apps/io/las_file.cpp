@@ -247,7 +247,7 @@ isLasName (const std::string& file)
 std::shared_ptr<LasFile>
 openLas (const std::string& file)
 {
-  checkReadable (file, cloud_file_kinds);
+  checkReadable (file, cloudFileKinds());
   auto las = std::make_shared<LasFile> (file);
   if (!las->isCompressed()) {
     las->checkPoints();

@@ -237,7 +237,11 @@ hasLaszip ()
 void
 decompressLaz (const std::string& file, std::ostream&)
 {
-  throw WorkError (file, "is compressed (LAZ); decompress it, e.g. by laszip or pdal");
+  throw WorkError (
+      file,
+      "is compressed (LAZ), and this build has no LASzip; build again with "
+      "liblaszip-dev, on Debian 12 with LASzip's source (files.md), or "
+      "decompress it, e.g. by laspy[lazrs] of Python");
 }
 
 void

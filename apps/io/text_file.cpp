@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/types.h>
-
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -9,14 +7,13 @@
 #include "cloud_formats.h"
 #include "header_reader.h"
 #include "output_file.h"
+#include "point_rows.h"
 #include <cli/errors.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 #include <locale>
 #include <optional>
 #include <set>
@@ -77,8 +74,6 @@ fieldName (std::string name)
             : c;
   return name == "_" ? "" : name; // PCD's name of bytes that are nothing
 }
-
-constexpr std::size_t max_columns = 1000;
 
 /** \brief Of the words of a line, as \ref splitWords has it. */
 char
@@ -169,42 +164,29 @@ public:
   read ()
   {
     readHead();
-    const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
-    pcl::PCLPointCloud2 cloud;
-    std::vector<std::size_t> columns; // of the fields
+    PointRows rows (reader_);
     const Words names = fieldNames (file_, names_, are_words_);
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (!names[i].empty()) {
-        reader_.number (i); // is one in the first line
-        addField (names[i], pcl::PCLPointField::FLOAT64, cloud);
-        columns.push_back (i);
+      if (names[i].empty())
+        rows.skipColumn();
+      else {
+        reader_.number (i); // a coordinate with a name, too, is one
+        rows.addColumn (names[i], pcl::PCLPointField::FLOAT64);
       }
     // Lines are about as long as the first.
     const std::uint64_t expected = reader_.fileSize() / (line_.size() + 1) + 1;
-    cloud.data.reserve (std::min (expected, promised_.value_or (expected)) *
-                        cloud.point_step);
-    std::uint64_t points = 0;
+    rows.cloud.data.reserve (std::min (expected, promised_.value_or (expected)) *
+                             rows.cloud.point_step);
     do {
       takeLine();
-      reader_.expectNumbers (are_words_.size(), are_words_);
-      cloud.data.resize (cloud.data.size() + cloud.point_step);
-      std::uint8_t* number = cloud.data.data() + points * cloud.point_step;
-      for (const std::size_t column : columns) {
-        reader_.readNumber (column, type, number);
-        number += type.size;
-      }
-      if (++points > promised_.value_or (points))
+      rows.addPoint();
+      if (rows.size() > promised_.value_or (rows.size()))
         reader_.failAtLine ("is more than its header promises");
-      if (points >
-          static_cast<std::uint64_t> (std::numeric_limits<pcl::index_t>::max()))
-        reader_.fail ("it has more points than an index can tell apart");
     }
     while (nextLine());
-    if (promised_ && points < *promised_)
+    if (promised_ && rows.size() < *promised_)
       reader_.failTruncated();
-    cloud.width = static_cast<pcl::uindex_t> (points);
-    cloud.height = 1;
-    return cloud;
+    return rows.take();
   }
 
 private:
@@ -292,12 +274,7 @@ private:
   checkColumns ()
   {
     const std::size_t count = reader_.wordCount();
-    if (count < 3)
-      reader_.failAtLine ("has " + std::to_string (count) +
-                          (count == 1 ? " number" : " numbers") +
-                          ", and a point has x, y and z");
-    if (count > max_columns)
-      reader_.failAtLine ("has more than " + std::to_string (max_columns) + " numbers");
+    reader_.checkColumns();
     if (!names_.empty() && names_.size() != count)
       reader_.failAtLine ("has " + std::to_string (count) + " numbers for " +
                           std::to_string (names_.size()) + " names of columns");

@@ -29,7 +29,7 @@ constexpr const char* summary =
 constexpr const char* name_of_input = "{}";
 
 constexpr const char* in_and_out =
-    "  INPUT       .pcd, .ply, .las (.laz by LASzip), .xyz, .txt, .pts, .csv; - for\n"
+    "  INPUT       .pcd, .ply, .las (.laz by LASzip), .ptx, .npy, .bin, text; - for\n"
     "              one piped in; with --output-dir several, folders, 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
     "              .ply the same; .las of a .las: all as it was, and the label, too\n"

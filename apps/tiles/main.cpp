@@ -46,7 +46,7 @@ every point with its plane, the same ones for any number of jobs and ranks.)";
 
 constexpr const char* in_and_out =
     R"(  INPUT       tiles in one frame, folders, patterns: .las (.laz by LASzip), which
-              are never whole in memory, .pcd, .ply, .xyz, .txt, .pts or .csv; they
+              are never whole in memory, .pcd, .ply, .ptx, .npy, .bin or text; they
               may overlap
   DIR/NAME    each input with its labels (0: no plane, 1: the largest, ...)
   DIR/planes.json  all planes

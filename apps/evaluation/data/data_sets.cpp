@@ -216,9 +216,8 @@ cloudFilesAt (const std::string& path)
     if (isCloudFile (entry->path().string()))
       files.insert (entry->path());
   if (files.empty())
-    throw WorkError (path,
-                     std::string ("has no ") + folder_extensions +
-                         " file; give a folder with clouds");
+    throw WorkError (
+        path, "has no " + folderExtensions() + " file; give a folder with clouds");
   return files;
 }
 

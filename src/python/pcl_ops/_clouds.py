@@ -8,8 +8,8 @@ from typing import Any, Dict, NamedTuple, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-# Of sensor_msgs/PointField.
-_TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
+# Of sensor_msgs/PointField, and of PCL, whose last two are 64-bit integers.
+_TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8", 10: "u8"}
 
 
 class Cloud(NamedTuple):
@@ -32,7 +32,8 @@ class Cloud(NamedTuple):
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
-    """Read a point cloud: .pcd, .ply, .las, .laz (where LASzip is), .xyz, .txt, .pts or .csv.
+    """Read a point cloud: .pcd, .ply, .las, .laz (where LASzip is), .ptx, .bin (KITTI), .npy,
+    .off, .obj, or text (.xyz, .xyzrgb, .txt, .pts, .asc, .csv).
 
     Raises OSError where the file cannot be opened, ValueError where it is damaged or of
     another kind; both name it.

@@ -104,6 +104,34 @@ lasWith (const std::string& changes)
   return las;
 }
 
+/** \brief A .npy of these bytes. */
+std::string
+npyWith (const std::string& description, const std::string& data)
+{
+  const std::string length (1, static_cast<char> (description.size()));
+  return "\x93NUMPY\1" + std::string (1, '\0') + length + std::string (1, '\0') +
+         description + data;
+}
+
+std::string
+npyWith (const std::string& type,
+         const std::string& is_fortran,
+         const std::string& shape,
+         const std::string& data)
+{
+  return npyWith ("{'descr': '" + type + "', 'fortran_order': " + is_fortran +
+                      ", 'shape': " + shape + ", }",
+                  data);
+}
+
+template <typename Number>
+std::string
+bytesOfNumbers (const std::vector<Number>& numbers)
+{
+  return {reinterpret_cast<const char*> (numbers.data()),
+          numbers.size() * sizeof (Number)};
+}
+
 /** \brief The file that a row of read_files.tsv or refused_files.tsv is about.
  * \param[in] made how, the first column \param[in] text the second */
 std::string
@@ -317,13 +345,125 @@ TEST_F (CloudFile, RefusesCompressedDataThatAreCutOrCannotHoldWhatIsPromised)
   EXPECT_EQ (complaintAbout ("bomb.pcd", bomb), truncated);
 }
 
+TEST_F (CloudFile, OfKittiHasFourNumbersForEachPointAndOfNuScenesFive)
+{
+  const std::string bytes = bytesOfNumbers<float> ({1, 2, 3, 0.5f, 7, 4, 5, 6, 1, 8});
+  EXPECT_EQ (textOf (load ("000001.bin", bytes.substr (0, 16))),
+             "x 1; y 2; z 3; intensity 0.5");
+  EXPECT_EQ (textOf (load ("a.pcd.bin", bytes)),
+             "x 1 4; y 2 5; z 3 6; intensity 0.5 1; ring 7 8");
+  EXPECT_EQ (complaintAbout ("000001.bin", bytes),
+             "is no valid KITTI file: its size is no multiple of the 16 bytes of a "
+             "point; write it again");
+  EXPECT_EQ (complaintAbout ("code.bin",
+                             "These bytes are a text, no points."
+                             "These bytes are "),
+             "is no valid KITTI file: its size is no multiple of the 16 bytes of a "
+             "point; write it again");
+  EXPECT_EQ (complaintAbout ("code.bin", std::string (32, '\xfe')),
+             "is no valid KITTI file: most of its numbers are no coordinates in "
+             "meters; write it again");
+}
+
+TEST_F (CloudFile, OfNumPyKeepsTypesColumnsAndShape)
+{
+  const auto text_of = [&] (const std::string& type, auto numbers, auto... others) {
+    return textOf (load ("a.npy", npyWith (type, others..., bytesOfNumbers (numbers))));
+  };
+  const std::vector<std::int8_t> two_points = {1, 2, 3, -4, 5, 6};
+  const std::string expected = "x 1 -4; y 2 5; z 3 6";
+  EXPECT_EQ (text_of ("|i1", two_points, "False", "(2, 3)"), expected);
+  const std::vector<double> doubles (two_points.begin(), two_points.end());
+  EXPECT_EQ (text_of ("<f8", doubles, "False", "(2, 3)"), expected);
+  const std::vector<std::int64_t> integers (two_points.begin(), two_points.end());
+  EXPECT_EQ (text_of ("<i8", integers, "False", "(2, 3)"), expected);
+  EXPECT_EQ (text_of ("<u2", std::vector<std::uint16_t>{1, 2, 3, 4}, "False", "(1, 4)"),
+             "x 1; y 2; z 3; field_4 4");
+  EXPECT_EQ (text_of ("<f4", std::vector<float>{1, 4, 2, 5, 3, 6}, "True", "(2, 3)"),
+             "x 1 4; y 2 5; z 3 6");
+  // Of an image by columns and by rows.
+  std::vector<float> image (2 * 3 * 3), transposed (image.size());
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const std::size_t row = i / 9, column = i / 3 % 3, number = i % 3;
+    image[i] = transposed[row + 2 * column + 6 * number] = static_cast<float> (i);
+  }
+  const std::string organized =
+      "x 0 3 6 9 12 15; y 1 4 7 10 13 16; z 2 5 8 11 14 17; height 2";
+  EXPECT_EQ (text_of ("<f4", image, "False", "(2, 3, 3)"), organized);
+  EXPECT_EQ (text_of ("<f4", transposed, "True", "(2, 3, 3)"), organized);
+}
+
+TEST_F (CloudFile, OfNumPyIsRefusedForWhatIsNoArrayOfPoints)
+{
+  const auto complaint_of = [&] (auto... parts) {
+    return complaintAbout ("a.npy", npyWith (parts...));
+  };
+  const std::string point (12, '\0');
+  const std::string type = "has no plain numbers that are little endian; save "
+                           "array.astype ('<f4')";
+  for (const char* name : {">f4", "<f2", "|b1", "<c8", "|O", "", "f4"})
+    EXPECT_EQ (complaint_of (name, "False", "(1, 3)", point), type) << name;
+  EXPECT_EQ (complaint_of ("{'descr': [('x', '<f4'), ('y', '<f4')], "
+                           "'fortran_order': False, 'shape': (1,), }",
+                           point),
+             type);
+  for (const char* shape : {"()", "(3,)", "(3, 1)", "(1, 1, 1, 3)", "(1, 1001)"})
+    EXPECT_EQ (complaint_of ("<f4", "False", shape, point),
+               "has an array of another shape than (N, 3) or (H, W, 3), or more "
+               "columns; save array.T or array.reshape (-1, 3)")
+        << shape;
+  EXPECT_EQ (complaint_of ("<f4", "False", "(0, 3)", ""),
+             "has no points; give a cloud that has");
+  for (const char* shape : {"(2, 3)", "(2147483647, 3)", "(2147483647, 2147483647, 3)"})
+    EXPECT_EQ (complaint_of ("<f4", "False", shape, point), truncated) << shape;
+  const auto invalid = [] (const std::string& reason) {
+    return "is no valid NumPy file: " + reason + "; write it again";
+  };
+  EXPECT_EQ (complaint_of ("<f4", "False", "(1, 3)", point + point),
+             invalid ("it has more numbers than its shape says"));
+  EXPECT_EQ (complaint_of ("<f4", "False", "(1, -3)", point),
+             invalid ("its shape -3 is out of range"));
+  EXPECT_EQ (complaint_of ("{'descr': '<f4'}", point),
+             invalid ("its header has no fortran_order"));
+  EXPECT_EQ (complaintAbout ("a.npy", "PK\3\4"),
+             invalid ("its first bytes are not \\x93NUMPY"));
+  EXPECT_EQ (complaintAbout ("a.npy", "\x93NUMPY\1"), truncated);
+  EXPECT_EQ (complaintAbout ("a.npy", "\x93NUMPY\2" + std::string (1, '\0') + point),
+             invalid ("its header has no descr"));
+  EXPECT_EQ (complaintAbout ("a.npy", "\x93NUMPY\2" + std::string (5, '\1') + point),
+             invalid ("its header is longer than 64 KiB"));
+}
+
+TEST_F (CloudFile, OfPtxKnowsWhereItsScannersWere)
+{
+  const auto scan = [] (const std::string& place, const std::string& translation) {
+    return "1\n1\n" + place + "\n0 1 0\n-1 0 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n" +
+           translation + " 1\n1 2 3 0.5\n";
+  };
+  const FileCloud one = load ("a.ptx", scan ("10 20 30", "10 20 30"));
+  EXPECT_EQ (one.origin, Eigen::Vector4f (10, 20, 30, 0));
+  EXPECT_TRUE (one.orientation.isApprox (
+      Eigen::Quaternionf (std::sqrt (0.5f), 0.0f, 0.0f, std::sqrt (0.5f)), 1e-6f));
+  EXPECT_TRUE (one.scans.empty());
+  EXPECT_EQ (load ("a.ptx", scan ("0 0 0", "1 2 3")).origin,
+             Eigen::Vector4f (1, 2, 3, 0))
+      << "where only the matrix says it";
+  const FileCloud two =
+      load ("a.ptx", scan ("1 2 3", "1 2 3") + scan ("4 5 6", "1 2 3"));
+  ASSERT_EQ (two.scans.size(), 2u);
+  EXPECT_EQ (two.scans[1].first, 1u);
+  EXPECT_EQ (two.scans[1].place, Eigen::Vector3d (4, 5, 6));
+  EXPECT_TRUE (two.origin.isZero (0.0f)) << "there is no one place";
+}
+
 TEST_F (TextFile, IsReadByEachOfItsExtensionsAndInFoldersByThoseOfClouds)
 {
-  for (const char* name : {"a.xyz", "a.txt", "a.pts", "a.csv", "a.XYZ"})
+  for (const char* name :
+       {"a.xyz", "a.xyzrgb", "a.txt", "a.pts", "a.asc", "a.csv", "a.XYZ"})
     EXPECT_EQ (load (name, "1 2 3\n").size(), 1u) << name;
-  for (const char* name : {"a.xyz", "a.pts"})
+  for (const char* name : {"a.xyz", "a.xyzrgb", "a.pts", "a.asc", "a.ptx", "a.bin"})
     EXPECT_TRUE (isCloudFile (name)) << name;
-  for (const char* name : {"README.txt", "planes.csv"})
+  for (const char* name : {"README.txt", "planes.csv", "a.npy", "a.obj", "a.e57"})
     EXPECT_FALSE (isCloudFile (name)) << name;
 }
 

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/PCLPointField.h>
+#include <pcl/types.h>
+
+#include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/endian/arithmetic.hpp>
+
+#include "cloud_formats.h"
+#include "header_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using pcl::PCLPointField;
+
+/** \brief Whether a number may be a coordinate [m]: bytes that mean something else
+ * hardly ever are. */
+bool
+canBeCoordinate (float number)
+{
+  constexpr float farthest = 1e6f, nearest = 1e-9f;
+  const float size = std::abs (number);
+  return size == 0.0f || (size > nearest && size < farthest);
+}
+
+/** \brief Refuses bytes that are no points, as most files called .bin. */
+void
+checkArePoints (const HeaderReader& reader, const FileCloud& cloud)
+{
+  std::size_t good = 0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    std::array<float, 3> place{};
+    std::memcpy (
+        place.data(), &cloud.points.data[i * cloud.points.point_step], sizeof (place));
+    good += std::all_of (place.begin(), place.end(), canBeCoordinate) ? 1 : 0;
+  }
+  if (2 * good < cloud.size())
+    reader.fail ("most of its numbers are no coordinates in meters");
+}
+
+/** \brief What a .npy says about its array. */
+struct NpyHeader {
+  /** \brief As NumPy calls it, <f4. */
+  std::string type;
+  bool is_fortran = false;
+  std::vector<std::uint64_t> shape;
+};
+
+/** \brief The Python literal that describes the array, without blanks. */
+std::string
+readNpyLiteral (HeaderReader& reader)
+{
+  constexpr std::uint32_t longest = 1U << 16U;
+  std::string start (std::min<std::uint64_t> (8, reader.fileSize()), '\0');
+  reader.read (start.data(), start.size());
+  if (start.rfind ("\x93NUMPY", 0) != 0)
+    reader.fail ("its first bytes are not \\x93NUMPY");
+  boost::endian::little_uint32_t length = 0;
+  const bool is_long = start.size() == 8 && start[6] > 1; // version 2 or 3
+  reader.read (&length, is_long ? 4 : 2);
+  if (length > longest)
+    reader.fail ("its header is longer than 64 KiB");
+  std::string text (length, '\0');
+  reader.read (text.data(), length);
+  boost::algorithm::erase_all (text, " ");
+  return text;
+}
+
+NpyHeader
+readNpyHeader (HeaderReader& reader)
+{
+  const std::string text = readNpyLiteral (reader);
+  // What is behind a key and a character, up to another one.
+  const auto value_of = [&] (const std::string& key, char end) {
+    const std::string before = "'" + key + "':";
+    const std::size_t begin = text.find (before);
+    const std::size_t stop =
+        begin == std::string::npos ? begin : text.find (end, begin + before.size() + 1);
+    if (stop == std::string::npos)
+      reader.fail ("its header has no " + key);
+    const std::size_t value = begin + before.size() + 1;
+    return text.substr (value, stop - value);
+  };
+  NpyHeader header;
+  header.type = value_of ("descr", '\'');
+  header.is_fortran = value_of ("fortran_order", ',') == "rue"; // behind its T
+  const std::string shape = value_of ("shape", ')');
+  std::vector<std::string_view> words;
+  splitWords (shape, ',', words);
+  for (const std::string_view word : words)
+    if (!word.empty()) // behind the last comma
+      header.shape.push_back (reader.count ("its shape", std::string (word)));
+  return header;
+}
+
+/** \return nullptr for none of ours */
+const NumberType*
+typeCalled (const std::string& name)
+{
+  return findNumberType ([&] (const NumberType& type) {
+    const char kind = type.kind == 'F' ? 'f' : type.kind == 'I' ? 'i' : 'u';
+    const std::string size = kind + std::to_string (type.size);
+    return name == "<" + size || (type.size == 1 && name == "|" + size);
+  });
+}
+
+/** \brief Lets columns be fields, and dimensions in front of them width and height.
+ * \throws WorkError unless the file has just these numbers */
+void
+declarePoints (const std::string& file,
+               HeaderReader& reader,
+               const NpyHeader& header,
+               pcl::PCLPointCloud2& points)
+{
+  constexpr std::uint64_t most = std::numeric_limits<pcl::index_t>::max();
+  const NumberType* const type = typeCalled (header.type);
+  if (type == nullptr)
+    throw WorkError (file,
+                     "has no plain numbers that are little endian; save "
+                     "array.astype ('<f4')");
+  const std::size_t dimensions = header.shape.size();
+  const std::uint64_t columns = header.shape.empty() ? 0 : header.shape.back();
+  if (dimensions < 2 || dimensions > 3 || columns < 3 || columns > max_columns)
+    throw WorkError (file,
+                     "has an array of another shape than (N, 3) or (H, W, 3), or more "
+                     "columns; save array.T or array.reshape (-1, 3)");
+  const std::uint64_t height = dimensions == 3 ? header.shape[0] : 1;
+  const std::uint64_t width = header.shape[dimensions - 2];
+  if (width * height == 0)
+    reader.failEmpty();
+  const std::uint64_t bytes = reader.fileSize() - reader.position();
+  if (width * height > most || width * height * columns > bytes / type->size)
+    reader.failTruncated();
+  if (width * height * columns * type->size != bytes)
+    reader.fail ("it has more numbers than its shape says");
+  for (std::uint64_t i = 0; i < columns; ++i)
+    addField (i < 3 ? std::string (1, "xyz"[i]) : "field_" + std::to_string (i + 1),
+              type->id,
+              points);
+  points.width = static_cast<pcl::uindex_t> (width);
+  points.height = static_cast<pcl::uindex_t> (height);
+}
+
+/** \brief Puts the numbers of an array whose first index changes fastest where they
+ * would be if it was the last. */
+std::vector<std::uint8_t>
+fromFortran (const pcl::PCLPointCloud2& points)
+{
+  std::vector<std::uint8_t> data (points.data.size());
+  const std::size_t size = sizeOf (points), height = points.height;
+  const std::size_t length = points.point_step / points.fields.size();
+  const std::uint8_t* from = points.data.data();
+  for (std::size_t column = 0; column < points.fields.size(); ++column)
+    for (std::size_t i = 0; i < size; ++i, from += length) {
+      const std::size_t point = i % height * points.width + i / height;
+      std::copy_n (from, length, &data[point * points.point_step + column * length]);
+    }
+  return data;
+}
+
+} // namespace
+
+FileCloud
+readKitti (const std::string& file)
+{
+  HeaderReader reader (file, "KITTI");
+  FileCloud cloud;
+  for (const char* name : {"x", "y", "z", "intensity"})
+    addField (name, PCLPointField::FLOAT32, cloud.points);
+  if (boost::algorithm::iends_with (file, ".pcd.bin"))
+    addField ("ring", PCLPointField::FLOAT32, cloud.points);
+  const std::uint64_t step = cloud.points.point_step;
+  if (reader.fileSize() % step != 0)
+    reader.fail ("its size is no multiple of the " + std::to_string (step) +
+                 " bytes of a point");
+  cloud.points.width = static_cast<pcl::uindex_t> (
+      reader.count ("its number of points", std::to_string (reader.fileSize() / step)));
+  cloud.points.height = 1;
+  cloud.points.data.resize (reader.fileSize());
+  reader.read (cloud.points.data.data(), cloud.points.data.size());
+  checkArePoints (reader, cloud);
+  return cloud;
+}
+
+FileCloud
+readNpy (const std::string& file)
+{
+  HeaderReader reader (file, "NumPy");
+  FileCloud cloud;
+  const NpyHeader header = readNpyHeader (reader);
+  declarePoints (file, reader, header, cloud.points);
+  cloud.points.data.resize (cloud.size() * cloud.points.point_step);
+  reader.read (cloud.points.data.data(), cloud.points.data.size());
+  if (header.is_fortran)
+    cloud.points.data = fromFortran (cloud.points);
+  return cloud;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "point_rows.h"
+
+#include <pcl/PCLPointField.h>
+#include <pcl/types.h>
+
+#include "cloud_file.h"
+
+#include <limits>
+
+namespace pcl_ops::apps {
+
+void
+PointRows::addColumn (const std::string& name, std::uint8_t datatype)
+{
+  columns_.push_back ({are_words_.size(), &numberType (datatype), cloud.point_step});
+  are_words_.push_back (false);
+  addField (name, datatype, cloud);
+}
+
+void
+PointRows::addColor()
+{
+  const pcl::uindex_t offset = cloud.point_step;
+  addField ("rgb", pcl::PCLPointField::FLOAT32, cloud);
+  for (const pcl::uindex_t place : {2u, 1u, 0u}) { // blue is the lowest byte
+    columns_.push_back (
+        {are_words_.size(), &numberType (pcl::PCLPointField::UINT8), offset + place});
+    are_words_.push_back (false);
+  }
+}
+
+void
+PointRows::skipColumn()
+{
+  are_words_.push_back (true);
+}
+
+void
+PointRows::addColumnsOfLine (const Words& further)
+{
+  const std::size_t count = reader_.wordCount();
+  reader_.checkColumns();
+  Words names = {"x", "y", "z"};
+  if (further.size() + names.size() == count)
+    names.insert (names.end(), further.begin(), further.end());
+  while (names.size() < count)
+    names.push_back ("field_" + std::to_string (names.size() + 1));
+  for (const std::string& name : names)
+    addColumn (name, pcl::PCLPointField::FLOAT64);
+}
+
+void
+PointRows::addPoint()
+{
+  constexpr auto most = std::numeric_limits<pcl::index_t>::max();
+  reader_.expectNumbers (are_words_.size(), are_words_);
+  if (size_ == static_cast<std::size_t> (most))
+    reader_.fail ("it has more points than an index can tell apart");
+  cloud.data.resize (cloud.data.size() + cloud.point_step);
+  ++size_;
+  for (const Column& column : columns_)
+    reader_.readNumber (column.word, *column.type, lastPoint() + column.offset);
+}
+
+pcl::PCLPointCloud2
+PointRows::take()
+{
+  if (size_ == 0)
+    reader_.failEmpty();
+  cloud.width = static_cast<pcl::uindex_t> (size_);
+  cloud.height = 1;
+  return std::move (cloud);
+}
+
+} // namespace pcl_ops::apps

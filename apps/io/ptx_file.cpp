@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/PCLPointField.h>
+
+#include "cloud_formats.h"
+#include "header_reader.h"
+#include "point_rows.h"
+
+#include <cstring>
+#include <limits>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using pcl::PCLPointField;
+
+/** \brief What a scan of a PTX begins with. */
+struct PtxScan {
+  std::uint64_t columns = 0, rows = 0;
+  /** \brief Where the scanner was, and its axes. */
+  Eigen::Vector3d place;
+  Eigen::Matrix3d axes;
+  /** \brief From its frame to that of all scans. */
+  Eigen::Affine3d transform;
+};
+
+class PtxReader {
+public:
+  explicit PtxReader (const std::string& file) : reader_ (file, "PTX"), rows_ (reader_)
+  {}
+
+  FileCloud
+  read ()
+  {
+    FileCloud cloud;
+    PtxScan scan;
+    while (reader_.nextWords()) {
+      scan = readScanHeader();
+      cloud.scans.push_back ({rows_.size(), scan.place});
+      readPoints (scan);
+    }
+    cloud.points = rows_.take();
+    if (cloud.scans.size() > 1)
+      return cloud;
+    cloud.scans.clear();
+    cloud.points.width = static_cast<pcl::uindex_t> (scan.rows);
+    cloud.points.height = static_cast<pcl::uindex_t> (scan.columns);
+    cloud.origin.head<3>() = scan.place.cast<float>();
+    cloud.orientation = scan.axes.cast<float>();
+    return cloud;
+  }
+
+private:
+  std::uint64_t
+  takeCount (const std::string& what)
+  {
+    reader_.expectNumbers (1);
+    return reader_.count (what, std::string (reader_.word (0)));
+  }
+
+  void
+  nextLine ()
+  {
+    if (!reader_.nextWords())
+      reader_.failTruncated();
+  }
+
+  template <int size>
+  Eigen::Matrix<double, size, 1>
+  nextVector ()
+  {
+    nextLine();
+    reader_.expectNumbers (size);
+    Eigen::Matrix<double, size, 1> vector;
+    for (int i = 0; i < size; ++i)
+      vector[i] = reader_.number (static_cast<std::size_t> (i));
+    if (!vector.allFinite())
+      reader_.failAtLine ("has a pose that is not finite");
+    return vector;
+  }
+
+  /** \brief Behind the line with the number of columns. */
+  PtxScan
+  readScanHeader ()
+  {
+    PtxScan scan;
+    scan.columns = takeCount ("its number of columns");
+    nextLine();
+    scan.rows = takeCount ("its number of rows");
+    scan.place = nextVector<3>();
+    for (int axis = 0; axis < 3; ++axis)
+      scan.axes.col (axis) = nextVector<3>();
+    // Points are rows in front of that matrix.
+    for (int row = 0; row < 4; ++row)
+      scan.transform.matrix().col (row) = nextVector<4>();
+    if (scan.transform.matrix().row (3) != Eigen::RowVector4d (0.0, 0.0, 0.0, 1.0))
+      reader_.failAtLine ("ends a matrix that is no rotation and translation");
+    if (scan.place.isZero (0.0)) // some write it there only
+      scan.place = scan.transform.translation();
+    return scan;
+  }
+
+  void
+  declareColumns ()
+  {
+    const std::size_t numbers = reader_.wordCount();
+    if (numbers != 3 && numbers != 4 && numbers != 6 && numbers != 7)
+      reader_.failAtLine ("has " + std::to_string (numbers) +
+                          " numbers instead of 3, 4, 6 or 7");
+    for (const char* axis : {"x", "y", "z"})
+      rows_.addColumn (axis, PCLPointField::FLOAT64);
+    if (numbers == 4 || numbers == 7)
+      rows_.addColumn ("intensity", PCLPointField::FLOAT32);
+    if (numbers > 4)
+      rows_.addColor();
+  }
+
+  void
+  readPoints (const PtxScan& scan)
+  {
+    for (std::uint64_t i = 0; i < scan.columns * scan.rows; ++i) {
+      nextLine();
+      if (!rows_.hasColumns())
+        declareColumns();
+      rows_.addPoint();
+      moveLastPoint (scan.transform);
+    }
+  }
+
+  /** \brief Readings at the scanner itself are missing ones. */
+  void
+  moveLastPoint (const Eigen::Affine3d& transform)
+  {
+    Eigen::Vector3d place;
+    std::uint8_t* const point = rows_.lastPoint();
+    std::memcpy (place.data(), point, sizeof (place));
+    if (place.isZero (0.0))
+      place.setConstant (std::numeric_limits<double>::quiet_NaN());
+    place = transform * place;
+    std::memcpy (point, place.data(), sizeof (place));
+  }
+
+  HeaderReader reader_;
+  PointRows rows_;
+};
+
+} // namespace
+
+FileCloud
+readPtx (const std::string& file)
+{
+  return PtxReader (file).read();
+}
+
+} // namespace pcl_ops::apps
