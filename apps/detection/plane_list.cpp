@@ -351,6 +351,26 @@ turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up)
       plane.normal = -plane.normal;
 }
 
+void
+turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scans)
+{
+  if (scans.empty())
+    return;
+  const auto isBefore = [] (std::size_t point, const Scan& scan) {
+    return point < scan.first;
+  };
+  for (PlaneSegment& plane : planes) {
+    std::ptrdiff_t votes = 0;
+    for (const pcl::index_t point : plane.inliers) {
+      const Scan& scan = *std::prev (
+          std::upper_bound (scans.begin(), scans.end(), std::size_t (point), isBefore));
+      votes += plane.normal.dot (scan.place - plane.centroid) < 0.0 ? -1 : 1;
+    }
+    if (votes < 0)
+      plane.normal = -plane.normal;
+  }
+}
+
 Json
 planeObject (std::size_t id,
              const PlaneSegment& segment,

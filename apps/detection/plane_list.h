@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <io/cloud_file.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
@@ -55,6 +56,12 @@ orientationCalled (const std::string& name);
  * single sensor has seen. */
 void
 turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up);
+
+/** \brief Turns each normal to the scanners that most points of the plane are from.
+ * \param[in] scans of the cloud that planes are of, in their frame; none: leaves them
+ */
+void
+turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scans);
 
 /** \brief A plane as the lists of planes have it; its points are those of its moments.
  * The slope is the angle to the horizontal [degree], 0 to 90; the aspect where the

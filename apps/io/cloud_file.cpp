@@ -5,6 +5,7 @@
 #include <pcl/common/io.h>
 
 #include "cloud_formats.h"
+#include "header_reader.h"
 #include "inputs.h"
 #include "las_file.h"
 #include "output_file.h"
@@ -77,8 +78,9 @@ allFormats ()
 const Format*
 formatOf (const std::string& file)
 {
+  const std::string extension = extensionOf (file);
   for (const Format& format : allFormats())
-    if (extensionOf (file) == format.extension)
+    if (extension == format.extension)
       return &format;
   return nullptr;
 }
@@ -118,7 +120,8 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
-/** \param[in] start of a cloud, as long as the longest header */
+/** \brief KITTI's and OBJ's cannot be told.
+ * \param[in] start of a cloud, as long as the longest header */
 std::string
 extensionOfContent (const std::string& start)
 {
@@ -128,13 +131,27 @@ extensionOfContent (const std::string& start)
     if (start.rfind (begin, 0) == 0)
       return extension;
   std::istringstream lines (start);
-  std::string line, word;
-  while (std::getline (lines, line))
-    if (std::istringstream (line) >> word && word[0] != '#') {
-      const bool is_text = std::iscntrl (static_cast<unsigned char> (word[0])) == 0;
-      return word == "ply" ? ".ply" : is_text && !isPcdKey (word) ? ".xyz" : ".pcd";
-    }
-  return ".pcd";
+  std::string line;
+  std::vector<std::string_view> words;
+  bool is_behind_number = false;
+  while (std::getline (lines, line)) {
+    splitWords (line, ' ', words);
+    if (words.empty() || words[0][0] == '#')
+      continue;
+    const std::string word (words[0]);
+    const auto first = static_cast<unsigned char> (word[0]);
+    const bool is_number = words.size() == 1 && std::isdigit (first) != 0;
+    if (is_number && is_behind_number) // of columns, of rows
+      return ".ptx";
+    if (word == "ply")
+      return ".ply";
+    if (word.find ("OFF") < 3)
+      return ".off";
+    if (!is_number)
+      return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
+    is_behind_number = true;
+  }
+  return is_behind_number ? ".xyz" : ".pcd";
 }
 
 pcl::PCLPointField

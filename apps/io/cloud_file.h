@@ -99,7 +99,8 @@ inline constexpr const char* standard_stream = "-";
 inline constexpr const char* standard_input = "standard input";
 
 /** \brief Reads the cloud that is piped into the program, by way of a temporary file
- * ($TMPDIR); text is what begins as no other format does.
+ * ($TMPDIR); text is what begins as no other format does; a KITTI .bin and an .obj do
+ * not tell.
  * \throws UsageError if nothing is piped in, WorkError as \ref loadCloud, Interrupted */
 FileCloud
 loadStandardInput ();

@@ -134,6 +134,7 @@ segmentCloud (const SegmentOptions& options,
   report.points = cloud.size();
   report.damage = damageOf (shifted);
   report.detected = detectPlanes (options, shifted, cloud.is_survey);
+  turnToScanners (report.detected.planes, cloud.scans);
   if (!report.detected.advice.empty())
     report.detected.advice = likeliestCause (shifted, report);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
