@@ -343,16 +343,33 @@ load (const Bytes& bytes, const std::string& extension, Use&& use)
 }
 
 void
+promiseSaved (const apps::FileCloud& cloud)
+{
+  const apps::Spool copy (".pcd", "fuzz");
+  apps::saveCloud (copy.name(), cloud);
+  promise (apps::loadCloud (copy.name()).points.data == cloud.points.data,
+           "the names of columns are those of fields");
+}
+
+void
 loadText (const Bytes& bytes)
 {
   load (bytes, ".xyz", [] (const apps::FileCloud& cloud) {
     for (const pcl::PCLPointField& field : cloud.points.fields)
       promise (field.datatype == pcl::PCLPointField::FLOAT64,
                "a column keeps the digits it has");
-    const apps::Spool copy (".pcd", "fuzz");
-    apps::saveCloud (copy.name(), cloud);
-    promise (apps::loadCloud (copy.name()).points.data == cloud.points.data,
-             "the names of columns are those of fields");
+    promiseSaved (cloud);
+  });
+}
+
+void
+loadPtx (const Bytes& bytes)
+{
+  load (bytes, ".ptx", [] (const apps::FileCloud& cloud) {
+    for (const apps::Scan& scan : cloud.scans)
+      promise (scan.first <= cloud.size() && scan.place.allFinite(),
+               "a scan has a place and begins within the cloud");
+    promiseSaved (cloud);
   });
 }
 
@@ -428,6 +445,11 @@ allTargets ()
       {"ply", [] (const Bytes& bytes) { load (bytes, ".ply", [] (auto&) {}); }},
       {"las", loadLas},
       {"ascii", loadText},
+      {"ptx", loadPtx},
+      {"kitti", [] (const Bytes& bytes) { load (bytes, ".bin", promiseSaved); }},
+      {"npy", [] (const Bytes& bytes) { load (bytes, ".npy", promiseSaved); }},
+      {"off", [] (const Bytes& bytes) { load (bytes, ".off", promiseSaved); }},
+      {"obj", [] (const Bytes& bytes) { load (bytes, ".obj", promiseSaved); }},
       {"options", readOptions},
       {"ops", [] (const Bytes& bytes) { detect<Ops> (bytes, {}); }},
       {"ops_leaves",

@@ -24,11 +24,12 @@ promise (bool holds, const std::string& what)
 using Targets = std::map<std::string, void (*) (const Bytes&)>;
 
 /** \brief All by their names; the corpus of each is the folder of that name. "pcd",
- * "ply", "las" and "ascii" load bytes as a file: a cloud whose sizes agree, or an error
- * of one line; of a text each number is written again, and a LAS is labeled, where it
- * takes labels. "options" takes lines for what stands on a command line, and detects
- * planes in a small cloud by it. The others detect planes, with parameters and in a
- * cloud made up from bytes, by a method: see promiseOrderedPlanes. */
+ * "ply", "las", "ascii", "ptx", "kitti", "npy", "off" and "obj" load bytes as a file: a
+ * cloud whose sizes agree, or an error of one line; from "ascii" on each number is
+ * written again, and a LAS is labeled, where it takes labels. "options" takes lines for
+ * what stands on a command line, and detects planes in a small cloud by it. The others
+ * detect planes, with parameters and in a cloud made up from bytes, by a method: see
+ * promiseOrderedPlanes. */
 const Targets&
 allTargets ();
 
