@@ -149,6 +149,20 @@ class Reader(unittest.TestCase):
         points = pcl_ops.read(self.folder / "a.las").points
         np.testing.assert_allclose(points, expected, rtol=0, atol=1e-6)
 
+    def test_reads_what_numpy_saved(self):
+        file = self.folder / "a.npy"
+        for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"):
+            for shape in ((6, 4), (2, 3, 4)):
+                for order in "CF":
+                    with self.subTest(kind=kind, shape=shape, order=order):
+                        saved = np.asarray(np.arange(24).reshape(shape), kind, order)
+                        np.save(file, saved)
+                        cloud = pcl_ops.read(file)
+                        rows = saved.reshape(6, 4)
+                        np.testing.assert_array_equal(cloud.points, rows[:, :3])
+                        np.testing.assert_array_equal(cloud.fields["field_4"], rows[:, 3])
+                        self.assertEqual(cloud.fields["field_4"].dtype, saved.dtype)
+
     def test_says_what_is_wrong(self):
         with self.assertRaises(FileNotFoundError):
             pcl_ops.read(self.folder / "none.pcd")

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 # Of sensor_msgs/PointField, and of PCL, whose last two are 64-bit integers.
-_TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8", 10: "u8"}
+_TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8",
+          10: "u8"}
 
 
 class Cloud(NamedTuple):
