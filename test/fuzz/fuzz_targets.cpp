@@ -316,11 +316,19 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
   promiseEqual (planes, again);
 }
 
+/** \brief One for all inputs of a kind: a file takes longer to make than to read. */
+const apps::Spool&
+spoolOf (const std::string& extension)
+{
+  static std::map<std::string, apps::Spool> spools;
+  return spools.try_emplace (extension, extension, "fuzz").first->second;
+}
+
 template <typename Use>
 void
 load (const Bytes& bytes, const std::string& extension, Use&& use)
 {
-  const apps::Spool file (extension, "fuzz");
+  const apps::Spool& file = spoolOf (extension);
   file.fill ([&bytes] (std::ostream& stream) {
     stream.write (reinterpret_cast<const char*> (bytes.data()), bytes.size());
   });
@@ -345,7 +353,7 @@ load (const Bytes& bytes, const std::string& extension, Use&& use)
 void
 promiseSaved (const apps::FileCloud& cloud)
 {
-  const apps::Spool copy (".pcd", "fuzz");
+  const apps::Spool& copy = spoolOf (".pcd");
   apps::saveCloud (copy.name(), cloud);
   promise (apps::loadCloud (copy.name()).points.data == cloud.points.data,
            "the names of columns are those of fields");
