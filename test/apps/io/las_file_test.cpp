@@ -203,7 +203,10 @@ TEST_F (LasFileTest, SaysHowToDecompressLaz)
 {
   if (hasLaszip())
     GTEST_SKIP() << "LASzip does it";
-  const std::string fix = "is compressed (LAZ); decompress it, e.g. by laszip or pdal";
+  const std::string fix =
+      "is compressed (LAZ), and this build has no LASzip; build again with "
+      "liblaszip-dev, on Debian 12 with LASzip's source (files.md), or decompress it, "
+      "e.g. by laspy[lazrs] of Python";
   LasRecipe recipe;
   recipe.vlrs = {lasVlr ("laszip encoded", 22204, "content")};
   EXPECT_EQ (complaintAbout ("a.las", lasBytes (recipe)), fix);
