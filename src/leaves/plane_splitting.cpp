@@ -44,8 +44,8 @@ noiseAround (const LeafCloud& cloud,
 {
   constexpr double min_points = 8.0;
   constexpr double min_width = 0.2; // over the length
-  // Exact points and the steps of quantized ones do not scatter.
-  constexpr double share_of_spacing = 0.03;
+  // The steps of a quantized depth are flat: only what holds some of them tells.
+  constexpr double points_that_tell = 16.0; // over those around
   Moments around = cloud.moments[leaf];
   for (const std::uint32_t k : cloud.neighbors[leaf])
     if (k != leaf && planes.plane_of_leaf[k] == planes.plane_of_leaf[leaf] &&
@@ -56,14 +56,10 @@ noiseAround (const LeafCloud& cloud,
   const PrincipalAxes axes = principalAxes (around.covariance());
   if (axes.values[1] < min_width * min_width * axes.values[2])
     return 0.0;
-  // Of an even distribution over a rectangle: its area is 12 times the product of its
-  // standard deviations.
-  const double squared_spacing =
-      12.0 * std::sqrt (axes.values[1] * axes.values[2]) / around.count;
   const double variance =
       std::max (0.0, axes.values[0]) * around.count / (around.count - 3.0);
-  return std::sqrt (
-      std::max (variance, share_of_spacing * share_of_spacing * squared_spacing));
+  return std::max (std::sqrt (variance),
+                   cloud.expectedNoise (leaf, points_that_tell * around.count));
 }
 
 /** \brief Divides one plane. */

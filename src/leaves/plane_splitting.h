@@ -18,7 +18,8 @@ constexpr double max_thickness_of_plane = 7.0;
  * a few joins find. Leaves of what is thick until it is small go on no plane.
  *
  * The noise of the surroundings is the median over the leaves of a plane of how far
- * points scatter about the plane through a leaf and those beside it.
+ * points scatter about the plane through a leaf and those beside it, at least what is
+ * expected of somewhat larger planes there.
  * \param[in] points_around such surroundings have so many points
  * \return the planes that changed, of as many as there are then; they have to be fitted
  * again */

@@ -93,9 +93,12 @@ TEST (PlaneSplitting, LeavesNoisyAndSlightlyBentPlanesWhole)
   EXPECT_EQ (table.leavesOn (0), table.cloud.size());
 }
 
-TEST (PlaneSplitting, LeavesExactPlanesWhole)
+TEST (PlaneSplitting, LeavesQuantizedPlanesWhole)
 {
-  LeafScene scene (pointsOver (2_m, 0.0, [] (double x, double) { return 1e-6 * x; }));
+  // Steps of 5 cm, wider than a leaf: nothing scatters on them.
+  const auto steps = pointsOver (
+      2_m, 0.0, [] (double x, double) { return 5e-2 * std::round (2 * x); });
+  LeafScene scene (steps, 1.5e-2);
   EXPECT_EQ (splitWhole (scene), std::vector<char>{0});
 }
 
