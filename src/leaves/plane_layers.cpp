@@ -13,7 +13,7 @@ namespace {
 
 // The signed distance that parts two layers, if there are two.
 std::optional<double>
-thresholdOf (std::vector<double>& distances, double min_noise, double min_apart)
+thresholdOf (std::vector<double>& distances, double min_apart)
 {
   constexpr std::size_t min_distances = 50;
   // 0.64 of the variance of an even distribution, .75 of two normal ones that touch.
@@ -44,68 +44,49 @@ thresholdOf (std::vector<double>& distances, double min_noise, double min_apart)
       first_above = i;
     }
   }
-  // Two steps of a quantized coordinate are no layers: they are two noises apart.
-  constexpr double noises_apart = 2.2;
-  if (best <= min_explained * total || best_apart < noises_apart * min_noise ||
-      best_apart < min_apart)
+  if (best <= min_explained * total || best_apart < min_apart)
     return std::nullopt;
   return 0.5 * (distances[first_above - 1] + distances[first_above]);
 }
 
-/** \brief Some signed distances of a plane's points, spread evenly over them [m]. */
-struct SampledDistances {
-  std::vector<double> distances;
-  double sum_of_min_noise = 0.0; // of the leaves they are in
-  std::size_t seen = 0;
-};
-
-double
-minNoiseOf (const SampledDistances& sample)
-{
-  return sample.sum_of_min_noise /
-         static_cast<double> (std::max<std::size_t> (1, sample.distances.size()));
-}
-
-std::vector<SampledDistances>
-sampleDistances (const LeafCloud& cloud, const LeafPlanes& planes, const Labels& labels)
+// Some signed distances of each plane's points, spread evenly over them [m].
+std::vector<std::vector<double>>
+sampleDistances (const Coordinates& points,
+                 const std::vector<Plane>& planes,
+                 const Labels& labels)
 {
   constexpr std::size_t wanted = 500;
-  const std::vector<std::size_t> counts = countLabels (labels, planes.planes.size());
-  std::vector<SampledDistances> samples (planes.planes.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    for (std::uint32_t p = cloud.leaves[i].begin; p < cloud.leaves[i].end; ++p) {
-      const std::int32_t plane = labels[p];
-      if (plane == no_plane)
-        continue;
-      SampledDistances& sample = samples[plane];
-      if (sample.seen % (counts[plane] / wanted + 1) == 0) {
-        sample.distances.push_back (planes.planes[plane].distance ((*cloud.points)[p]));
-        sample.sum_of_min_noise += cloud.min_noise[i];
-      }
-      ++sample.seen;
-    }
-  return samples;
+  const std::vector<std::size_t> counts = countLabels (labels, planes.size());
+  std::vector<std::size_t> seen (planes.size(), 0);
+  std::vector<std::vector<double>> distances (planes.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::int32_t plane = labels[i];
+    if (plane == no_plane)
+      continue;
+    if (seen[plane] % (counts[plane] / wanted + 1) == 0)
+      distances[plane].push_back (planes[plane].distance (points[i]));
+    ++seen[plane];
+  }
+  return distances;
 }
 
 } // namespace
 
-void
-splitLayers (const LeafCloud& cloud,
-             const LeafPlanes& planes,
-             std::optional<double> distance_threshold,
+bool
+splitLayers (const Coordinates& points,
+             const std::vector<Plane>& planes,
+             const std::vector<double>& min_apart,
              Labels& labels,
              std::vector<char>& is_kept)
 {
-  std::vector<SampledDistances> samples = sampleDistances (cloud, planes, labels);
-  std::vector<std::optional<double>> thresholds (planes.planes.size());
-  Labels above (planes.planes.size(), no_plane);
+  std::vector<std::vector<double>> distances = sampleDistances (points, planes, labels);
+  std::vector<std::optional<double>> thresholds (planes.size());
+  Labels above (planes.size(), no_plane);
   bool has_layers = false;
-  for (std::size_t p = 0; p < samples.size(); ++p) {
+  for (std::size_t p = 0; p < planes.size(); ++p) {
     if (is_kept[p] == 0)
       continue;
-    thresholds[p] = thresholdOf (samples[p].distances,
-                                 minNoiseOf (samples[p]),
-                                 distance_threshold.value_or (0.0));
+    thresholds[p] = thresholdOf (distances[p], min_apart[p]);
     if (!thresholds[p])
       continue;
     above[p] = static_cast<std::int32_t> (is_kept.size());
@@ -115,9 +96,34 @@ splitLayers (const LeafCloud& cloud,
   for (std::size_t i = 0; has_layers && i < labels.size(); ++i) {
     const std::int32_t plane = labels[i];
     if (plane != no_plane && thresholds[plane] &&
-        planes.planes[plane].distance ((*cloud.points)[i]) > *thresholds[plane])
+        planes[plane].distance (points[i]) > *thresholds[plane])
       labels[i] = above[plane];
   }
+  return has_layers;
+}
+
+bool
+splitLayers (const LeafCloud& cloud,
+             const LeafPlanes& planes,
+             std::optional<double> distance_threshold,
+             Labels& labels,
+             std::vector<char>& is_kept)
+{
+  // Two steps of a quantized coordinate are no layers: they are two noises apart.
+  constexpr double noises_apart = 2.2;
+  std::vector<double> points (planes.planes.size(), 0.0);
+  std::vector<double> sum_of_noise (planes.planes.size(), 0.0);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (std::uint32_t p = cloud.leaves[i].begin; p < cloud.leaves[i].end; ++p)
+      if (labels[p] != no_plane) {
+        points[labels[p]] += 1.0;
+        sum_of_noise[labels[p]] += cloud.min_noise[i];
+      }
+  std::vector<double> min_apart (planes.planes.size());
+  for (std::size_t p = 0; p < min_apart.size(); ++p)
+    min_apart[p] = std::max (noises_apart * sum_of_noise[p] / std::max (1.0, points[p]),
+                             distance_threshold.value_or (0.0));
+  return splitLayers (*cloud.points, planes.planes, min_apart, labels, is_kept);
 }
 
 } // namespace pcl_ops::internal

@@ -10,15 +10,24 @@
 namespace pcl_ops::internal {
 
 /** \brief Makes two planes of those that are two layers: the sides of a thin wall fall
- * into the same leaves and into one plane. Where a threshold on the signed distances of
- * a plane's points explains most of their variance, what lies above it is another plane
- * (Otsu's threshold; N. Otsu, "A Threshold Selection Method from Gray-Level
- * Histograms", IEEE Trans. Systems, Man, and Cybernetics, 1979).
- * \param[in] distance_threshold theta_h: layers nearer to each other are one plane; not
- * given: none are
+ * into the same leaves or voxels and into one plane. Where a threshold on the signed
+ * distances of a plane's points explains most of their variance, what lies above it is
+ * another plane (Otsu's threshold; N. Otsu, "A Threshold Selection Method from
+ * Gray-Level Histograms", IEEE Trans. Systems, Man, and Cybernetics, 1979).
+ * \param[in] min_apart of each plane: layers nearer to each other are one [m]
  * \param[in,out] labels of the points; new planes are numbered from \p is_kept.size()
- * \param[in,out] is_kept planes that are kept, new ones are added */
-void
+ * \param[in,out] is_kept planes that are kept, new ones are added
+ * \return whether any plane was two layers */
+bool
+splitLayers (const Coordinates& points,
+             const std::vector<Plane>& planes,
+             const std::vector<double>& min_apart,
+             Labels& labels,
+             std::vector<char>& is_kept);
+
+/** \brief The same for planes on leaves: layers are apart by more than the least noise
+ * of their leaves, and than theta_h where it is given. */
+bool
 splitLayers (const LeafCloud& cloud,
              const LeafPlanes& planes,
              std::optional<double> distance_threshold,

@@ -190,6 +190,91 @@ prefersVoxels (const std::vector<Leaf>& leaves, std::size_t points)
   return uneven > max_uneven_share * static_cast<double> (points);
 }
 
+// The labels of all points of the cloud, of planes that are kept.
+AssignedPoints
+labelCloud (const Points& points,
+            const CurvePoints& sorted,
+            const Labels& labels,
+            const std::vector<char>& is_kept,
+            unsigned threads)
+{
+  Labels number (is_kept.size(), no_plane);
+  std::int32_t planes = 0;
+  for (std::size_t p = 0; p < is_kept.size(); ++p)
+    if (is_kept[p] != 0) {
+      number[p] = planes;
+      ++planes;
+    }
+  AssignedPoints assigned;
+  assigned.labels.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t plane = labels[sorted.of_input[i]];
+    assigned.labels[i] = plane == no_plane ? no_plane : number[plane];
+  }
+  assigned.moments = momentsOfLabels (
+      points, assigned.labels, static_cast<std::size_t> (planes), threads);
+  return assigned;
+}
+
+// The noise that leaves of each plane are expected to have, in the mean over its
+// points.
+std::vector<double>
+expectedNoiseOf (const Rounds& rounds,
+                 const std::vector<Leaf>& leaves,
+                 const Labels& labels,
+                 std::size_t planes)
+{
+  std::vector<double> points (planes, 0.0);
+  std::vector<double> sum (planes, 0.0);
+  for (const Leaf& leaf : leaves) {
+    const double number = leaf.end - leaf.begin;
+    const double noise = rounds.expected.of (densityOf (number, leaf.level), number);
+    for (std::uint32_t p = leaf.begin; p < leaf.end; ++p)
+      if (labels[p] != no_plane) {
+        points[labels[p]] += 1.0;
+        sum[labels[p]] += noise;
+      }
+  }
+  for (std::size_t plane = 0; plane < planes; ++plane)
+    sum[plane] /= std::max (1.0, points[plane]);
+  return sum;
+}
+
+// The two sides of a wall that is thinner than a voxel are planes of their own.
+LabelledPlanes
+splitLayersOfVoxels (const Rounds& rounds,
+                     const std::vector<Leaf>& leaves,
+                     const Points& points,
+                     LabelledPlanes found)
+{
+  // Steps of a quantized depth are some noises apart.
+  constexpr double noises_apart = 10.0;
+  const OpsParameters& parameters = rounds.parameters;
+  std::vector<Plane> planes;
+  for (const PlaneFit& fit : found.planes.fits)
+    planes.push_back (fit.plane);
+  Labels sorted (rounds.points.size(), no_plane);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sorted[rounds.points.of_input[i]] = found.labels[i];
+  std::vector<double> min_apart =
+      expectedNoiseOf (rounds, leaves, sorted, planes.size());
+  for (double& apart : min_apart)
+    apart =
+        std::max (noises_apart * apart, parameters.distance_threshold.value_or (0.0));
+  std::vector<char> is_kept (planes.size(), 1);
+  if (!splitLayers (rounds.points, planes, min_apart, sorted, is_kept))
+    return found;
+  MergingParameters none;
+  none.enabled = false;
+  LabelledPlanes split = mergeAssigned (
+      labelCloud (points, rounds.points, sorted, is_kept, parameters.threads),
+      none,
+      parameters.threads);
+  split.planes_before_merging = found.planes_before_merging;
+  split.used = found.used;
+  return split;
+}
+
 JoiningParameters
 joiningBy (const OpsParameters& parameters)
 {
@@ -283,32 +368,6 @@ split (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
   refitPlanes (cloud, planes);
   measureNoise (cloud, threads, planes, &changed);
   relax (rounds, cloud, planes);
-}
-
-// The labels of all points of the cloud, of planes that are kept.
-AssignedPoints
-labelCloud (const Points& points,
-            const CurvePoints& sorted,
-            const Labels& labels,
-            const std::vector<char>& is_kept,
-            unsigned threads)
-{
-  Labels number (is_kept.size(), no_plane);
-  std::int32_t planes = 0;
-  for (std::size_t p = 0; p < is_kept.size(); ++p)
-    if (is_kept[p] != 0) {
-      number[p] = planes;
-      ++planes;
-    }
-  AssignedPoints assigned;
-  assigned.labels.resize (points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::int32_t plane = labels[sorted.of_input[i]];
-    assigned.labels[i] = plane == no_plane ? no_plane : number[plane];
-  }
-  assigned.moments = momentsOfLabels (
-      points, assigned.labels, static_cast<std::size_t> (planes), threads);
-  return assigned;
 }
 
 // Every point of P, not of P_s alone, to a plane; planes for which enough speaks.
@@ -416,7 +475,8 @@ detectOnLeaves (const Points& points,
   std::vector<Leaf> leaves = timed (times.search, [&] { return divide (rounds); });
   if (parameters.sampling == Sampling::Automatic &&
       prefersVoxels (leaves, rounds.points.size()))
-    return detectOnVoxels (points, parameters, times);
+    return splitLayersOfVoxels (
+        rounds, leaves, points, detectOnVoxels (points, parameters, times));
   LeafCloud cloud =
       timed (times.search, [&] { return measure (rounds, std::move (leaves)); });
   const double used_edge = smallestEdge (cloud);

@@ -352,6 +352,27 @@ TEST (DetectOnLeaves, LeavesCloudsToVoxelsWhereNeighborsErrAlike)
   EXPECT_EQ (detectIn (bumpy, automatic).labels, onVoxels (bumpy));
 }
 
+TEST (DetectOnLeaves, PartsTheSidesOfAWallThinnerThanAVoxel)
+{
+  // Seen from both sides, 10 cm apart: points of both are in each voxel of 16 cm, and
+  // what one shares with its neighbors there looks like noise that errs alike.
+  const Points points = drawnPoints ({{{0, 0, 0.1}, {4, 0, 0}, {0, 4, 0}},
+                                      {{0, 0, 0.2}, {4, 0, 0}, {0, 4, 0}},
+                                      {{0, 0, -0.8}, {4, 0, 0}, {0, 4, 0}}},
+                                     7.3e-2,
+                                     2_mm);
+  LeafParameters parameters;
+  ASSERT_EQ (parameters.sampling, pcl_ops::Sampling::Automatic);
+  pcl_ops::StageDurations durations;
+  const LabelledPlanes on_voxels = detectOnVoxels (points, parameters, durations);
+  ASSERT_EQ (on_voxels.planes.fits.size(), 2u);
+  const std::size_t side = points.size() / 3;
+  const LabelledPlanes found = detectIn (points, parameters);
+  expectEachHasItsPlane (found, {side, 2 * side, 3 * side}, 0.99);
+  EXPECT_EQ (found.planes.fits.size(), 3u);
+  EXPECT_EQ (found.used.voxel_size, on_voxels.used.voxel_size);
+}
+
 TEST (DetectOnLeaves, FindsPlanesAsThinAsTheNoiseOnAHill)
 {
   // A point a square meter, and so little slope that planes of neighboring parts touch
