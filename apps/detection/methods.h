@@ -34,6 +34,10 @@ struct DetectorOptions {
 struct Detected {
   /** \brief By falling size, in the frame of the cloud. */
   std::vector<PlaneSegment> planes;
+  /** \brief Where \ref planes are pieces: for each the position of the plane it lies on
+   * in \ref whole_planes, which have no inliers; else empty. */
+  std::vector<std::size_t> lies_on;
+  std::vector<PlaneSegment> whole_planes;
   StageDurations timing;
   UsedLengths used;
   /** \brief Under the names of their options. */

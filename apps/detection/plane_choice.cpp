@@ -160,11 +160,16 @@ keepChosen (const PlaneChoice& choice,
 {
   Dropped dropped;
   std::vector<PlaneSegment> kept;
+  std::vector<std::size_t> lies_on;
   detected.settings.update (choice.given);
   for (const std::size_t i : chosenOf (
-           choice, detected.planes, detected.up.cast<double>(), extent_of, dropped))
+           choice, detected.planes, detected.up.cast<double>(), extent_of, dropped)) {
     kept.push_back (std::move (detected.planes[i]));
+    if (!detected.lies_on.empty())
+      lies_on.push_back (detected.lies_on[i]);
+  }
   detected.planes = std::move (kept);
+  detected.lies_on = std::move (lies_on);
   if (detected.planes.empty() && dropped.found > 0)
     detected.advice = adviceOn (choice, dropped);
   return dropped;

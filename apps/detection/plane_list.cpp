@@ -207,16 +207,21 @@ columnsOf (const Json& plane)
   const Json &coefficients = plane.at ("coefficients"),
              &centroid = plane.at ("centroid"), &normal = plane.at ("normal"),
              &extent = plane.at ("extent");
-  return {{"id", plane.at ("id")},         {"orientation", plane.at ("orientation")},
-          {"points", plane.at ("points")}, {"a", coefficients.at (0)},
-          {"b", coefficients.at (1)},      {"c", coefficients.at (2)},
-          {"d", coefficients.at (3)},      {"centroid_x", centroid.at (0)},
-          {"centroid_y", centroid.at (1)}, {"centroid_z", centroid.at (2)},
-          {"normal_x", normal.at (0)},     {"normal_y", normal.at (1)},
-          {"normal_z", normal.at (2)},     {"rms", plane.at ("rms")},
-          {"area", plane.at ("area")},     {"length", extent.at ("length")},
-          {"width", extent.at ("width")},  {"slope", plane.at ("slope")},
-          {"aspect", plane.at ("aspect")}, {"height", plane.at ("height")}};
+  std::vector<std::pair<std::string, Json>> columns = {
+      {"id", plane.at ("id")},         {"orientation", plane.at ("orientation")},
+      {"points", plane.at ("points")}, {"a", coefficients.at (0)},
+      {"b", coefficients.at (1)},      {"c", coefficients.at (2)},
+      {"d", coefficients.at (3)},      {"centroid_x", centroid.at (0)},
+      {"centroid_y", centroid.at (1)}, {"centroid_z", centroid.at (2)},
+      {"normal_x", normal.at (0)},     {"normal_y", normal.at (1)},
+      {"normal_z", normal.at (2)},     {"rms", plane.at ("rms")},
+      {"area", plane.at ("area")},     {"length", extent.at ("length")},
+      {"width", extent.at ("width")},  {"slope", plane.at ("slope")},
+      {"aspect", plane.at ("aspect")}, {"height", plane.at ("height")}};
+  // Of a piece: the plane it lies on.
+  if (plane.contains ("plane"))
+    columns.insert (columns.begin() + 1, {"plane", plane.at ("plane")});
+  return columns;
 }
 
 /** \brief Three, or as many as a thousandth of the narrowest plane takes. */
@@ -274,7 +279,8 @@ std::string
 toCsv (const Json& planes, const MapOptions& options)
 {
   std::string csv;
-  for (const auto& [name, value] : columnsOf (planeObject (0, {}, {})))
+  const Json like = planes.empty() ? planeObject (0, {}, {}) : planes.front();
+  for (const auto& [name, value] : columnsOf (like))
     csv += name + ",";
   csv += "wkt\n";
   const int decimals = decimalsFor (planes);

@@ -282,7 +282,8 @@ void
 saveLabelledLas (const std::string& file,
                  LasFile& las,
                  const std::vector<std::uint32_t>& labels,
-                 const std::vector<float>& distances)
+                 const std::vector<float>& distances,
+                 const std::vector<std::uint32_t>& planes)
 {
   const auto column = [] (const LasField& field, const auto& values) {
     return LasColumn (field, [&values, i = 0U] (const Eigen::Vector3d&) mutable {
@@ -295,6 +296,8 @@ saveLabelledLas (const std::string& file,
   std::vector<LasColumn> columns = {column (label_field, labels)};
   if (!distances.empty())
     columns.push_back (column (distance_field, distances));
+  if (!planes.empty())
+    columns.push_back (column (plane_field, planes));
   saveLasWith (file, las, columns);
 }
 

@@ -117,12 +117,14 @@ saveLasWith (const std::string& file,
              LasFile& las,
              const std::vector<LasColumn>& columns);
 
-/** \brief The same with a label and, unless there are none, a distance per point. */
+/** \brief The same with a label and, unless there are none, a distance and a plane per
+ * point. */
 void
 saveLabelledLas (const std::string& file,
                  LasFile& las,
                  const std::vector<std::uint32_t>& labels,
-                 const std::vector<float>& distances = {});
+                 const std::vector<float>& distances = {},
+                 const std::vector<std::uint32_t>& planes = {});
 
 /** \brief A record of point data record format 0 with a label: a point in units of the
  * scale, relative to the offset, with which those of all formats begin. */

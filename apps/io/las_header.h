@@ -115,6 +115,7 @@ struct LasField {
 inline const LasField label_field = {"label", 5, "uint32", "0: on no plane"};
 inline const LasField distance_field = {
     "distance", 9, "float", "to its plane; NaN: on none"};
+inline const LasField plane_field = {"plane", 5, "uint32", "of the piece; 0: on none"};
 
 /** \brief How an Extra Bytes VLR says what a field is. */
 std::string

@@ -50,7 +50,8 @@ saveLabelledCloud (const std::string& file,
                    const FileCloud& cloud,
                    const std::vector<std::uint32_t>& labels,
                    const std::vector<float>& distances,
-                   bool keeps_color)
+                   bool keeps_color,
+                   const std::vector<std::uint32_t>& planes)
 {
   const bool has_color = hasField (cloud, "rgb") || hasField (cloud, "rgba");
   saveCloud (file, cloud, [&] (FileCloud& part, std::size_t first) {
@@ -58,6 +59,8 @@ saveLabelledCloud (const std::string& file,
     const std::uint32_t* const of_part = labels.data() + first;
     if (!distances.empty())
       setField (part, "distance", PCLPointField::FLOAT32, distances.data() + first);
+    if (!planes.empty())
+      setField (part, "plane", PCLPointField::UINT32, planes.data() + first);
     setField (part, "label", PCLPointField::UINT32, of_part);
     if (keeps_color && has_color)
       return;

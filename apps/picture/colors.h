@@ -22,12 +22,14 @@ colorOf (Orientation orientation);
 
 /** \brief Writes a .pcd or .ply with a label and a color for each point.
  * \param[in] distances per point, for a field of that name, or none
- * \param[in] keeps_color whether the input's colors stay, where it has any */
+ * \param[in] keeps_color whether the input's colors stay, where it has any
+ * \param[in] planes per point, for a field "plane", or none */
 void
 saveLabelledCloud (const std::string& file,
                    const FileCloud& cloud,
                    const std::vector<std::uint32_t>& labels,
                    const std::vector<float>& distances,
-                   bool keeps_color);
+                   bool keeps_color,
+                   const std::vector<std::uint32_t>& planes = {});
 
 } // namespace pcl_ops::apps

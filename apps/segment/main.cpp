@@ -26,10 +26,38 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Gives planes in the frame of their cloud their ids.
+/** \brief Gives what was found in a cloud, in the cloud's frame, its ids.
  * \param[in] sensor where it was or, if that is not known, a place among the points */
-using IdsOfPlanes = std::function<std::vector<std::uint32_t> (
-    const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor)>;
+using GiveIds = std::function<void (const Eigen::Vector3d& sensor, Report& report)>;
+
+std::vector<std::uint32_t>
+numbersUpTo (std::size_t size)
+{
+  std::vector<std::uint32_t> numbers (size);
+  std::iota (numbers.begin(), numbers.end(), 1U);
+  return numbers;
+}
+
+/** \brief Has the pieces in place of the planes, beside what these are without them. */
+void
+divideIntoPieces (const SegmentOptions& options,
+                  const XyzCloud& cloud,
+                  Detected& detected)
+{
+  const auto threads = options.detector.numbers.find ("threads");
+  PlanePieces found = findPlanePieces (cloud,
+                                       detected.planes,
+                                       options.of_pieces,
+                                       threads == options.detector.numbers.end()
+                                           ? 1
+                                           : static_cast<unsigned> (threads->second));
+  detected.whole_planes = std::move (detected.planes);
+  for (PlaneSegment& plane : detected.whole_planes)
+    plane.inliers.clear();
+  detected.planes = std::move (found.pieces);
+  detected.lies_on = std::move (found.planes);
+  detected.settings["piece_gap"] = options.of_pieces.max_gap;
+}
 
 Detected
 detectPlanes (const SegmentOptions& options,
@@ -38,10 +66,14 @@ detectPlanes (const SegmentOptions& options,
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
-  for (PlaneSegment& plane : detected.planes)
-    plane.moveBy (shifted.shift);
-  if (is_survey)
-    turnUp (detected.planes, detected.up.cast<double>());
+  if (options.pieces)
+    divideIntoPieces (options, *shifted.cloud, detected);
+  for (auto* planes : {&detected.planes, &detected.whole_planes}) {
+    for (PlaneSegment& plane : *planes)
+      plane.moveBy (shifted.shift);
+    if (is_survey)
+      turnUp (*planes, detected.up.cast<double>());
+  }
   return detected;
 }
 
@@ -65,6 +97,8 @@ checkTakesLabels (const SegmentOptions& options,
   std::vector<LasField> fields = {label_field};
   if (options.distances)
     fields.push_back (distance_field);
+  if (options.pieces)
+    fields.push_back (plane_field);
   const std::string problem = cloud.las->validate (fields);
   if (!problem.empty())
     throw WorkError (nameOfInput (task), problem);
@@ -106,14 +140,14 @@ likeliestCause (const ShiftedCloud& shifted, const Report& report)
 }
 
 /** \brief Reads a cloud, finds its planes and writes its outputs.
- * \param[in] ids_of where it is missing, planes are numbered by falling size
+ * \param[in] give_ids where it is missing, planes are numbered by falling size
  * \param[in] lines what tells the stages; nullptr for none
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
  * written, Interrupted before anything is written */
 Report
 segmentCloud (const SegmentOptions& options,
               const Task& task,
-              const IdsOfPlanes& ids_of,
+              const GiveIds& give_ids,
               StageLines* lines)
 {
   const std::string name = nameOfInput (task);
@@ -142,11 +176,11 @@ segmentCloud (const SegmentOptions& options,
     return extentInFile (shifted, plane, options.hull);
   };
   report.dropped = keepChosen (options.choice, extent_of, report.detected);
-  report.ids.resize (planes.size());
-  std::iota (report.ids.begin(), report.ids.end(), 1U);
+  report.ids = numbersUpTo (planes.size());
+  report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
-  if (ids_of)
-    report.ids = ids_of (planes, sensor.isZero (0.0) ? shifted.shift : sensor);
+  if (give_ids)
+    give_ids (sensor.isZero (0.0) ? shifted.shift : sensor, report);
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
     std::transform (
         planes.begin(), planes.end(), std::back_inserter (report.extents), extent_of);
@@ -184,6 +218,7 @@ public:
   : options_ (options)
   , batch_ (batch)
   , tracker_ (options.track.matching)
+  , tracker_of_whole_ (options.track.matching)
   , progress_ (batch.tasks.size(),
                std::cerr,
                ::isatty (STDERR_FILENO) == 1 ? ProgressStyle::Bar : ProgressStyle::None)
@@ -216,19 +251,23 @@ public:
   }
 
 private:
-  /** \brief The ids of the planes of a cloud, once the clouds before are done.
-   * \param[in] planes in the frame of their cloud
-   * \param[in] sensor in that frame: what a pose's error turns about */
-  std::vector<std::uint32_t>
-  idsOf (std::size_t i, std::vector<PlaneSegment> planes, const Eigen::Vector3d& sensor)
+  /** \brief Gives the planes of a cloud their ids, once the clouds before are done.
+   * \param[in] sensor in the frame of the cloud: what a pose's error turns about */
+  void
+  giveIds (std::size_t i, const Eigen::Vector3d& sensor, Report& report)
   {
-    for (PlaneSegment& plane : planes)
-      plane.moveBy (-sensor);
     std::unique_lock<std::mutex> lock (mutex_);
     is_next_.wait (lock, [&] { return finished_ == i || is_given_up_; });
     if (is_given_up_)
       throw Interrupted();
-    return tracker_.track (planes, poses_[i] * Eigen::Translation3d (sensor));
+    const auto track = [&] (PlaneTracker& tracker, std::vector<PlaneSegment> planes) {
+      for (PlaneSegment& plane : planes)
+        plane.moveBy (-sensor);
+      return tracker.track (planes, poses_[i] * Eigen::Translation3d (sensor));
+    };
+    report.ids = track (tracker_, report.detected.planes);
+    if (options_.pieces)
+      report.ids_of_whole = track (tracker_of_whole_, report.detected.whole_planes);
   }
 
   /** \brief Those of a cloud: up is given in the frame that poses share. */
@@ -248,10 +287,10 @@ private:
   statusOf (std::size_t i)
   {
     const Task& task = batch_.tasks[i];
-    IdsOfPlanes tracked;
+    GiveIds tracked;
     if (options_.track.is_on)
-      tracked = [&] (const auto& planes, const Eigen::Vector3d& sensor) {
-        return idsOf (i, planes, sensor);
+      tracked = [&] (const Eigen::Vector3d& sensor, Report& report) {
+        giveIds (i, sensor, report);
       };
     try {
       stopIfInterrupted();
@@ -311,6 +350,8 @@ private:
   const SegmentOptions& options_;
   const Batch& batch_;
   PlaneTracker tracker_;
+  /** \brief Of the planes that pieces lie on. */
+  PlaneTracker tracker_of_whole_;
   std::vector<Eigen::Isometry3d> poses_;
   Progress progress_;
   std::mutex mutex_;

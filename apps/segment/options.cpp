@@ -70,7 +70,8 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("mesh FILE", outputs.mesh).help ("write the hulls as a .ply or .vtk mesh");
   line.add ("hull", options.hull, {"convex", "concave"})
       .help ("outline of a plane in --planes, --mesh (convex)");
-  line.add ("keep-color", options.keep_color).help ("keep the input's rgb in OUTPUT");
+  line.add ("pieces", options.pieces)
+      .help ("each connected piece of a plane has a label of its own");
   line.add ("distances", options.distances)
       .help ("add each point's signed distance to its plane");
   line.add ("quiet", options.quiet).help ("print no table");
@@ -82,6 +83,9 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   Outputs& outputs = options.outputs;
   line.beginGroup ("Further outputs");
   declareMap (line, options.map);
+  line.add ("keep-color", options.keep_color).help ("keep the input's rgb in OUTPUT");
+  line.add ("piece-gap R", options.of_pieces.max_gap, from (1))
+      .help ("widest gap in one of --pieces, in spacings of its points (8)");
   line.add ("edges FILE", outputs.edges)
       .help ("write where planes meet: .ply, .vtk or .json");
   line.add ("rest FILE", outputs.rest)
@@ -143,6 +147,7 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
                          line.isGiven ("min-area");
   const std::tuple<std::string, bool, std::string> rows[] = {
       {"hull", has_hulls, "--planes, --mesh and --min-area; give one"},
+      {"piece-gap", options.pieces, "--pieces; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
       {"rotation-error", is_tracked, "--track; give it, too"},
       {"translation-error", is_tracked, "--track; give it, too"},

@@ -6,6 +6,7 @@
 #include <detection/plane_choice.h>
 #include <detection/plane_list.h>
 #include <pcl_ops/plane_matching.h>
+#include <pcl_ops/plane_pieces.h>
 
 #include <string>
 #include <vector>
@@ -46,6 +47,10 @@ struct SegmentOptions {
   std::string method = "ops";
   /** \brief What outlines are drawn by: "convex" or "concave". */
   std::string hull = "convex";
+  /** \brief Whether each connected piece of a plane has a label of its own, and the
+   * widest gap within one. */
+  bool pieces = false;
+  PlanePiecesParameters of_pieces;
   PlaneChoice choice;
   MapOptions map;
   DetectorOptions detector;

@@ -289,13 +289,16 @@ saveLabelled (const std::string& file,
               const FileCloud& cloud,
               const std::vector<PlaneSegment>& planes,
               const std::vector<std::uint32_t>& labels,
+              const std::vector<std::uint32_t>& lies_on,
               const SegmentOptions& options)
 {
+  const std::vector<std::uint32_t> of_points =
+      lies_on.empty() ? lies_on : labelsOf (planes, cloud.size(), lies_on);
   const std::vector<float> distances =
       options.distances ? distancesOf (cloud, planes) : std::vector<float>();
   if (isLasName (file))
-    return saveLabelledLas (file, *cloud.las, labels, distances);
-  saveLabelledCloud (file, cloud, labels, distances, options.keep_color);
+    return saveLabelledLas (file, *cloud.las, labels, distances, of_points);
+  saveLabelledCloud (file, cloud, labels, distances, options.keep_color, of_points);
 }
 
 /** \brief Writes the points on no plane, without those that have no coordinates. */
@@ -409,7 +412,8 @@ saveOutputs (const SegmentOptions& options,
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size(), report.ids);
   if (!outputs.cloud.empty())
-    saveLabelled (outputs.cloud, cloud, planes, labels, options);
+    saveLabelled (
+        outputs.cloud, cloud, planes, labels, report.planesOfPieces(), options);
   if (!outputs.image.empty())
     savePicture (outputs.image,
                  *shifted.cloud,

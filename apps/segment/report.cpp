@@ -7,6 +7,7 @@
 #include <numbers/statistics.h>
 
 #include <ostream>
+#include <set>
 
 namespace pcl_ops::apps {
 
@@ -24,18 +25,24 @@ printPlanes (const Report& report, std::ostream& stream)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   constexpr std::size_t max_rows = 20;
-  stream << "  id  orientation   points      %       rms         a         b         c"
+  const std::vector<std::uint32_t> lies_on = report.planesOfPieces();
+  stream << "  id" << (lies_on.empty() ? "" : " plane")
+         << "  orientation   points      %       rms         a         b         c"
             "         d\n";
   std::size_t rest = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::size_t size = planes[i].inliers.size();
     rest -= size;
     const auto [normal, offset] = planes[i].plane();
-    if (i < max_rows)
-      stream << boost::format ("%4d  %-10s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
-                    report.ids[i] % toString (planes[i].orientation) % size %
-                    share (size, report.points) % planes[i].rms() % normal.x() %
-                    normal.y() % normal.z() % offset;
+    if (i >= max_rows)
+      continue;
+    stream << boost::format ("%4d") % report.ids[i];
+    if (!lies_on.empty())
+      stream << boost::format (" %5d") % lies_on[i];
+    stream << boost::format ("  %-10s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
+                  toString (planes[i].orientation) % size %
+                  share (size, report.points) % planes[i].rms() % normal.x() %
+                  normal.y() % normal.z() % offset;
   }
   if (planes.size() > max_rows)
     stream << "      and " << planes.size() - max_rows
@@ -48,8 +55,15 @@ std::string
 countsOf (const Report& report)
 {
   const std::size_t planes = report.detected.planes.size();
-  return std::to_string (report.points) + " points, " + std::to_string (planes) +
-         (planes == 1 ? " plane" : " planes");
+  const std::string points = std::to_string (report.points) + " points, ";
+  const auto counted = [] (std::size_t number, const std::string& noun) {
+    return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
+  };
+  if (report.detected.lies_on.empty())
+    return points + counted (planes, "plane");
+  const std::set<std::size_t> whole (report.detected.lies_on.begin(),
+                                     report.detected.lies_on.end());
+  return points + counted (planes, "piece") + " of " + counted (whole.size(), "plane");
 }
 
 /** \brief By the names of options; empty where the cloud told none. */
@@ -134,10 +148,13 @@ toJson (const Report& report)
     json["dropped"] = toObject (report.dropped);
   json["planes"] = nlohmann::ordered_json::array();
   const Eigen::Vector3d up = detected.up.cast<double>().normalized();
-  for (std::size_t i = 0; i < detected.planes.size(); ++i)
-    json["planes"].push_back (
+  const std::vector<std::uint32_t> lies_on = report.planesOfPieces();
+  for (std::size_t i = 0; i < detected.planes.size(); ++i) {
+    auto& object = json["planes"].emplace_back (
         planeObject (report.ids[i], detected.planes[i], report.extents[i], up));
-
+    if (!lies_on.empty())
+      object["plane"] = lies_on[i];
+  }
   return json;
 }
 

@@ -16,11 +16,24 @@ struct Report {
   Detected detected;
   /** \brief Of each plane: its label in the cloud. */
   std::vector<std::uint32_t> ids;
+  /** \brief Of each plane that pieces lie on: its number in the cloud. */
+  std::vector<std::uint32_t> ids_of_whole;
   Dropped dropped;
   /** \brief What makes the cloud look damaged; empty where nothing does. */
   std::string damage;
   /** \brief One for each plane, if an output says where planes end; else none. */
   std::vector<PlaneExtent> extents;
+
+  /** \brief The numbers of the planes that pieces lie on; empty where there are none.
+   */
+  std::vector<std::uint32_t>
+  planesOfPieces () const
+  {
+    std::vector<std::uint32_t> numbers;
+    for (const std::size_t plane : detected.lies_on)
+      numbers.push_back (ids_of_whole[plane]);
+    return numbers;
+  }
 };
 
 /** \brief The table of --help's standard output: planes, then times. */

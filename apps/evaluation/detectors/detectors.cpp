@@ -10,6 +10,7 @@
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane_pieces.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -73,6 +74,38 @@ add (std::vector<Configuration>& all,
       all.back().groups.insert ("table4");
 }
 
+/** The default, each connected piece of a plane by itself. */
+void
+addPieces (std::vector<Configuration>& all)
+{
+  const auto run = [] (const auto& cloud, const RunSettings& settings) {
+    Ops detector;
+    auto parameters = detector.getParameters();
+    parameters.up_axis = settings.up.cast<float>();
+    parameters.threads = settings.threads;
+    detector.setParameters (parameters);
+    detector.setInputCloud (cloud);
+    double detection = 0.0;
+    std::vector<pcl::PointIndices> inliers;
+    const auto detect = [&] {
+      std::vector<PlaneSegment> planes;
+      detector.segment (planes);
+      for (PlaneSegment& piece :
+           findPlanePieces (*cloud, planes, {}, settings.threads).pieces)
+        inliers.emplace_back().indices = std::move (piece.inliers);
+    };
+    timed (detection,
+           detect,
+           settings.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC);
+    DetectorRun result{labelsOf (inliers, cloud->size()),
+                       detector.getNumberOfPlanesBeforeMerging(),
+                       detector.getStageDurations()};
+    result.durations.detection = detection;
+    return result;
+  };
+  all.push_back ({"ops-pieces", {"pieces"}, run});
+}
+
 void
 addRowsOfPaper (std::vector<Configuration>& all)
 {
@@ -84,6 +117,7 @@ addRowsOfPaper (std::vector<Configuration>& all)
     add<Ops> (all, name, "sampling", parameters);
   }
   auto ops = Ops::Parameters::paper();
+  addPieces (all);
   const auto addOps = [&] (const char* prefix, double percent) {
     ops.sampling_rate = percent / 100.0;
     for (ops.k = 10; ops.k <= 30; ops.k += 10)

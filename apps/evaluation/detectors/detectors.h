@@ -81,6 +81,7 @@ struct Configuration {
  * - peers: those of PCL, of CGAL and Open3D if found when this was built, and a voxel
  * octree; at the values of their tutorials
  * - peers-measured: the same at values measured from the cloud
+ * - pieces: ops-pieces, the default with each connected piece of a plane by itself
  * - ablation: ops-without-INGREDIENT, the default with one ingredient off */
 const std::vector<Configuration>&
 allConfigurations ();

@@ -29,6 +29,17 @@ withColumns (int columns)
   return cloud;
 }
 
+/** \brief The floor and over it two table tops of one height, 1 m apart. */
+InputCloud
+twoTables ()
+{
+  InputCloud cloud = floorAndWall();
+  cloud.resize (points_of_plane);
+  addGrid (cloud, {0, 0, 0.7f}, x, 40, y, 40);
+  addGrid (cloud, {2.56f, 0, 0.7f}, x, 30, y, 40);
+  return cloud;
+}
+
 /** \brief The floor and the wall with a second wall at y = 2 m, x becoming up: the
  * sensor looks along the longest side. */
 InputCloud
@@ -119,6 +130,7 @@ protected:
     floors.resize (100 * 100);
     addGrid (floors, {0, 2.5f, 0.03f}, {0.02f, 0, 0}, 100, {0, 0.02f, 0}, 100);
     save ("floors.pcd", floors);
+    save ("tables.pcd", twoTables());
     save ("large.pcd", moved (floorAndWall(), 1000 * Eigen::Matrix3f::Identity()));
     InputCloud blind = floorAndWall(), damaged = blind, rough = blind;
     for (pcl::PointXYZI& point : blind)

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/plane_pieces.h>
+
+using namespace pcl_ops;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr double spacing = 1_cm;
+
+/** \brief The plane of all points of a cloud at z = 0. */
+PlaneSegment
+planeOf (const Cloud& cloud)
+{
+  return planeOfPoints (
+      cloud, upTo<pcl::Indices> (cloud.size()), Eigen::Vector3d::UnitZ());
+}
+
+PlanePieces
+piecesOf (const Cloud& cloud, const PlanePiecesParameters& parameters = {})
+{
+  return findPlanePieces (cloud, {planeOf (cloud)}, parameters);
+}
+
+/** \brief A square of points 1 cm apart. */
+void
+addSquare (int side, double x, double y, Cloud& cloud)
+{
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j)
+      cloud.push_back (toPoint ({x + spacing * i, y + spacing * j, 0.0}));
+}
+
+/** \brief 8 x 8 squares of 6 x 6 points, with so many spacings from one to the next. */
+Cloud
+checkerboard (double gap)
+{
+  constexpr int side = 6, squares = 8;
+  const double step = spacing * (side - 1 + gap);
+  Cloud cloud;
+  for (int i = 0; i < squares; ++i)
+    for (int j = 0; j < squares; ++j)
+      addSquare (side, step * i, step * j, cloud);
+  return cloud;
+}
+
+/** \brief What a lidar 1.7 m above the ground sees of it: beams from -15 degrees on,
+ * each one 2 degrees higher, and 1,800 directions. */
+Cloud
+rings (int beams, double noise)
+{
+  constexpr int directions = 1800;
+  constexpr double height = 1.7_m;
+  RandomGenerator generator (seedOfTest());
+  Cloud cloud;
+  for (int beam = 0; beam < beams; ++beam)
+    for (int i = 0; i < directions; ++i) {
+      const double azimuth = 360.0_deg * i / directions;
+      const double range = height / std::tan ((15.0 - 2.0 * beam) * 1.0_deg) +
+                           noise * drawNormal (generator);
+      cloud.push_back (
+          toPoint ({range * std::cos (azimuth), range * std::sin (azimuth), 0.0}));
+    }
+  return cloud;
+}
+
+/** \brief The places of the points of each piece, sorted. */
+std::vector<std::vector<std::array<float, 3>>>
+placesOf (const PlanePieces& found, const Cloud& cloud)
+{
+  std::vector<std::vector<std::array<float, 3>>> all;
+  for (const PlaneSegment& piece : found.pieces) {
+    auto& places = all.emplace_back();
+    for (const pcl::index_t index : piece.inliers)
+      places.push_back ({cloud[index].x, cloud[index].y, cloud[index].z});
+    std::sort (places.begin(), places.end());
+  }
+  std::sort (all.begin(), all.end());
+  return all;
+}
+
+} // namespace
+
+TEST (PlanePieces, TilesTenSpacingsApartAreAPieceEach)
+{
+  EXPECT_EQ (piecesOf (checkerboard (10)).pieces.size(), 64u);
+}
+
+TEST (PlanePieces, TilesSixSpacingsApartAreOnePiece)
+{
+  EXPECT_EQ (piecesOf (checkerboard (6)).pieces.size(), 1u);
+}
+
+TEST (PlanePieces, TheWidestGapIsAParameter)
+{
+  PlanePiecesParameters parameters;
+  parameters.max_gap = 4;
+  EXPECT_EQ (piecesOf (checkerboard (6), parameters).pieces.size(), 64u);
+  parameters.max_gap = 12;
+  EXPECT_EQ (piecesOf (checkerboard (10), parameters).pieces.size(), 1u);
+}
+
+TEST (PlanePieces, TheGapIsAMultipleOfTheSpacingWhateverThatIs)
+{
+  Cloud cloud = checkerboard (10);
+  for (pcl::PointXYZ& point : cloud)
+    point.getVector3fMap() *= 50.0f;
+  EXPECT_EQ (piecesOf (cloud).pieces.size(), 64u);
+}
+
+TEST (PlanePieces, TilesOfScatteredPointsAreAPieceEach)
+{
+  RandomGenerator generator (seedOfTest());
+  Cloud cloud;
+  for (int tile = 0; tile < 9; ++tile)
+    for (int i = 0; i < 400; ++i) { // 1 cm apart in the mean
+      const double x = 0.35 * (tile % 3) + 0.2 * drawUnit (generator);
+      const double y = 0.35 * (tile / 3) + 0.2 * drawUnit (generator);
+      cloud.push_back (toPoint ({x, y, 0.0}));
+    }
+  EXPECT_EQ (piecesOf (cloud).pieces.size(), 9u);
+}
+
+TEST (PlanePieces, TheGroundOfALidarIsOnePieceThoughItsRingsAreFarApart)
+{
+  const Cloud ground = rings (6, 0.0);
+  EXPECT_EQ (piecesOf (ground).pieces.size(), 1u);
+}
+
+TEST (PlanePieces, TheGroundIsOnePieceWhereNoiseMakesRingsWiderThanTheirSpacing)
+{
+  const Cloud ground = rings (6, 3_cm);
+  EXPECT_EQ (piecesOf (ground).pieces.size(), 1u);
+}
+
+TEST (PlanePieces, APatchBesideTheGroundOfALidarIsAPieceOfItsOwn)
+{
+  Cloud ground = rings (4, 2_cm);
+  addSquare (10, 100.0, 0.0, ground);
+  EXPECT_EQ (piecesOf (ground).pieces.size(), 2u);
+}
+
+TEST (PlanePieces, AFineTileBesideACoarseOneIsApartByItsOwnSpacing)
+{
+  Cloud cloud;
+  addSquare (20, 0.0, 0.0, cloud);
+  for (pcl::PointXYZ& point : cloud)
+    point.getVector3fMap() *= 10.0f; // 10 cm apart, to x = 1.9 m
+  addSquare (20, 2.4, 0.0, cloud);
+  EXPECT_EQ (piecesOf (cloud).pieces.size(), 2u);
+}
+
+TEST (PlanePieces, ComeByFallingSizeWithThePlaneTheyLieOn)
+{
+  Cloud cloud;
+  addSquare (10, 0, 0, cloud);   // the first plane
+  addSquare (20, 0.5, 0, cloud); // the second one, two pieces
+  addSquare (5, 1, 0, cloud);
+  pcl::Indices all = upTo<pcl::Indices> (cloud.size());
+  const pcl::Indices first (all.begin(), all.begin() + 100);
+  const pcl::Indices second (all.begin() + 100, all.end());
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const PlanePieces found = findPlanePieces (
+      cloud, {planeOfPoints (cloud, first, up), planeOfPoints (cloud, second, up)});
+  EXPECT_EQ (found.planes, std::vector<std::size_t> ({1, 0, 1}));
+  ASSERT_EQ (found.pieces.size(), 3u);
+  EXPECT_EQ (found.pieces[0].inliers,
+             pcl::Indices (all.begin() + 100, all.begin() + 500));
+  EXPECT_EQ (found.pieces[1].inliers, first);
+  EXPECT_EQ (found.pieces[2].inliers, pcl::Indices (all.begin() + 500, all.end()));
+}
+
+TEST (PlanePieces, HaveTheEquationOfTheirPlaneAndMomentsOfTheirOwn)
+{
+  Cloud cloud;
+  addSquare (10, 0, 0, cloud);
+  addSquare (6, 1, 0, cloud);
+  for (pcl::PointXYZ& point : cloud)
+    point.z = point.x > 0.5f ? 0.001f : 0.0f;
+  PlaneSegment plane = planeOf (cloud);
+  plane.orientation = Orientation::Horizontal;
+  const PlanePieces found = findPlanePieces (cloud, {plane});
+  ASSERT_EQ (found.pieces.size(), 2u);
+  const PlaneSegment& piece = found.pieces[1];
+  EXPECT_EQ (piece.normal, plane.normal);
+  EXPECT_EQ (piece.orientation, plane.orientation);
+  EXPECT_NEAR (piece.plane().offset, plane.plane().offset, 1e-12);
+  EXPECT_NEAR (piece.centroid.x(), 1.025, 1e-6);
+  EXPECT_EQ (piece.moments.count, 36.0);
+  EXPECT_NEAR (piece.rms(), 0.001 - std::abs (plane.plane().offset), 1e-6);
+}
+
+TEST (PlanePieces, APlaneWithoutAGapStaysAsItIs)
+{
+  Cloud cloud;
+  addSquare (10, 0, 0, cloud);
+  const PlaneSegment plane = planeOf (cloud);
+  const PlanePieces found = findPlanePieces (cloud, {plane});
+  ASSERT_EQ (found.pieces.size(), 1u);
+  EXPECT_EQ (found.pieces[0].inliers, plane.inliers);
+  EXPECT_EQ (found.pieces[0].centroid, plane.centroid);
+  EXPECT_EQ (found.pieces[0].moments.products, plane.moments.products);
+}
+
+TEST (PlanePieces, FewPointsArePartOfTheNearestPiece)
+{
+  Cloud cloud;
+  addSquare (10, 0, 0, cloud);
+  addSquare (4, 0.3, 0, cloud); // 16 points
+  addSquare (8, 0.8, 0, cloud);
+  const PlanePieces found = piecesOf (cloud);
+  ASSERT_EQ (found.pieces.size(), 2u);
+  EXPECT_EQ (found.pieces[0].inliers, upTo<pcl::Indices> (116));
+  PlanePiecesParameters parameters;
+  parameters.min_points = 10;
+  EXPECT_EQ (piecesOf (cloud, parameters).pieces.size(), 3u);
+}
+
+TEST (PlanePieces, EqualPointsCountButLeaveTheSpacingAsItIs)
+{
+  Cloud cloud = checkerboard (10);
+  const std::size_t size = cloud.size();
+  for (std::size_t i = 0; i < size; ++i)
+    for (int copy = 0; copy < 20; ++copy)
+      cloud.push_back (cloud[i]);
+  const PlanePieces found = piecesOf (cloud);
+  EXPECT_EQ (found.pieces.size(), 64u);
+  EXPECT_EQ (found.pieces[0].inliers.size(), 36u * 21u);
+}
+
+TEST (PlanePieces, AreTheSameForAnyOrderOfThePoints)
+{
+  Cloud cloud = rings (3, 2_cm);
+  addSquare (10, 100.0, 0.0, cloud);
+  addSquare (3, 103.0, 0.0, cloud);
+  const auto expected = placesOf (piecesOf (cloud), cloud);
+  ASSERT_EQ (expected.size(), 2u);
+  const PlaneSegment plane = planeOf (cloud);
+  Cloud reversed = cloud;
+  std::reverse (reversed.begin(), reversed.end());
+  PlaneSegment same = plane;
+  const PlanePieces found = findPlanePieces (reversed, {same});
+  EXPECT_EQ (placesOf (found, reversed), expected);
+  const PlanePieces in_order = findPlanePieces (cloud, {plane});
+  EXPECT_EQ (found.pieces[0].moments.products, in_order.pieces[0].moments.products);
+}
+
+TEST (PlanePieces, AreTheSameForAnyNumberOfThreads)
+{
+  const Cloud cloud = checkerboard (10);
+  const PlaneSegment plane = planeOf (cloud);
+  const PlanePieces one = findPlanePieces (cloud, {plane}, {}, 1);
+  const PlanePieces four = findPlanePieces (cloud, {plane}, {}, 4);
+  ASSERT_EQ (one.pieces.size(), four.pieces.size());
+  for (std::size_t i = 0; i < one.pieces.size(); ++i)
+    EXPECT_EQ (one.pieces[i].inliers, four.pieces[i].inliers);
+}
+
+TEST (PlanePieces, PointsOnALineAreOnePieceAsFarAsTheyAreEven)
+{
+  Cloud cloud;
+  for (int i = 0; i < 100; ++i)
+    cloud.push_back (toPoint ({spacing * i + (i < 50 ? 0.0 : 1.0), 0.0, 0.0}));
+  EXPECT_EQ (piecesOf (cloud).pieces.size(), 2u);
+}
+
+TEST (PlanePieces, OfAPlaneWithoutInliersOrWithOneIsThePlane)
+{
+  Cloud cloud;
+  addSquare (10, 0, 0, cloud);
+  PlaneSegment plane = planeOf (cloud);
+  for (const std::size_t size : {1u, 0u}) {
+    plane.inliers.resize (size);
+    EXPECT_EQ (findPlanePieces (cloud, {plane}).pieces.size(), 1u);
+  }
+}
+
+TEST (PlanePieces, AreRefusedOfAnotherCloudAndForSenselessGaps)
+{
+  Cloud cloud;
+  addSquare (10, 0, 0, cloud);
+  const PlaneSegment plane = planeOf (cloud);
+  cloud.resize (99);
+  EXPECT_THROW (findPlanePieces (cloud, {plane}), std::invalid_argument);
+  for (const double gap : {0.5, -1.0, HUGE_VAL, std::nan ("")}) {
+    PlanePiecesParameters parameters;
+    parameters.max_gap = gap;
+    EXPECT_THROW (findPlanePieces (cloud, {}, parameters), std::invalid_argument);
+  }
+}
