@@ -5,6 +5,7 @@
 #include <boost/format.hpp>
 
 #include "advice.h"
+#include "overlap.h"
 #include "plane_list.h"
 #include <cli/command_line.h>
 #include <numbers/angles.h>
@@ -418,6 +419,57 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
            rounded.x() % rounded.y() % rounded.z()));
 }
 
+/** \brief The position of the plane that has most points of another list's plane. */
+std::size_t
+planeWithMostOf (const PlaneSegment& plane, const std::vector<std::uint32_t>& labels)
+{
+  std::map<std::uint32_t, std::size_t> counts;
+  for (const pcl::index_t index : plane.inliers)
+    ++counts[labels[static_cast<std::size_t> (index)]];
+  return std::max_element (
+             counts.begin(),
+             counts.end(),
+             [] (const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+/** \brief The number above a length with one digit. */
+double
+roundedUp (double length)
+{
+  constexpr double smallest = 1e-3;
+  const double digit =
+      std::pow (10.0, std::floor (std::log10 (std::max (length, smallest))));
+  return digit * std::floor (std::max (length, smallest) / digit + 1.0);
+}
+
+/** \brief Names the distance that makes one of two planes that lie over or beside each
+ * other, where it does so: a second search tells. */
+void
+hintOnOverlap (const Method& method,
+               const DetectorOptions& options,
+               const XyzCloud::ConstPtr& cloud,
+               Detected& detected)
+{
+  constexpr const char* name = "merge-distance";
+  if (options.numbers.count (name) > 0)
+    return;
+  const auto pair = findOverlapping (*cloud, detected.planes);
+  if (!pair)
+    return;
+  DetectorOptions merging = options;
+  const double distance = merging.numbers[name] = roundedUp (pair->distance);
+  const std::vector<std::uint32_t> labels =
+      labelsOf (method.detect (merging, cloud).planes, cloud->size());
+  const std::size_t merged = planeWithMostOf (detected.planes[pair->smaller], labels);
+  if (merged == 0 || merged != planeWithMostOf (detected.planes[pair->larger], labels))
+    return;
+  detected.hints.push_back (str (
+      boost::format ("planes %1% and %2% lie over or beside each other, %3$.2g apart: "
+                     "--merge-distance %4% makes them one") %
+      (pair->larger + 1) % (pair->smaller + 1) % pair->distance % distance));
+}
+
 std::string
 groupOf (const Method& method)
 {
@@ -471,6 +523,7 @@ runMethod (const Method& method,
     if (!options.up && method.name == allMethods().front().name &&
         options.preset == "default")
       hintOnUp (options, *cloud, detected);
+    hintOnOverlap (method, options, cloud, detected);
     return detected;
   }
   const bool is_seen = isSeenFromItsOrigin (*cloud);
@@ -480,6 +533,7 @@ runMethod (const Method& method,
   if (found)
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
+  hintOnOverlap (method, known, cloud, detected);
   detected.up_note = noteOn (found, is_seen, detected.up);
   detected.settings["up_confidence"] =
       found ? Settings (found->confidence) : Settings();

@@ -29,6 +29,18 @@ withColumns (int columns)
   return cloud;
 }
 
+/** \brief A rough floor, half of it 13 mm higher. */
+InputCloud
+twoFloors ()
+{
+  InputCloud cloud;
+  addGrid (cloud, {0, 0, 0}, x, 150, y, 60);
+  addGrid (cloud, {6, 0, 0.013f}, x, 150, y, 60);
+  for (std::size_t i = 0; i < cloud.size(); i += 2)
+    cloud[i].z += 0.01f;
+  return cloud;
+}
+
 /** \brief The floor and over it two table tops of one height, 1 m apart. */
 InputCloud
 twoTables ()
@@ -131,6 +143,7 @@ protected:
     addGrid (floors, {0, 2.5f, 0.03f}, {0.02f, 0, 0}, 100, {0, 0.02f, 0}, 100);
     save ("floors.pcd", floors);
     save ("tables.pcd", twoTables());
+    save ("two_floors.pcd", twoFloors());
     save ("large.pcd", moved (floorAndWall(), 1000 * Eigen::Matrix3f::Identity()));
     InputCloud blind = floorAndWall(), damaged = blind, rough = blind;
     for (pcl::PointXYZI& point : blind)

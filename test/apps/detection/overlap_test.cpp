@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <detection/overlap.h>
+
+#include <numeric>
+
+namespace {
+
+using namespace pcl_ops;
+using namespace pcl_ops::apps;
+
+/** \brief A square of 40 x 40 points, 2 cm apart, every second one 1 cm higher: its
+ * noise is 5 mm. */
+PlaneSegment
+addSquare (float x, float height, XyzCloud& cloud)
+{
+  PlaneSegment plane;
+  for (int i = 0; i < 1600; ++i) {
+    plane.inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+    const float rough = i % 2 == 0 ? 0.0f : 0.01f;
+    cloud.emplace_back (
+        x + 0.02f * float (i / 40), 0.02f * float (i % 40), height + rough);
+    const pcl::PointXYZ& point = cloud.back();
+    plane.moments.add (point.x, point.y, point.z);
+  }
+  plane.centroid = plane.moments.centroid();
+  return plane;
+}
+
+/** \brief The one of two squares beside or over each other. */
+std::optional<OverlappingPlanes>
+ofSquaresAt (float x, float height)
+{
+  XyzCloud cloud;
+  const PlaneSegment first = addSquare (0.0f, 0.0f, cloud);
+  return findOverlapping (cloud, {first, addSquare (x, height, cloud)});
+}
+
+TEST (FindOverlapping, TellsTwoPlanesOverEachOtherAndHowFarApartTheyAre)
+{
+  const auto found = ofSquaresAt (0.4f, 0.012f);
+  ASSERT_TRUE (found);
+  EXPECT_EQ (found->larger, 0u);
+  EXPECT_EQ (found->smaller, 1u);
+  EXPECT_NEAR (found->distance, 0.012, 1e-6);
+}
+
+TEST (FindOverlapping, TellsTwoPlanesBesideEachOther)
+{
+  EXPECT_TRUE (ofSquaresAt (0.84f, 0.012f));
+}
+
+TEST (FindOverlapping, LeavesPlanesOfOneHeightThatAreFarFromEachOther)
+{
+  EXPECT_FALSE (ofSquaresAt (1.5f, 0.012f));
+}
+
+TEST (FindOverlapping, LeavesABoardThatIsFartherFromTheWallThanThreeTimesTheNoise)
+{
+  EXPECT_FALSE (ofSquaresAt (0.4f, 0.02f));
+}
+
+TEST (FindOverlapping, LeavesPlanesThatAreNotParallel)
+{
+  XyzCloud cloud;
+  const PlaneSegment first = addSquare (0.0f, 0.0f, cloud);
+  PlaneSegment second = addSquare (0.4f, 0.0f, cloud);
+  second.normal = Eigen::Vector3d (0.2, 0.0, 1.0).normalized();
+  EXPECT_FALSE (findOverlapping (cloud, {first, second}));
+}
+
+} // namespace
