@@ -370,18 +370,6 @@ defaultWith (const GivenNumbers& numbers)
   return parameters;
 }
 
-/** \brief By planes of the default preset. */
-std::optional<UpAxis>
-findUp (const GivenNumbers& numbers, const XyzCloud& cloud)
-{
-  const OpsParameters given = defaultWith (numbers);
-  OpsParameters parameters;
-  parameters.seed = given.seed;
-  parameters.threads = given.threads;
-  const Eigen::Vector3d sensor = sensorOf (cloud);
-  return estimateUpAxis (detectPlanes (cloud, parameters, sensor), sensor);
-}
-
 std::string
 noteOn (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f& used)
 {
@@ -512,6 +500,19 @@ methodCalled (const std::string& name)
   });
 }
 
+std::optional<UpAxis>
+findUpAxis (const DetectorOptions& options, const XyzCloud& cloud)
+{
+  if (!isSeenFromItsOrigin (cloud))
+    return std::nullopt;
+  const OpsParameters given = defaultWith (options.numbers);
+  OpsParameters parameters;
+  parameters.seed = given.seed;
+  parameters.threads = given.threads;
+  const Eigen::Vector3d sensor = sensorOf (cloud);
+  return estimateUpAxis (detectPlanes (cloud, parameters, sensor), sensor);
+}
+
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
@@ -524,11 +525,12 @@ runMethod (const Method& method,
         options.preset == "default")
       hintOnUp (options, *cloud, detected);
     hintOnOverlap (method, options, cloud, detected);
+    if (options.sequence_has_up)
+      detected.settings["up_confidence"] = numberOrNull (options.up_confidence);
     return detected;
   }
-  const bool is_seen = isSeenFromItsOrigin (*cloud);
-  const std::optional<UpAxis> found =
-      is_seen ? findUp (options.numbers, *cloud) : std::nullopt;
+  const std::optional<UpAxis> found = findUpAxis (options, *cloud);
+  const bool is_seen = found || isSeenFromItsOrigin (*cloud);
   DetectorOptions known = options;
   if (found)
     known.up = found->direction.cast<float>();
@@ -552,6 +554,7 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
   line.add ("up x,y,z",
             [&options] (const std::string& text) {
               options.finds_up = text == "auto";
+              options.up_is_camera = text == "camera";
               if (!options.finds_up)
                 options.up = parseUpAxis ("--up", text);
             })

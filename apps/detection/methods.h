@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
+#include <pcl_ops/up_axis.h>
 
 #include <cstdint>
 #include <map>
@@ -28,6 +29,11 @@ struct DetectorOptions {
   std::optional<Eigen::Vector3f> up;
   /** \brief --up auto */
   bool finds_up = false;
+  /** \brief --up camera */
+  bool up_is_camera = false;
+  /** \brief Whether a sequence was asked for \ref up, and how sure it is, if it is. */
+  bool sequence_has_up = false;
+  std::optional<double> up_confidence;
   GivenNumbers numbers;
 };
 
@@ -90,6 +96,11 @@ constexpr std::pair<const char*, double StageDurations::*> detection_stages[] = 
     {"assignment", &StageDurations::assignment},
     {"merging", &StageDurations::merging},
     {"detection", &StageDurations::detection}};
+
+/** \brief The up axis of the planes of the default preset; nothing where they cannot
+ * tell or the cloud was not seen from its origin. */
+std::optional<UpAxis>
+findUpAxis (const DetectorOptions& options, const XyzCloud& cloud);
 
 /** \brief The planes a method finds; by `--up auto` with the up axis of the planes of
  * the default preset, on which the confidence was measured, or the default axis where

@@ -6,7 +6,6 @@
 #include "output_file.h"
 #include <cli/errors.h>
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <iomanip>
@@ -18,35 +17,86 @@ namespace {
 
 constexpr const char* line_format = "timestamp tx ty tz qx qy qz qw";
 
-/** \return what is wrong with the line; empty if nothing is */
+constexpr std::size_t numbers_of_matrix = 12;
+
+/** \brief The numbers of a line; more than a pose has are not all read.
+ * \return what is wrong with the line; empty if nothing is */
 std::string
-readPose (const std::string& line, Eigen::Isometry3d& pose)
+readNumbers (const std::string& line, std::vector<double>& numbers)
 {
-  std::array<double, 8> n{};
   std::istringstream words (line);
-  std::size_t count = 0;
-  for (std::string word; words >> word; ++count) {
-    if (count == n.size())
-      return "has more than 8 numbers";
+  for (std::string word; words >> word && numbers.size() <= numbers_of_matrix;) {
     const char* end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars (word.data(), end, n[count]);
-    if (error != std::errc() || rest != end || !std::isfinite (n[count]))
-      return "has something that is no number in place " + std::to_string (count + 1);
+    double& number = numbers.emplace_back();
+    const auto [rest, error] = std::from_chars (word.data(), end, number);
+    if (error != std::errc() || rest != end || !std::isfinite (number))
+      return "has something that is no number in place " +
+             std::to_string (numbers.size());
   }
-  if (count < n.size())
-    return "has " + std::to_string (count) + " numbers";
+  return {};
+}
+
+/** \param[in] n timestamp tx ty tz qx qy qz qw */
+std::string
+fromQuaternion (const std::vector<double>& n, Eigen::Isometry3d& pose)
+{
   const Eigen::Quaterniond rotation (n[7], n[4], n[5], n[6]);
-  // No sensor moves so far; beyond, doubles lose what a plane is off.
-  constexpr double farthest = 1e9;
-  for (const std::size_t axis : {1u, 2u, 3u})
-    if (std::abs (n[axis]) > farthest)
-      return "has a place more than 1e9 m from zero";
   // Files have as few as four decimals.
   constexpr double rounding = 0.01;
   if (!(std::abs (rotation.norm() - 1.0) <= rounding))
     return "has a quaternion qx qy qz qw that is not of length 1";
   pose = Eigen::Translation3d (n[1], n[2], n[3]) * rotation.normalized();
   return {};
+}
+
+/** \param[in] n the first three rows of a matrix, as of KITTI (Geiger et al., CVPR
+ * 2012) */
+std::string
+fromMatrix (const std::vector<double>& n, Eigen::Isometry3d& pose)
+{
+  using Rows = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
+  const Rows rows = Eigen::Map<const Rows> (n.data());
+  const Eigen::Matrix3d rotation = rows.leftCols<3>();
+  constexpr double rounding = 0.01;
+  if (!(rotation * rotation.transpose()).isIdentity (rounding) ||
+      rotation.determinant() < 0.0)
+    return "has a matrix whose first three columns are no rotation";
+  pose =
+      Eigen::Translation3d (rows.col (3)) * Eigen::Quaterniond (rotation).normalized();
+  return {};
+}
+
+/** \return what is wrong with the line; empty if nothing is */
+std::string
+readPose (const std::string& line, Eigen::Isometry3d& pose)
+{
+  constexpr std::size_t numbers_of_quaternion = 8;
+  std::vector<double> numbers;
+  std::string problem = readNumbers (line, numbers);
+  if (!problem.empty())
+    return problem;
+  if (numbers.size() == numbers_of_quaternion)
+    problem = fromQuaternion (numbers, pose);
+  else if (numbers.size() == numbers_of_matrix)
+    problem = fromMatrix (numbers, pose);
+  else if (numbers.size() > numbers_of_matrix)
+    return "has more than 12 numbers";
+  else
+    return "has " + std::to_string (numbers.size()) +
+           (numbers.size() == 1 ? " number, a time, which is not needed" : " numbers");
+  // No sensor moves so far; beyond, doubles lose what a plane is off.
+  constexpr double farthest = 1e9;
+  if (problem.empty() && !(pose.translation().cwiseAbs().maxCoeff() <= farthest))
+    return "has a place more than 1e9 m from zero";
+  return problem;
+}
+
+/** \brief Whether a line says nothing. */
+bool
+isLeftOut (const std::string& line)
+{
+  const std::size_t first = line.find_first_not_of (" \t\r");
+  return first == std::string::npos || line[first] == '#';
 }
 
 } // namespace
@@ -59,16 +109,39 @@ loadPoses (const std::string& file)
   std::size_t number = 0;
   for (std::string line; std::getline (lines, line);) {
     ++number;
-    const std::size_t first = line.find_first_not_of (" \t\r");
-    if (first == std::string::npos || line[first] == '#')
+    if (isLeftOut (line))
       continue;
     const std::string problem = readPose (line, poses.emplace_back());
     if (!problem.empty())
       throw WorkError (file,
                        "line " + std::to_string (number) + " " + problem +
-                           "; it has to be " + line_format);
+                           "; it has to be " + line_format +
+                           " or the 12 numbers of KITTI");
   }
   return poses;
+}
+
+Eigen::Isometry3d
+loadCalibration (const std::string& file)
+{
+  std::istringstream lines (readTextFile (file, "a calib.txt of KITTI"));
+  for (std::string line; std::getline (lines, line);)
+    for (const std::string key : {"Tr:", "Tr_velo_to_cam:"})
+      if (line.rfind (key, 0) == 0) {
+        Eigen::Isometry3d scan_to_camera;
+        std::vector<double> numbers;
+        std::string problem = readNumbers (line.substr (key.size()), numbers);
+        if (problem.empty() && numbers.size() != numbers_of_matrix)
+          problem = "has " + std::to_string (numbers.size()) + " numbers";
+        if (problem.empty())
+          problem = fromMatrix (numbers, scan_to_camera);
+        if (!problem.empty())
+          throw WorkError (file,
+                           "the line " + key + " " + problem +
+                               "; give KITTI's, of 12 numbers");
+        return scan_to_camera;
+      }
+  throw WorkError (file, "has no line Tr: of 12 numbers; give a calib.txt of KITTI");
 }
 
 void

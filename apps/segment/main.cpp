@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <boost/format.hpp>
+
 #include <Eigen/Geometry>
 
 #include "report.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
+#include <detection/common_up.h>
 #include <io/las_file.h>
 #include <io/pose_file.h>
 #include <pcl_ops/plane_tracker.h>
@@ -200,6 +203,11 @@ posesOf (const TrackOptions& options, std::size_t frames)
                      "has " + std::to_string (poses.size()) + " poses for " +
                          std::to_string (frames) +
                          " clouds; give one for each, in the order of their names");
+  if (!options.calibration.empty()) {
+    const Eigen::Isometry3d to_camera = loadCalibration (options.calibration);
+    for (Eigen::Isometry3d& pose : poses)
+      pose = to_camera.inverse() * pose * to_camera;
+  }
   return poses;
 }
 
@@ -216,6 +224,7 @@ class BatchRun {
 public:
   BatchRun (const SegmentOptions& options, const Batch& batch)
   : options_ (options)
+  , in_common_frame_ (options)
   , batch_ (batch)
   , tracker_ (options.track.matching)
   , tracker_of_whole_ (options.track.matching)
@@ -234,6 +243,8 @@ public:
   {
     for (const std::string& problem : batch_.problems)
       print ({Status::Failed, problem});
+    if (options_.track.is_on && !batch_.tasks.empty())
+      setCommonUp();
     runInParallel (statuses_.size(), options_.jobs, [this] (std::size_t i) {
       try {
         finish (i, statusOf (i));
@@ -270,11 +281,82 @@ private:
       report.ids_of_whole = track (tracker_of_whole_, report.detected.whole_planes);
   }
 
+  /** \brief What single clouds say which way is up, in the frame that poses share; of
+   * long sequences evenly chosen ones. */
+  std::vector<UpAxis>
+  answersOnUp ()
+  {
+    constexpr std::size_t max_asked = 64;
+    const std::size_t all = batch_.tasks.size(), asked = std::min (all, max_asked);
+    std::vector<std::optional<UpAxis>> found (asked);
+    runInParallel (asked, options_.jobs, [&] (std::size_t k) {
+      const std::size_t i = k * all / asked;
+      try {
+        stopIfInterrupted();
+        const FileCloud cloud = loadCloud (batch_.tasks[i].input);
+        const ShiftedCloud shifted =
+            shiftedCloudOf (cloud, voxelStepOf (options_.detector));
+        found[k] = findUpAxis (options_.detector, *shifted.cloud);
+        if (found[k])
+          found[k]->direction = poses_[i].rotation() * found[k]->direction;
+      }
+      catch (const std::exception&) {
+        // The cloud's own turn tells what is wrong with it.
+      }
+    });
+    std::vector<UpAxis> answers;
+    for (const std::optional<UpAxis>& answer : found)
+      if (answer)
+        answers.push_back (*answer);
+    return answers;
+  }
+
+  /** \brief One axis for the clouds of a sequence, of which many cannot tell. */
+  void
+  setCommonUp ()
+  {
+    DetectorOptions& detector = in_common_frame_.detector;
+    const bool has_poses = !options_.track.poses.empty();
+    if (detector.up_is_camera && has_poses) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const Eigen::Isometry3d& pose : poses_)
+        sum -= pose.rotation().col (1);
+      if (sum.norm() < 0.5 * static_cast<double> (poses_.size()))
+        throw UsageError ("--up", "camera: by --poses it is not level; give auto");
+      detector.up = sum.normalized().cast<float>();
+    }
+    if (!detector.finds_up)
+      return;
+    const std::vector<UpAxis> answers = answersOnUp();
+    const std::optional<CommonUp> common = commonUp (answers);
+    detector.finds_up = false;
+    detector.sequence_has_up = true;
+    if (common) {
+      detector.up = common->axis.direction.cast<float>();
+      detector.up_confidence = common->axis.confidence;
+    }
+    if (!options_.quiet)
+      progress_.note (noteOnUp (common, answers.size(), has_poses), std::cout);
+  }
+
+  static std::string
+  noteOnUp (const std::optional<CommonUp>& common, std::size_t answers, bool has_poses)
+  {
+    if (!common)
+      return "Up axis of all clouds: they cannot tell, 0,0,1 is used; give --up x,y,z";
+    const Eigen::Vector3d& up = common->axis.direction;
+    return str (
+        boost::format ("Up axis of all clouds: %.3f,%.3f,%.3f%s, as %d of the %d "
+                       "say that can tell") %
+        up.x() % up.y() % up.z() % (has_poses ? " in the frame of --poses" : "") %
+        common->answers % answers);
+  }
+
   /** \brief Those of a cloud: up is given in the frame that poses share. */
   SegmentOptions
   optionsOf (std::size_t i) const
   {
-    SegmentOptions options = options_;
+    SegmentOptions options = in_common_frame_;
     DetectorOptions& detector = options.detector;
     const Eigen::Vector3f upwards = Eigen::Vector3f::UnitZ();
     if (!options.track.poses.empty() && !detector.finds_up)
@@ -348,6 +430,8 @@ private:
   }
 
   const SegmentOptions& options_;
+  /** \brief With the up axis that all clouds of a sequence have. */
+  SegmentOptions in_common_frame_;
   const Batch& batch_;
   PlaneTracker tracker_;
   /** \brief Of the planes that pieces lie on. */

@@ -103,8 +103,10 @@ declareTracking (CommandLine& line, TrackOptions& options)
   line.add ("track", options.is_on)
       .help ("label and id of a plane are the same in all INPUTs");
   line.add ("poses FILE", options.poses)
-      .help ("where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" for "
-             "each INPUT (it hardly moves)");
+      .help ("where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" or the "
+             "12 numbers of KITTI for each INPUT (it hardly moves)");
+  line.add ("calib FILE", options.calibration)
+      .help ("KITTI's calib.txt, as its poses are those of a camera");
   line.add ("rotation-error DEG",
             [&options] (const std::string& text) {
               options.matching.rotation_error = toRadians (
@@ -149,6 +151,7 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
       {"hull", has_hulls, "--planes, --mesh and --min-area; give one"},
       {"piece-gap", options.pieces, "--pieces; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
+      {"calib", !options.track.poses.empty(), "--poses; give it, too"},
       {"rotation-error", is_tracked, "--track; give it, too"},
       {"translation-error", is_tracked, "--track; give it, too"},
       {"track", is_batch, "several inputs; give --output-dir, too"},

@@ -34,6 +34,8 @@ struct TrackOptions {
   bool is_on = false;
   /** \brief A file of poses; empty where the sensor hardly moves. */
   std::string poses;
+  /** \brief A calib.txt of KITTI: the poses are of its camera, clouds of its lidar. */
+  std::string calibration;
   PlaneMatchingParameters matching;
 };
 
