@@ -63,6 +63,35 @@ areOfTwoSurfaces (const Sighting* first, std::size_t number)
   return false;
 }
 
+bool
+pointsDown (const PlaneSegment& plane, const Eigen::Vector3d& up)
+{
+  return plane.orientation != Orientation::Vertical && plane.normal.dot (up) < 0.0;
+}
+
+/** \brief Whether a plane passes a place so near that nobody sees it from there. */
+bool
+isPassing (const PlaneSegment& plane, const Eigen::Vector3d& place)
+{
+  constexpr double min_sine = 0.02;
+  return std::abs (plane.plane().distance (place)) <
+         min_sine * (plane.centroid - place).norm();
+}
+
+/** \brief Whether a place has nothing to do with planes. */
+bool
+isFarFrom (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& place)
+{
+  constexpr double max_distance_by_reach = 500.0;
+  const Eigen::Vector3d& center = planes.front().centroid;
+  double reach = 0.0;
+  for (const PlaneSegment& plane : planes) {
+    const double spread = std::sqrt (plane.moments.covariance().trace());
+    reach = std::max (reach, (plane.centroid - center).norm() + spread);
+  }
+  return (center - place).norm() > max_distance_by_reach * reach;
+}
+
 } // namespace
 
 double
@@ -94,6 +123,23 @@ isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
 {
   constexpr double largest_share = 0.05;
   return detail::occludedFraction (cloud, viewpoint) <= largest_share;
+}
+
+void
+turnUnseenUp (const CloudView& cloud,
+              const Eigen::Vector3d& viewpoint,
+              const Eigen::Vector3d& up,
+              std::vector<PlaneSegment>& planes)
+{
+  const auto points_down = [&up] (const auto& plane) { return pointsDown (plane, up); };
+  // Looking through the cloud takes some milliseconds.
+  if (std::none_of (planes.begin(), planes.end(), points_down))
+    return;
+  const bool turns_all =
+      isFarFrom (planes, viewpoint) || !isSeenFrom (viewpoint, cloud);
+  for (PlaneSegment& plane : planes)
+    if (points_down (plane) && (turns_all || isPassing (plane, viewpoint)))
+      plane.normal = -plane.normal;
 }
 
 } // namespace pcl_ops

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene.h"
+#include <pcl_ops/detect_planes.h>
 #include <pcl_ops/visibility.h>
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -29,7 +30,81 @@ wallBehindABoard ()
   return cloud;
 }
 
+/** \brief A floor of 4 m x 4 m, a wall on it and a table in the middle. */
+Cloud
+roomAt (const Vector3d& corner)
+{
+  Cloud cloud;
+  const auto add = [&] (const Vector3d& from, const Vector3d& u, const Vector3d& v) {
+    for (int i = 0; i <= 100; ++i)
+      for (int j = 0; j <= 100; ++j)
+        cloud.push_back (toPoint (corner + from + 0.01 * (i * u + j * v)));
+  };
+  add ({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  add ({0, 0, 0}, {4, 0, 0}, {0, 0, 3});
+  add ({1, 1, 0.8}, {2, 0, 0}, {0, 2, 0});
+  return cloud;
+}
+
+/** \brief The normals of the planes that are not vertical, told where the sensor was.
+ */
+std::vector<Vector3d>
+normalsOf (const Cloud& cloud, const Vector3d& sensor = Vector3d::Zero())
+{
+  std::vector<Vector3d> normals;
+  for (const PlaneSegment& plane :
+       detectPlanes (CloudView (cloud), OrientedPointSamplingParameters(), sensor))
+    if (plane.orientation != Orientation::Vertical)
+      normals.push_back (plane.normal);
+  return normals;
+}
+
+void
+expectAllUp (const std::vector<Vector3d>& normals, std::size_t number)
+{
+  EXPECT_EQ (normals.size(), number);
+  for (const Vector3d& normal : normals)
+    EXPECT_GT (normal.z(), 0.9);
+}
+
 } // namespace
+
+TEST (NormalsWithoutASensor, OfAFloorJustAboveZeroAndJustBelowPointUp)
+{
+  for (const double height : {0.01, -0.01}) {
+    Cloud floor = roomAt ({-1, -1, height});
+    floor.resize (101 * 101);
+    expectAllUp (normalsOf (floor), 1);
+  }
+}
+
+TEST (NormalsWithoutASensor, OfARoomThatZeroLiesUnderPointUp)
+{
+  expectAllUp (normalsOf (roomAt ({-1.5, -1.5, 0.5})), 2);
+}
+
+TEST (NormalsWithoutASensor, OfAMapFarFromZeroPointUp)
+{
+  expectAllUp (normalsOf (roomAt ({-50000, 20000, 300})), 2);
+}
+
+TEST (NormalsWithoutASensor, PointToASensorAtZeroThatSawThePlanes)
+{
+  Cloud ceiling = roomAt ({-2, -2, 1.5});
+  ceiling.resize (101 * 101);
+  const std::vector<Vector3d> normals = normalsOf (ceiling);
+  ASSERT_EQ (normals.size(), 1u);
+  EXPECT_LT (normals[0].z(), -0.9);
+}
+
+TEST (NormalsWithoutASensor, PointToASensorThatIsGivenWhateverItSees)
+{
+  const std::vector<Vector3d> normals =
+      normalsOf (roomAt ({-1.5, -1.5, 0.5}), {0.0, 0.0, -1.0});
+  ASSERT_EQ (normals.size(), 2u);
+  for (const Vector3d& normal : normals)
+    EXPECT_LT (normal.z(), -0.9);
+}
 
 TEST (Visibility, IsGivenFromTheCameraAloneInAnyOrderOfPoints)
 {

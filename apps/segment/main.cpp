@@ -12,6 +12,7 @@
 #include <io/las_file.h>
 #include <io/pose_file.h>
 #include <pcl_ops/plane_tracker.h>
+#include <pcl_ops/visibility.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -65,16 +66,22 @@ divideIntoPieces (const SegmentOptions& options,
 Detected
 detectPlanes (const SegmentOptions& options,
               const ShiftedCloud& shifted,
-              bool is_survey)
+              const FileCloud& cloud)
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
+  // Of other clouds the detector knows.
+  if (!shifted.shift.isZero (0.0) && cloud.origin.head<3>().isZero (0.0f))
+    turnUnseenUp (*shifted.cloud,
+                  shifted.cloud->sensor_origin_.head<3>().cast<double>(),
+                  detected.up.cast<double>(),
+                  detected.planes);
   if (options.pieces)
     divideIntoPieces (options, *shifted.cloud, detected);
   for (auto* planes : {&detected.planes, &detected.whole_planes}) {
     for (PlaneSegment& plane : *planes)
       plane.moveBy (shifted.shift);
-    if (is_survey)
+    if (cloud.is_survey)
       turnUp (*planes, detected.up.cast<double>());
   }
   return detected;
@@ -170,7 +177,7 @@ segmentCloud (const SegmentOptions& options,
   report.method = options.method;
   report.points = cloud.size();
   report.damage = damageOf (shifted);
-  report.detected = detectPlanes (options, shifted, cloud.is_survey);
+  report.detected = detectPlanes (options, shifted, cloud);
   turnToScanners (report.detected.planes, cloud.scans);
   if (!report.detected.advice.empty())
     report.detected.advice = likeliestCause (shifted, report);

@@ -6,6 +6,9 @@
 
 #include <pcl_ops/cloud_view.h>
 #include <pcl_ops/export.h>
+#include <pcl_ops/plane.h>
+
+#include <vector>
 
 namespace pcl_ops {
 
@@ -28,6 +31,21 @@ occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
  * cloud of several scans was taken from no one place. */
 PCL_OPS_EXPORT bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
+
+/** \brief Turns the normals of planes up that are not vertical, where nothing says from
+ * which side they were seen: of all planes where the cloud was not taken from the place
+ * or this is 500 times as far away as the planes reach, as of maps and surveys that
+ * have no sensor; of planes that pass the place at less than 2 % of how far their
+ * points are away from it, as the floor of a map does. Detectors do so where a cloud
+ * says 0 0 0.
+ * \param[in] viewpoint what normals point to, in the frame of cloud and planes
+ * \param[in] up against gravity, of any length but 0
+ * \param[in,out] planes only their normals change */
+PCL_OPS_EXPORT void
+turnUnseenUp (const CloudView& cloud,
+              const Eigen::Vector3d& viewpoint,
+              const Eigen::Vector3d& up,
+              std::vector<PlaneSegment>& planes);
 
 /** \brief \ref isSeenFrom for the sensor_origin_ of a cloud. */
 template <typename PointT>

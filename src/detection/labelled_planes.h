@@ -6,6 +6,7 @@
 #include "detection/plane_assignment.h"
 #include "geometry/points.h"
 #include <pcl_ops/plane_detector.h>
+#include <pcl_ops/visibility.h>
 
 #include <cstddef>
 #include <vector>
@@ -73,6 +74,10 @@ detectInFinitePoints (const DetectorInput& input,
   found.planes = toSegments (points, planes, input.viewpoint);
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
+  // A cloud that says 0 0 0 says nothing, unless it was seen from there.
+  if (input.viewpoint.isZero (0.0))
+    turnUnseenUp (
+        input.cloud, input.viewpoint, parameters.up_axis.cast<double>(), found.planes);
   found.planes_before_merging = planes.planes_before_merging;
   found.used = planes.used;
   if (!found.used.distance_threshold)
