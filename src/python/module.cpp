@@ -7,6 +7,7 @@
 #include <evaluation/metrics/metrics.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
+#include <pcl_ops/plane_pieces.h>
 #include <pcl_ops/plane_tracker.h>
 #include <pcl_ops/visibility.h>
 #include <pybind11/numpy.h>
@@ -109,10 +110,37 @@ segment (const PointRows& points,
   const detail::DetectorInput input{viewOf (points), nullptr, viewpoint - origin, {}};
   detail::Detection found;
   whileOthersRun ([&] { found = detail::detectChecked (input, parameters); });
+  // Where a cloud has no sensor, what it was detected in has none either.
+  if (viewpoint.isZero (0.0) && !origin.isZero (0.0))
+    turnUnseenUp (input.cloud,
+                  input.viewpoint,
+                  parameters.up_axis.template cast<double>(),
+                  found.planes);
   for (PlaneSegment& plane : found.planes)
     plane.moveBy (origin);
   return {
       std::move (found.planes), found.used.voxel_size, found.used.distance_threshold};
+}
+
+/** \return connected pieces of planes, and which plane each lies on
+ * \param[in] points relative to \p origin */
+std::pair<PlaneSegments, std::vector<std::size_t>>
+pieces (const PointRows& points,
+        const Eigen::Vector3d& origin,
+        PlaneSegments planes,
+        double max_gap,
+        unsigned threads)
+{
+  for (PlaneSegment& plane : planes)
+    plane.moveBy (-origin);
+  PlanePiecesParameters parameters;
+  parameters.max_gap = max_gap;
+  PlanePieces found;
+  whileOthersRun (
+      [&] { found = findPlanePieces (viewOf (points), planes, parameters, threads); });
+  for (PlaneSegment& piece : found.pieces)
+    piece.moveBy (origin);
+  return {std::move (found.pieces), std::move (found.planes)};
 }
 
 /** \brief A plane as one of a cloud of its inliers alone.
@@ -271,8 +299,15 @@ defineTracker (py::module_& module)
             py::list all;
             for (const auto& [number, plane, extent, first, last, times] :
                  tracker.planes())
-              all.append (
-                  py::make_tuple (number, plane, last, first, times, extent.hull));
+              all.append (py::make_tuple (number,
+                                          plane,
+                                          last,
+                                          first,
+                                          times,
+                                          extent.hull,
+                                          extent.area,
+                                          extent.length,
+                                          extent.width));
             return all;
           })
       .def_property_readonly (
@@ -338,6 +373,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("segment", &segment<Ops>);
   module.def ("segment", &segment<Fspf>);
   module.def ("segment", &segment<Kht>);
+  module.def ("pieces", &pieces);
   module.def ("extent", &extent);
   module.def ("correlated_covariance",
               [] (const PointRows& inliers,

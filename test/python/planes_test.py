@@ -184,7 +184,10 @@ class OtherFrames(unittest.TestCase):
         np.testing.assert_allclose(tracker.pose, self.poses[2], atol=0.01)
         for tracked, plane in zip(tracker.planes, self.frames[0]):
             self.assertAlmostEqual(abs(tracked.plane.normal @ plane.normal), 1.0, delta=1e-3)
-            self.assertEqual(tracked.plane.area, 0.0)
+            self.assertEqual(tracked.plane.hull.tolist(), tracked.hull.tolist())
+            self.assertGreater(tracked.plane.area, 0.9 * plane.area)
+            self.assertGreaterEqual(tracked.plane.length, tracked.plane.width)
+            self.assertEqual(tracked.plane.covariance.shape, (3, 3))
             np.testing.assert_allclose(np.ptp(tracked.hull, 0), np.ptp(plane.hull, 0), atol=0.5)
 
     def test_tracker_forgets(self):

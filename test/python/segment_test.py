@@ -5,6 +5,7 @@ name, and nothing crashes; while planes are looked for, Python goes on."""
 
 import concurrent.futures
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -54,6 +55,43 @@ class Arrays(unittest.TestCase):
                 np.testing.assert_array_equal(found, labels)
                 for plane, expected in zip(same, planes):
                     np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
+
+
+class Pieces(unittest.TestCase):
+    def setUp(self):
+        grid = np.stack(np.meshgrid(*[np.arange(60) * 0.04] * 2), -1).reshape(-1, 2)
+        top = np.c_[grid, np.full(len(grid), 0.7)]
+        self.tables = np.concatenate([top, (top + [4.0, 0.0, 0.0])[:2400]])
+
+    def test_each_connected_piece_of_a_plane_has_a_label(self):
+        self.assertEqual(len(pcl_ops.segment(self.tables)[1]), 1)
+        labels, pieces = pcl_ops.segment(self.tables, pieces=True)
+        self.assertEqual([len(piece.inliers) for piece in pieces], [3600, 2400])
+        self.assertEqual([piece.lies_on for piece in pieces], [0, 0])
+        np.testing.assert_array_equal(labels, np.repeat([0, 1], [3600, 2400]))
+        self.assertEqual(pickle.loads(pickle.dumps(pieces[1])).lies_on, 0)
+
+    def test_the_widest_gap_is_a_number_of_spacings(self):
+        self.assertEqual(len(pcl_ops.segment(self.tables, pieces=True, piece_gap=60)[1]), 1)
+        with self.assertRaisesRegex(ValueError, "piece_gap"):
+            pcl_ops.segment(self.tables, pieces=True, piece_gap=0.5)
+
+    def test_pieces_far_from_zero_are_in_the_frame_of_the_array(self):
+        far = self.tables + [5e5, 5e6, 0.0]
+        pieces = pcl_ops.segment(far, pieces=True)[1]
+        self.assertEqual(len(pieces), 2)
+        np.testing.assert_allclose(
+            pieces[1].centroid, far[3600:].mean(0), atol=1e-4)
+
+
+class NormalsWithoutASensor(unittest.TestCase):
+    def test_of_a_floor_point_up_just_above_zero_and_below_and_in_utm(self):
+        grid = np.stack(np.meshgrid(*[np.arange(100) * 0.04 - 2.0] * 2), -1).reshape(-1, 2)
+        floor = np.c_[grid, np.zeros(len(grid))]
+        for shift in ([0, 0, 0.01], [0, 0, -0.01], [5e5, 5e6, 100.0]):
+            with self.subTest(shift):
+                found = pcl_ops.segment(floor + shift)[1]
+                self.assertGreater(found[0].normal[2], 0.99)
 
 
 class FarAway(unittest.TestCase):

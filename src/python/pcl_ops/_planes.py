@@ -57,6 +57,9 @@ class Plane(_pcl_ops.Segment):
     length: float = _part_of_extent(2, "Longer side of the smallest rectangle around the hull.")
     width: float = _part_of_extent(3, "Shorter side of that rectangle.")
 
+    lies_on: Optional[int] = None
+    """Of a piece: the number of the plane it lies on, by falling size from 0."""
+
     def __init__(self, segment: Any, points: NDArray[Any]) -> None:
         """As segment makes them."""
         super().__init__(segment)
@@ -69,7 +72,7 @@ class Plane(_pcl_ops.Segment):
 
     def __reduce__(self) -> Any:
         return _plane, (self._points, self.centroid, self.normal, self.orientation, *self._moments,
-                        self.inliers)
+                        self.inliers), {"lies_on": self.lies_on}
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
         if self._known_extent is None:  # it takes longer than finding the plane
@@ -266,7 +269,8 @@ class TrackedPlane(NamedTuple):
     number: int
     """From 1, in the order of appearance."""
     plane: Plane
-    """In the common frame, without inliers."""
+    """In the common frame, without inliers; hull, area, length and width are those of hull
+    below, covariance is that of the last frames, correlated_covariance is None."""
     last_seen: int
     """The last frame it was seen in, from 0."""
     first_seen: int
@@ -274,6 +278,14 @@ class TrackedPlane(NamedTuple):
     hull: NDArray[np.float64]
     """(m, 3): convex outline of where it was seen in any frame, of rectangles with the moments
     of each."""
+
+
+def _tracked(number: int, segment: Any, last_seen: int, first_seen: int, times_seen: int,
+             hull: Any, *sizes: float) -> TrackedPlane:
+    plane = Plane(segment, np.empty((0, 3), np.float32))
+    corners = np.reshape(hull, (-1, 3))
+    plane._known_extent = corners, *sizes
+    return TrackedPlane(number, plane, last_seen, first_seen, times_seen, corners)
 
 
 class PlaneTracker:
@@ -321,9 +333,7 @@ class PlaneTracker:
     @property
     def planes(self) -> List[TrackedPlane]:
         """All planes that are remembered, by their numbers."""
-        nowhere = np.empty((0, 3), np.float32)
-        return [TrackedPlane(number, Plane(plane, nowhere), *seen, np.reshape(hull, (-1, 3)))
-                for number, plane, *seen, hull in self._tracker.planes]
+        return [_tracked(*known) for known in self._tracker.planes]
 
     @property
     def pose(self) -> NDArray[np.float64]:

@@ -26,10 +26,18 @@ def _preset(method: Any, preset: Any) -> Any:
     return kind.paper() if preset == "paper" else kind()
 
 
+def _gap(piece_gap: Any) -> float:
+    if not isinstance(piece_gap, (int, float)) or not 1.0 <= piece_gap < float("inf"):
+        raise ValueError(
+            f"piece_gap: has to be a number of spacings from 1, not {piece_gap!r:.80}")
+    return float(piece_gap)
+
+
 @named_parameters("ops", "fspf", "kht")
 def segment(
     points: Points, method: Method = "ops", preset: Preset = "default", *,
-    viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any,
+    viewpoint: Vector = (0.0, 0.0, 0.0), pieces: bool = False, piece_gap: float = 8.0,
+    **parameters: Any,
 ) -> Tuple[Labels, FoundPlanes]:
     """Find all planes of a point cloud.
 
@@ -40,7 +48,11 @@ def segment(
     method: "ops" (Oriented Point Sampling), "fspf" (Fast Sampling Plane Filtering) or
         "kht" (3D Kernel-based Hough Transform).
     preset: "default" or "paper", what the other parameters are by default.
-    viewpoint: where the sensor was; normals point towards it.
+    viewpoint: where the sensor was; normals point towards it. (0, 0, 0) says nothing where
+        the points were not seen from there: normals of planes that are not vertical point up.
+    pieces: whether each connected piece of a plane is one by itself, with the plane it lies on
+        as lies_on.
+    piece_gap: widest gap within a piece, in spacings of the points around it.
     parameters: see pcl_ops.parameters(method), with the values of the preset.
         distance_threshold, up=(x, y, z), angle_tolerance, seed and threads (0: all) are
         those of all methods.
@@ -57,7 +69,13 @@ def segment(
     single, origin = single_precision(array)
     segments, voxel_size, distance_threshold = _pcl_ops.segment(
         single, origin, sensor, with_given(by_default, parameters))
+    lies_on = [None] * len(segments)
+    if pieces:
+        segments, lies_on = _pcl_ops.pieces(
+            single, origin, segments, _gap(piece_gap), parameters.get("threads", 1))
     planes = FoundPlanes(Plane(segment, array) for segment in segments)
+    for plane, number in zip(planes, lies_on):
+        plane.lies_on = number
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
