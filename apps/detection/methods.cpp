@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <new>
 #include <type_traits>
 
@@ -293,6 +294,15 @@ hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
         "the voxels their size: leave one of them out");
 }
 
+double
+millisecondsOf (clockid_t clock)
+{
+  timespec time{};
+  ::clock_gettime (clock, &time);
+  return 1e3 * static_cast<double> (time.tv_sec) +
+         1e-6 * static_cast<double> (time.tv_nsec);
+}
+
 template <typename Detector>
 Detected
 detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
@@ -310,9 +320,13 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   detector.setParameters (parameters);
   detector.setInputCloud (cloud);
   Detected detected;
+  const clockid_t clock =
+      parameters.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID;
+  const double start = millisecondsOf (clock);
   // Cloud and parameters are valid: nothing but the memory is left to fail.
   if (!detector.segment (detected.planes))
     throw std::bad_alloc();
+  detected.processor_time = millisecondsOf (clock) - start;
   detected.timing = detector.getStageDurations();
   detected.used = detector.getUsedLengths();
   detected.settings = reportOf (options.preset, parameters);

@@ -45,6 +45,8 @@ struct Detected {
   std::vector<std::size_t> lies_on;
   std::vector<PlaneSegment> whole_planes;
   StageDurations timing;
+  /** \brief Processor time of all threads that worked on it [ms]. */
+  double processor_time = 0.0;
   UsedLengths used;
   /** \brief Under the names of their options. */
   Settings settings;

@@ -116,7 +116,8 @@ printTable (const Report& report, std::ostream& stream)
   stream << "Times [ms]:";
   for (const auto& [name, duration] : detection_stages)
     stream << boost::format (" %s %.1f") % name % (report.detected.timing.*duration);
-  stream << "\n";
+  stream << boost::format (" (wall), %.1f of the processor\n") %
+                report.detected.processor_time;
 }
 
 std::string
@@ -138,6 +139,7 @@ toJson (const Report& report)
   json["parameters"] = detected.settings;
   for (const auto& [name, duration] : detection_stages)
     json["timing_ms"][name] = detected.timing.*duration;
+  json["timing_ms"]["processor"] = detected.processor_time;
   if (!report.damage.empty())
     json["warning"] = report.damage;
   if (!detected.advice.empty())
