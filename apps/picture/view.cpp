@@ -102,12 +102,14 @@ downOf (const Eigen::Quaternionf& orientation,
   return forward.unitOrthogonal();
 }
 
-/** \return unit vector to the eye that sees the planes' fronts best */
+/** \param[in] elevation of the eye over the level [rad]
+ * \return unit vector to the eye that sees the planes' fronts best */
 Eigen::Vector3f
-bestSlant (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& up)
+bestSlant (const std::vector<PlaneSegment>& planes,
+           const Eigen::Vector3f& up,
+           float elevation)
 {
   constexpr int directions = 24;
-  const float elevation = pcl::deg2rad (40.0f);
   const Eigen::Vector3f side = up.unitOrthogonal();
   Eigen::Vector3f best = up;
   double best_seen = -1.0;
@@ -126,6 +128,44 @@ bestSlant (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& up)
     }
   }
   return best;
+}
+
+/** \brief Whether most points on planes are on such as are seen from behind. */
+bool
+hidesMost (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
+{
+  std::size_t all = 0, hidden = 0;
+  for (const PlaneSegment& plane : planes) {
+    all += plane.inliers.size();
+    if (plane.normal.dot (eye.cast<double>() - plane.centroid) <= 0.0)
+      hidden += plane.inliers.size();
+  }
+  return 2 * hidden > all;
+}
+
+/** \brief Looks into a cloud from outside: from above or, where that leaves out most of
+ * it, from below; where that does, too, nothing is left out. */
+void
+lookInto (const Eigen::AlignedBox3f& box,
+          const std::vector<PlaneSegment>& planes,
+          const Eigen::Vector3f& up,
+          View& view)
+{
+  constexpr float distance_in_diagonals = 1.5f;
+  const float elevation = pcl::deg2rad (40.0f);
+  const float diagonal = box.diagonal().norm();
+  const float distance = diagonal > 0.0f ? distance_in_diagonals * diagonal : 1.0f;
+  view.hides_backs = box.contains (view.eye);
+  Eigen::Vector3f slant = bestSlant (planes, up, elevation);
+  const auto eye_at = [&] { return box.center() + distance * slant; };
+  if (view.hides_backs && hidesMost (planes, eye_at()))
+    slant = bestSlant (planes, up, -elevation);
+  if (view.hides_backs && hidesMost (planes, eye_at())) {
+    slant = bestSlant (planes, up, elevation);
+    view.hides_backs = false;
+  }
+  view.eye = eye_at();
+  view.axes = axesOf (-slant, -up);
 }
 
 /** \brief Zooms and shifts the image so that the points fill it but for a margin. */
@@ -159,7 +199,6 @@ chooseView (const XyzCloud& cloud,
 {
   const float narrowest = pcl::deg2rad (2.5f);
   const float widest = pcl::deg2rad (60.0f);
-  constexpr float distance_in_diagonals = 1.5f;
   Points points = someFinitePoints (cloud);
   View view;
   if (points.empty())
@@ -173,13 +212,7 @@ chooseView (const XyzCloud& cloud,
   else {
     if (!planes.empty())
       points = somePointsOn (planes, cloud);
-    const Eigen::AlignedBox3f box = boxOf (points);
-    const Eigen::Vector3f slant = bestSlant (planes, up_axis);
-    view.hides_backs = box.contains (view.eye);
-    const float diagonal = box.diagonal().norm();
-    const float distance = diagonal > 0.0f ? distance_in_diagonals * diagonal : 1.0f;
-    view.eye = box.center() + distance * slant;
-    view.axes = axesOf (-slant, -up_axis);
+    lookInto (boxOf (points), planes, up_axis, view);
   }
   fit (points, width, height, view);
   return view;

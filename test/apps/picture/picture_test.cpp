@@ -95,6 +95,32 @@ TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
   EXPECT_GT (view.project ({0, 0, -1}).y(), view.project ({0, 0, 1}).y());
 }
 
+TEST (View, LooksFromBelowAtCeilingsAroundTheSensor)
+{
+  XyzCloud hall;
+  const std::vector<PlaneSegment> planes = {
+      addSquare (hall, {-1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
+      addSquare (hall, {1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
+      addSquare (hall, {0, 0, -1}, {1, 0, 0}, {0, 1, 0})};
+  const View view = viewOf (hall, planes);
+  EXPECT_TRUE (view.hides_backs);
+  EXPECT_LT (view.eye.z(), -1.0f);
+}
+
+TEST (View, LeavesNothingOutWhereThatWouldBeMostFromAboveAndFromBelow)
+{
+  XyzCloud walls;
+  std::vector<PlaneSegment> planes;
+  for (const float degrees : {0.0f, 0.0f, 110.0f, -110.0f, 180.0f}) {
+    const Eigen::AngleAxisf turn (degrees * 3.1415927f / 180.0f, z_axis);
+    planes.push_back (addSquare (
+        walls, {0, 0, 0}, turn * Eigen::Vector3f::UnitY(), Eigen::Vector3f::UnitZ()));
+  }
+  EXPECT_FALSE (viewOf (walls, planes).hides_backs);
+  planes.resize (2);
+  EXPECT_TRUE (viewOf (walls, planes).hides_backs);
+}
+
 TEST (View, FillsTheImage)
 {
   XyzCloud wall;
