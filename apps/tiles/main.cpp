@@ -93,9 +93,15 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   declareMap (line, options.planes.map);
   line.add ("dry-run", options.dry_run).help ("print the plan, and do nothing");
   line.add ("quiet", options.quiet).help ("print nothing");
+  bool pieces = false;
+  line.add ("pieces", pieces).help ("not here: planes.json has parts of planes");
   declareChoice (line, options.planes.choice);
   if (!line.parse (argc, argv))
     return false;
+  if (pieces)
+    throw UsageError ("--pieces",
+                      "needs all points of a plane at once, which tiles have not; see "
+                      "parts in planes.json, or run pcl_ops_segment on one file");
   if (options.output_dir.empty())
     throw UsageError ("--output-dir", "is missing; give a folder for the outputs");
   checkPlanes (line, options.planes);
