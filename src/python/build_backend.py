@@ -38,22 +38,44 @@ def metadata():
     return "\n".join(lines)
 
 
+def wheel_tag():
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    return f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
+
+
+def dist_info():
+    return f"pcl_ops-{version()}.dist-info"
+
+
+def information():
+    """The files of dist-info but for the list of all, with their contents."""
+    wheel = ("Wheel-Version: 1.0\nGenerator: pcl_ops\nRoot-Is-Purelib: false\n"
+             f"Tag: {wheel_tag()}\n")
+    return {"METADATA": metadata().encode(), "WHEEL": wheel.encode(),
+            "LICENSE": (root / "LICENSE").read_bytes()}
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """What pip asks first; without it pip builds a wheel to look into, and then another."""
+    folder = pathlib.Path(metadata_directory, dist_info())
+    folder.mkdir()
+    for name, content in information().items():
+        (folder / name).write_bytes(content)
+    return folder.name
+
+
 def write_wheel(package, wheel_directory):
     """A wheel of the folder of a built package; its name."""
-    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    tag = f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
-    info = f"pcl_ops-{version()}.dist-info"
-    wheel = f"Wheel-Version: 1.0\nGenerator: pcl_ops\nRoot-Is-Purelib: false\nTag: {tag}\n"
+    info = dist_info()
     files = {f"pcl_ops/{one.name}": one.read_bytes()
              for one in sorted(package.iterdir()) if one.is_file()}
-    files.update({f"{info}/METADATA": metadata().encode(), f"{info}/WHEEL": wheel.encode(),
-                  f"{info}/LICENSE": (root / "LICENSE").read_bytes()})
+    files.update({f"{info}/{name}": content for name, content in information().items()})
     record = ""
     for place, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
         record += f"{place},sha256={digest},{len(content)}\n"
     files[f"{info}/RECORD"] = f"{record}{info}/RECORD,,\n".encode()
-    name = f"pcl_ops-{version()}-{tag}.whl"
+    name = f"pcl_ops-{version()}-{wheel_tag()}.whl"
     with zipfile.ZipFile(pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as archive:
         for place, content in files.items():
             archive.writestr(place, content)

@@ -17,6 +17,7 @@ import tarfile
 import tempfile
 import unittest
 import venv
+import zipfile
 
 import numpy as np
 import pcl_ops
@@ -147,6 +148,16 @@ class Pip(unittest.TestCase):
                          rf"Version: {version}\n(.*\n)*Requires: numpy\n")
         self.run_python("-m", "pip", "uninstall", "--yes", "pcl_ops")
         self.assertEqual(self.files(), before)
+
+    def test_metadata_is_that_of_the_wheel_without_building_it(self):
+        prepared = self.folder / build_backend.prepare_metadata_for_build_wheel(self.folder)
+        wheel = self.folder / build_backend.write_wheel(package, self.folder)
+        with zipfile.ZipFile(wheel) as archive:
+            files = {name: archive.read(name) for name in archive.namelist()
+                     if name.startswith(prepared.name) and not name.endswith("RECORD")}
+        self.assertEqual({f"{prepared.name}/{path.name}": path.read_bytes()
+                          for path in prepared.iterdir()}, files)
+        self.assertEqual(len(files), 3)
 
     @unittest.skipUnless((source / ".git").exists(), "no git repository")
     def test_archive_of_sources_has_what_a_build_needs(self):
