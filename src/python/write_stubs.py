@@ -50,6 +50,6 @@ for file in folder.glob("*.py"):
     module = importlib.import_module(f"pcl_ops.{file.stem}")
     stub = ast.fix_missing_locations(stub_of(ast.parse(file.read_text(encoding="utf-8")), module))
     # What annotations of the extension need.
-    text = f"from typing import Literal, Optional, Tuple\n{ast.unparse(stub)}\n"
+    text = f"from typing import Literal, Optional, Tuple, Union\n{ast.unparse(stub)}\n"
     file.with_suffix(".pyi").write_text(text, encoding="utf-8")
 (folder / "_pcl_ops.pyi").write_text("__version__: str\nclass Segment: ...\n")

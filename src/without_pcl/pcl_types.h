@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -70,6 +72,40 @@ struct PointXYZ {
 
   float x, y, z;
   float padding = 1.0F;
+};
+
+struct RGB {
+  RGB (std::uint8_t red, std::uint8_t green, std::uint8_t blue)
+  : b (blue), g (green), r (red)
+  {}
+
+  std::uint8_t b, g, r;
+  std::uint8_t a = 255;
+};
+
+/** \brief Colors in place of PCL's table of them: full ones, with hues a golden section
+ * of the circle apart, and every other one darker. */
+struct GlasbeyLUT {
+  static constexpr std::size_t
+  size ()
+  {
+    return 256;
+  }
+
+  static RGB
+  at (std::size_t i)
+  {
+    constexpr double golden_section = 0.6180339887498949;
+    constexpr double darker = 0.65, full = 255.0;
+    const double brightness = i % 2 == 0 ? full : darker * full;
+    const auto channel = [&] (double hue_of_channel) {
+      const double turns = golden_section * static_cast<double> (i) + hue_of_channel;
+      const double off = std::abs (turns - std::floor (turns) - 0.5);
+      const double share = std::min (1.0, std::max (0.0, 6.0 * off - 1.0));
+      return static_cast<std::uint8_t> (std::lround (brightness * share));
+    };
+    return {channel (0.0), channel (2.0 / 3.0), channel (1.0 / 3.0)};
+  }
 };
 
 inline bool

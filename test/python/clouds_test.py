@@ -4,6 +4,7 @@
 
 import array
 import pathlib
+import re
 import runpy
 import sys
 import tempfile
@@ -171,6 +172,87 @@ class Reader(unittest.TestCase):
         for name in ("a.pcd", "a.ply", "a.xyz", "a.las", "a.png"):
             with self.assertRaisesRegex(ValueError, name):
                 pcl_ops.read(self.file(name, "broken\n"))
+
+
+class Writer(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def written(self, name, *given, **named):
+        pcl_ops.write(self.folder / name, *given, **named)
+        return pcl_ops.read(self.folder / name)
+
+    def test_what_is_read_comes_back(self):
+        points = np.array([[5e5, 1, 2], [np.nan, 3, 4], [5, 6, 7], [8, 9, 1]])
+        cloud = pcl_ops.Cloud(points, np.array([1.0, 2, 3]), {
+            "intensity": np.uint16([1, 2, 3, 4]), "normal": np.ones((4, 3), np.float32)},
+            2, (0.0, 1.0, 0.0, 0.0))
+        back = self.written("a.pcd", cloud, np.array([1, -1, 0, 0]))
+        np.testing.assert_array_equal(back.points, points)
+        self.assertEqual(back.labels.tolist(), [1, -1, 0, 0])
+        self.assertEqual(back.fields["intensity"].dtype, np.uint16)
+        np.testing.assert_array_equal(back.fields["normal"], cloud.fields["normal"])
+        self.assertEqual(back.viewpoint.tolist(), [1, 2, 3])
+        self.assertEqual((back.height, back.orientation), (2, cloud.orientation))
+
+    def test_an_array_or_an_image_is_a_cloud(self):
+        points = np.arange(24, dtype=np.float32).reshape(2, 4, 3)
+        for array, labels in ((points, np.zeros((2, 4), int)), (points.reshape(8, 3), None)):
+            for name in ("a.pcd", "a.ply"):
+                cloud = self.written(name, array, labels)
+                np.testing.assert_array_equal(cloud.points, points.reshape(8, 3))
+                self.assertEqual(cloud.labels is None, labels is None)
+        self.assertEqual(self.written("a.pcd", points).height, 2)
+
+    def test_points_that_were_moved_are_written_with_the_other_fields(self):
+        cloud = pcl_ops.from_message(message(rows_of(room(), [*plain, ("ring", "u1")])))
+        moved = self.written("a.ply", cloud._replace(points=cloud.points + np.float32(1)))
+        np.testing.assert_array_equal(moved.points, room() + np.float32(1))
+        self.assertIn("ring", moved.fields)
+
+    def test_a_las_keeps_its_bytes_and_gets_distances(self):
+        points = room()[np.isfinite(room()[:, 0])]
+        (self.folder / "a.las").write_bytes(las(points))
+        cloud = pcl_ops.read(self.folder / "a.las")
+        labels, planes = pcl_ops.segment(cloud.points)
+        distances = planes[0].distances(cloud.points)
+        back = self.written("a.las", cloud, labels, distances=distances)  # in its own place
+        np.testing.assert_array_equal(back.points, cloud.points)
+        np.testing.assert_array_equal(back.labels, labels)
+        records = (self.folder / "a.las").read_bytes()[-28 * len(points):]
+        np.testing.assert_array_equal(np.frombuffer(records, "<f4").reshape(-1, 7)[:, 6],
+                                      distances.astype(np.float32))
+
+    def test_says_what_is_wrong(self):
+        points = room()
+        (self.folder / "a.las").write_bytes(las(points[np.isfinite(points[:, 0])]))
+        survey = pcl_ops.read(self.folder / "a.las")
+        labels = np.zeros(len(points), int)
+        for name, cloud, given, error, said in (
+            ("a.png", points, {}, ValueError, "a.png: has an unknown extension; give .pcd, .ply"),
+            ("b.las", points, {"labels": labels}, ValueError, "b.las: is LAS, which the cloud was"),
+            ("b.las", survey, {}, ValueError, "labels: are what is added to a .las"),
+            ("b.las", survey._replace(points=survey.points + 1),
+             {"labels": labels[:len(survey.points)]}, ValueError, "has other points than the cloud"),
+            ("b.pcd", points, {"labels": labels[1:]}, ValueError, "labels: shape"),
+            ("b.pcd", points, {"labels": labels * 0.5}, TypeError, "labels: dtype float64"),
+            ("b.pcd", points, {"distances": labels * 0.5}, ValueError, "distances: are those to"),
+            ("b.pcd", points, {"labels": labels, "distances": [0.5]}, ValueError, "distances: has"),
+            ("none/b.pcd", points, {}, OSError, "none"),
+            ("b.pcd", survey._replace(height=7), {}, ValueError, "cloud: 29500 points are no image"),
+            ("b.pcd", survey._replace(fields={"a": np.ones(3)}), {}, ValueError,
+             "cloud: the field a has 3 of float64 for 29500 points"),
+            ("b.pcd", survey._replace(fields={"a": np.ones(29500, bool)}), {}, ValueError,
+             "cloud: the field a has 29500 of bool for 29500 points"),
+            ("b.pcd", survey._replace(fields={"a b": np.ones(29500)}), {}, ValueError,
+             "cloud: the field 'a b' has a name that files cannot have"),
+            ("b.pcd", np.zeros((5, 3), int), {}, TypeError, "points: dtype"),
+        ):
+            with self.subTest(said), self.assertRaisesRegex(error, re.escape(said)):
+                pcl_ops.write(self.folder / name, cloud, **given)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["a.las"])
 
 
 class FakeNode:

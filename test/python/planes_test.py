@@ -4,8 +4,12 @@
 and which are found again in another frame."""
 
 import copy
+import json
+import pathlib
 import pickle
+import tempfile
 import unittest
+import warnings
 
 import numpy as np
 import pcl_ops
@@ -19,7 +23,7 @@ floor, wall, side = planes  # of 12, 10 and 7.5 m^2
 
 class Planes(unittest.TestCase):
     def test_have_normals_towards_the_viewpoint(self):
-        below = pcl_ops.segment(points, viewpoint=(2, 1.5, -9))[1]
+        below = pcl_ops.segment(points, viewpoint=(2, 1.5, -9), up=(0, 0, 1))[1]
         np.testing.assert_allclose(floor.normal, (0, 0, 1), atol=0.01)
         np.testing.assert_allclose(below[0].normal, (0, 0, -1), atol=0.01)
 
@@ -52,6 +56,31 @@ class Planes(unittest.TestCase):
         kht = pcl_ops.segment(points, "kht", distance_threshold=0.04)[1]
         self.assertEqual((kht.voxel_size, kht.distance_threshold), (None, 0.04))
 
+    def test_distances_are_signed_and_those_of_any_points(self):
+        above = np.float32([[1, 1, 0.5], [1, 1, -0.25], [np.nan, 1, 1]])
+        np.testing.assert_allclose(floor.distances(above), [0.5, -0.25, np.nan], atol=0.003)
+        self.assertEqual(floor.distances(np.zeros((2, 5, 3))).shape, (2, 5))
+        on_floor = floor.distances(points[floor.inliers])
+        self.assertAlmostEqual(np.sqrt(np.mean(on_floor**2)), floor.rms, places=6)
+
+    def test_distances_far_from_zero_keep_their_digits(self):
+        far = np.array([5e5, 5.4e6, 300.0])
+        plane = pcl_ops.segment(points + far, viewpoint=viewpoint + far)[1][0]
+        self.assertAlmostEqual(plane.distances(far + [[1, 1, 0.5]])[0], 0.5, delta=0.003)
+
+    def test_are_rows_of_a_table(self):
+        row = floor.as_dict()
+        self.assertEqual((row["orientation"], row["points"]), ("horizontal", len(floor.inliers)))
+        self.assertEqual([row[name] for name in "abcd"], floor.coefficients.tolist())
+        self.assertAlmostEqual(wall.as_dict()["slope"], 90.0, delta=0.5)
+        self.assertAlmostEqual(wall.as_dict()["aspect"], 180.0, delta=0.5)
+        self.assertAlmostEqual(wall.as_dict(up=(0, 2, 0))["slope"], 0.0, delta=0.5)
+        self.assertIsNone(wall.as_dict(up=(0, 2, 0))["aspect"])
+        columns = planes.as_dict()
+        self.assertEqual(columns["area"], [plane.area for plane in planes])
+        self.assertEqual(list(columns), list(row))
+        self.assertEqual(pcl_ops.FoundPlanes().as_dict(), {name: [] for name in row})
+
     def test_inliers_are_read_only_and_outlive_their_plane(self):
         inliers = pcl_ops.segment(points)[1][0].inliers
         np.testing.assert_array_equal(inliers, floor.inliers)
@@ -70,13 +99,93 @@ class Planes(unittest.TestCase):
         self.assertLess(len(pickle.dumps(planes)), 2 * points.nbytes)
 
 
+class Maps(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def features(self, some, **given):
+        pcl_ops.write_planes(self.folder / "map.geojson", some, **given)
+        return json.loads((self.folder / "map.geojson").read_text())["features"]
+
+    def test_rings_are_closed_and_counter_clockwise_from_above(self):
+        below = pcl_ops.segment(points, viewpoint=(2, 1.5, -9), up=(0, 0, 1))[1][:1]
+        for some in ([floor], below):
+            ring = np.array(self.features(some)[0]["geometry"]["coordinates"][0])
+            self.assertEqual(ring[0].tolist(), ring[-1].tolist())
+            x, y = ring[:, :2].T
+            self.assertAlmostEqual(0.5 * (x[:-1] @ y[1:] - y[:-1] @ x[1:]), floor.area, delta=0.05)
+
+    def test_ids_are_the_labels(self):
+        self.assertEqual([one["id"] for one in self.features(planes)], [1, 2, 3])
+        self.assertEqual([one["properties"]["id"] for one in self.features(planes, labels=[7, 9, 8])],
+                         [7, 9, 8])
+
+    def test_up_is_that_of_the_list_unless_given(self):
+        found = pcl_ops.segment(points, up="camera")[1]
+        self.assertAlmostEqual(self.features(found)[0]["properties"]["slope"], 90.0, delta=0.5)
+        slope = self.features(found, up=(0, 0, 1))[0]["properties"]["slope"]
+        self.assertAlmostEqual(slope, 0.0, delta=0.5)
+
+    def test_no_planes_are_a_map_and_a_table(self):
+        self.assertEqual(self.features([]), [])
+        pcl_ops.write_planes(self.folder / "map.csv", [])
+        self.assertRegex((self.folder / "map.csv").read_text(), "^id,orientation,.*,height,wkt\n$")
+
+    def test_what_does_not_fit_is_refused_and_leaves_files_as_they_are(self):
+        (self.folder / "map.csv").write_text("mine")
+        for name, some, given, error, said in (
+            ("map.png", planes, {}, ValueError, "map.png: has an unknown extension"),
+            ("map.csv", planes, {"crs": "EPSG:25832"}, ValueError, "crs: is about a .geojson"),
+            ("map.geojson", planes, {"crs": "25832"}, ValueError, "crs: has to be as 'EPSG:25832'"),
+            ("map.csv", planes, {"labels": [1]}, ValueError, "labels: 1 are not one for each of 3"),
+            ("map.csv", [1], {}, TypeError, "planes: not a list"),
+            ("none/map.csv", planes, {}, OSError, "none/map.csv"),
+        ):
+            with self.subTest(said), self.assertRaisesRegex(error, said):
+                pcl_ops.write_planes(self.folder / name, some, **given)
+        self.assertEqual([one.name for one in self.folder.iterdir()], ["map.csv"])
+        self.assertEqual((self.folder / "map.csv").read_text(), "mine")
+
+
 class UpAxis(unittest.TestCase):
     def test_of_a_room_is_found_in_any_frame(self):
         tilt = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], np.float32)
-        tilted = pcl_ops.segment(points @ tilt.T, viewpoint=tilt @ viewpoint)[1]
+        tilted = pcl_ops.segment(points @ tilt.T, viewpoint=tilt @ viewpoint, up=(0, 0, 1))[1]
         direction, confidence = pcl_ops.estimate_up_axis(tilted, tilt @ viewpoint)
         np.testing.assert_allclose(direction, tilt @ (0, 0, 1), atol=0.01)
         self.assertTrue(0.7 <= confidence <= 1.0)
+
+    def test_auto_names_planes_by_it_and_says_how_sure_it_is(self):
+        tilt = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], np.float32)
+        found = pcl_ops.segment(points @ tilt.T, viewpoint=tilt @ viewpoint, up="auto")[1]
+        self.assertEqual([plane.orientation for plane in found],
+                         ["horizontal", "vertical", "vertical"])
+        np.testing.assert_allclose(found.up, tilt @ (0, 0, 1), atol=0.01)
+        self.assertTrue(0.7 <= found.up_confidence <= 1.0)
+        np.testing.assert_allclose(found.as_dict()["slope"], [0, 90, 90], atol=1.0)
+
+    def test_auto_warns_where_the_planes_cannot_tell(self):
+        with self.assertWarnsRegex(UserWarning, r"^up: the planes cannot tell, \(0, 0, 1\) is used"):
+            found = pcl_ops.segment(points[:6000] * (1, 1, 0), up="auto")[1]
+        self.assertEqual((found.up, found.up_confidence), ((0.0, 0.0, 1.0), None))
+
+    def test_camera_is_that_of_camera_up(self):
+        self.assertEqual(pcl_ops.segment(points, up="camera")[1].up, pcl_ops.camera_up())
+        merged = pcl_ops.merge_planes(planes, up="camera")[0]
+        self.assertEqual(merged[0].orientation, "vertical")
+
+    def test_another_one_than_z_is_hinted_at_where_none_was_given(self):
+        tilt = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], np.float32)
+        tilted = points @ tilt.T, tilt @ viewpoint
+        with self.assertWarnsRegex(UserWarning, "suggest that up is 0.00, -1.00, 0.00: give up="):
+            pcl_ops.segment(tilted[0], viewpoint=tilted[1])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            pcl_ops.segment(points, viewpoint=viewpoint)
+            for up in ("camera", "auto", (0, 0, 1)):
+                pcl_ops.segment(tilted[0], viewpoint=tilted[1], up=up)
 
     def test_is_none_where_planes_cannot_tell_or_were_not_seen_from_the_viewpoint(self):
         self.assertIsNone(pcl_ops.estimate_up_axis([]))

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The module finds what the C++ classes find: pcl_ops_segment runs them on a file."""
 
+import csv
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -11,7 +13,7 @@ import unittest
 
 import numpy as np
 import pcl_ops
-from scene import room
+from scene import las, room
 
 
 @unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not built")
@@ -31,7 +33,7 @@ class SameLabels(unittest.TestCase):
     def assertSame(self, options, **arguments):
         self.run_program(f"pcl_ops_segment room.pcd out.pcd --planes out.json --quiet {options}")
         expected_planes = json.loads((self.folder / "out.json").read_text())["planes"]
-        points, viewpoint, _ = self.room
+        points, viewpoint = self.room[:2]
         labels, planes = pcl_ops.segment(points, viewpoint=viewpoint, **arguments)
         self.assertGreater(len(planes), 2)
         np.testing.assert_array_equal(labels, pcl_ops.read(self.folder / "out.pcd").labels)
@@ -60,6 +62,59 @@ class SameLabels(unittest.TestCase):
         ):
             with self.subTest(options):
                 self.assertSame(options, **arguments)
+
+    def test_are_written_as_the_program_does(self):
+        (self.folder / "room.las").write_bytes(las(room()[np.isfinite(room()[:, 0])]))
+        self.run_program("pcl_ops_segment room.pcd colored.pcd --quiet")
+        for name, output, options, given in (
+            ("room.pcd", "out.pcd", "", {}),
+            ("room.pcd", "out.ply", "--distances", {}),
+            ("colored.pcd", "out.pcd", "--keep-color", {"keep_color": True}),
+            ("colored.pcd", "out.ply", "", {}),
+            ("room.las", "out.las", "", {}),
+            ("room.las", "out.pcd", "", {}),
+        ):
+            with self.subTest(output, options=options):
+                self.run_program(f"pcl_ops_segment {name} {output} --quiet {options}")
+                said = pcl_ops.read(self.folder / output)
+                pcl_ops.write(self.folder / f"py_{output}", pcl_ops.read(self.folder / name),
+                              said.labels, distances=said.fields.get("distance"), **given)
+                written = (self.folder / f"py_{output}").read_bytes()
+                self.assertTrue(written == (self.folder / output).read_bytes())
+
+    def test_lists_of_planes_are_those_of_the_program(self):
+        planes = pcl_ops.segment(self.room.points, viewpoint=self.room.viewpoint)[1]
+        self.run_program("pcl_ops_segment room.pcd --planes map.geojson --crs EPSG:25832 --quiet")
+        self.run_program("pcl_ops_segment room.pcd --planes map.csv --quiet")
+        pcl_ops.write_planes(self.folder / "py_map.geojson", planes, crs="EPSG:25832")
+        pcl_ops.write_planes(self.folder / "py_map.csv", planes)
+        said, written = (json.loads((self.folder / name).read_text())
+                         for name in ("map.geojson", "py_map.geojson"))
+        self.assertEqual(written["crs"], said["crs"])
+        self.assertEqual(len(written["features"]), len(planes))
+        for feature, expected in zip(written["features"], said["features"]):
+            self.assertEqual(feature["geometry"]["type"], "Polygon")
+            np.testing.assert_allclose(feature["geometry"]["coordinates"],
+                                       expected["geometry"]["coordinates"], atol=1e-5)
+            self.assertSameRow(feature["properties"], expected["properties"])
+        tables = [list(csv.DictReader((self.folder / name).read_text().splitlines()))
+                  for name in ("map.csv", "py_map.csv")]
+        self.assertEqual(len(tables[1]), len(planes))
+        for row, expected in zip(*tables):
+            number = re.compile(r"-?[0-9.]+")
+            corners, of_program = (number.findall(one.pop("wkt")) for one in (row, expected))
+            np.testing.assert_allclose(np.float64(corners), np.float64(of_program), atol=1e-5)
+            self.assertSameRow(row, expected)
+
+    def assertSameRow(self, row, expected):
+        self.assertEqual(list(row), list(expected))
+        for name, value in row.items():
+            if name in ("orientation", "id", "points"):
+                self.assertEqual(value, expected[name])
+            else:
+                # An aspect of 359.9999 is one of 0.
+                tolerance = 0.01 if name == "aspect" else 1e-4
+                self.assertAlmostEqual(float(value), float(expected[name]), delta=tolerance)
 
     def test_of_double_precision_in_any_order(self):
         points = self.room.points.astype(np.float64)

@@ -57,6 +57,28 @@ class Arrays(unittest.TestCase):
                     np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
 
 
+    def test_a_fourth_number_of_each_point_is_not_looked_at(self):
+        with_intensity = np.column_stack([points, np.full(len(points), 0.5, np.float32)])
+        np.testing.assert_array_equal(pcl_ops.segment(with_intensity)[0], labels)
+
+    def test_images_have_labels_of_their_shape(self):
+        for width in (3, 4):
+            image = np.zeros((100, len(points) // 100, width), np.float32)
+            image[..., :3] = points.reshape(100, -1, 3)
+            found, same = pcl_ops.segment(image)
+            self.assertEqual(found.shape, image.shape[:2])
+            np.testing.assert_array_equal(found.ravel(), labels)
+            np.testing.assert_array_equal(same[0].inliers, planes[0].inliers)
+            self.assertEqual(pcl_ops.evaluate(found, found, image)["f_score"], 1.0)
+
+    def test_planes_of_one_image_given_twice_are_of_one_array(self):
+        image = points.reshape(100, -1, 3)
+        of_both = pcl_ops.segment(image)[1][:1] + pcl_ops.segment(image)[1][1:]
+        self.assertEqual(len(pcl_ops.merge_planes(of_both)[0]), 3)
+        with self.assertRaisesRegex(ValueError, "different arrays"):
+            pcl_ops.merge_planes(of_both + pcl_ops.segment(image[50:])[1])
+
+
 class Pieces(unittest.TestCase):
     def setUp(self):
         grid = np.stack(np.meshgrid(*[np.arange(60) * 0.04] * 2), -1).reshape(-1, 2)
@@ -159,7 +181,11 @@ def call(function, *given, **arguments):
 
 # What is called, what it raises, and what that begins with.
 table = [
-    (segment(np.zeros((5, 4), np.float32)), ValueError, "points: shape (5, 4) is not (N, 3)"),
+    (segment(np.zeros((5, 2), np.float32)), ValueError, "points: shape (5, 2) is none of (N, 3), "),
+    (segment(np.zeros((5, 6), np.float32)), ValueError,
+     "points: shape (5, 6) is none of (N, 3), (N, 4), (H, W, 3) and (H, W, 4); give points[..., :3]"),
+    (segment(np.zeros((3, 5), np.float32)), ValueError,
+     "points: shape (3, 5) is none of (N, 3), (N, 4), (H, W, 3) and (H, W, 4); give points.T"),
     (segment(np.zeros((0, 3), np.float32)), ValueError, "points: shape (0, 3)"),
     (segment(np.zeros((5, 3), int)), TypeError, "points: dtype int64"),
     (segment("room.pcd"), TypeError, "points: dtype <U8"),
@@ -182,7 +208,11 @@ table = [
     (segment(distance_threshold="x"), TypeError, "distance_threshold: has to be Optional[float]"),
     (segment(k=30, probability=1), ValueError, "probability: "),
     (segment(up=(0, 0, 0)), ValueError, "up: the up axis must be"),
-    (segment(up=1.0), TypeError, "up: has to be three numbers (x, y, z), not 1.0"),
+    (segment(up=1.0), TypeError, "up: has to be three numbers (x, y, z), 'camera' or, for segment, 'auto', not 1.0"),
+    (segment(up="y"), TypeError, "up: has to be three numbers (x, y, z), 'camera' or, for segment, 'auto', not 'y'"),
+    (call("filter_planes", [], up="auto"), TypeError, "up: has to be three numbers (x, y, z), "),
+    (lambda: planes[0].distances(np.zeros((5, 2))), ValueError, "points: shape (5, 2) is none of"),
+    (lambda: planes[0].as_dict(up="auto"), TypeError, "up: has to be three numbers (x, y, z)"),
     (segment(up=(1, 2, "z")), TypeError, "up: has to be three numbers"),
     (segment(local_optimization=1.0), TypeError, "local_optimization: has to be bool, not 1.0"),
     (segment(merging_angle_threshold=9), ValueError, "merging_angle_threshold: the merging"),

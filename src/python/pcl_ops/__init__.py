@@ -7,15 +7,17 @@
 Lengths are in the unit of the points, angles in radians.
 """
 
-from ._clouds import Cloud, from_message, read
+from ._arguments import camera_up
+from ._clouds import Cloud, from_message, read, write
+from ._maps import write_planes
 from ._pcl_ops import __version__
 from ._planes import FoundPlanes, Plane, PlaneCorner, PlaneEdge, PlaneTracker, TrackedPlane
-from ._planes import camera_up, estimate_up_axis, filter_planes, find_plane_edges, match_planes
-from ._planes import merge_planes
+from ._planes import estimate_up_axis, filter_planes, find_plane_edges, match_planes, merge_planes
 from ._segmentation import evaluate, is_seen_from, parameters, segment
 
 __all__ = [
     "Cloud", "FoundPlanes", "Plane", "PlaneCorner", "PlaneEdge", "PlaneTracker", "TrackedPlane",
     "__version__", "camera_up", "estimate_up_axis", "evaluate", "filter_planes", "find_plane_edges",
     "from_message", "is_seen_from", "match_planes", "merge_planes", "parameters", "read", "segment",
+    "write", "write_planes",
 ]

@@ -20,15 +20,29 @@ def parameters_of(struct: Any) -> Dict[str, Tuple[Any, str]]:
             for name, (value, kind) in struct.values_and_kinds().items()}
 
 
+def camera_up() -> Tuple[float, float, float]:
+    """Against gravity in the optical frame of a level camera.
+
+    There x points to the right, y down, z ahead: segment(points, up="camera") means it.
+    """
+    return 0.0, -1.0, 0.0
+
+
 def _set(struct: Any, name: str, kind: str, value: Any) -> None:
     try:
         if kind == "bool" and not isinstance(value, (bool, np.bool_)):
             raise RuntimeError  # everything converts to it
+        if name == "up" and isinstance(value, str):
+            if value != "camera":
+                raise RuntimeError
+            value = camera_up()
         struct.set(name, value)
     except RuntimeError:
         is_word = "Literal" in kind and isinstance(value, str)
         is_number = "int" in kind and not is_word and hasattr(value, "__index__")
         wanted = kind.replace("Vector", "three numbers (x, y, z)")
+        if name == "up":
+            wanted += ", 'camera' or, for segment, 'auto'"
         raise (ValueError if is_word or is_number else TypeError)(
             f"{name}: has to be {wanted}{' within its range' if is_number else ''}, "
             f"not {value!r:.80}") from None
@@ -53,10 +67,11 @@ def with_given(preset: Any, given: Dict[str, Any]) -> Any:
     return struct
 
 
-def named_parameters(*lists: str) -> Callable[[Any], Any]:
+def named_parameters(*lists: str, **kinds: str) -> Callable[[Any], Any]:
     """Shows in help, completion and stubs what **parameters may be.
 
     lists: names of the extension's structs of parameters, which the function takes all.
+    kinds: annotations of those that may be something else besides.
     """
 
     def with_names(function):
@@ -67,7 +82,8 @@ def named_parameters(*lists: str) -> Callable[[Any], Any]:
                 # Methods have defaults of their own.
                 default = value if len(lists) == 1 else ...
                 shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY,
-                                                default=default, annotation=kind)
+                                                default=default,
+                                                annotation=kinds.get(name, kind))
         function.__signature__ = signature.replace(parameters=list(shown.values()))
         return function
 
@@ -80,18 +96,36 @@ def plain_array(name: str, numbers: Any, instead: str) -> NDArray[Any]:
     return np.asarray(numbers)
 
 
+def _rows_of_three(array: NDArray[Any]) -> NDArray[Any]:
+    """Of rows or an image of points, which may have a fourth number each, as an intensity."""
+    if array.ndim not in (2, 3) or array.shape[-1] not in (3, 4):
+        instead = ""
+        if array.ndim == 2 and array.shape[0] == 3:
+            instead = "; give points.T"
+        elif array.ndim in (2, 3) and array.shape[-1] > 4:
+            instead = "; give points[..., :3] if the first three are x, y and z"
+        raise ValueError(f"points: shape {array.shape} is none of (N, 3), (N, 4), (H, W, 3) and "
+                         f"(H, W, 4){instead}")
+    rows = array if array.ndim == 2 else array.reshape(-1, array.shape[-1])
+    return rows if rows.shape[1] == 3 else rows[:, :3]
+
+
 def points_array(points: Any) -> NDArray[Any]:
-    """The points as an aligned array of the machine's order of bytes, the same one where it is."""
+    """The points as aligned rows of the machine's order of bytes, the same array where it is."""
     array = plain_array("points", points, "numpy.nan")
     if array.dtype.kind != "f" or array.dtype.itemsize not in (4, 8):
         raise TypeError(f"points: dtype {array.dtype} is neither float32 nor float64")
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"points: shape {array.shape} is not (N, 3)")
-    if not 0 < len(array) <= np.iinfo(np.int32).max:
+    rows = _rows_of_three(array)
+    if not 0 < len(rows) <= np.iinfo(np.int32).max:
         raise ValueError(f"points: shape {array.shape} has no points, or more than 2^31 - 1")
-    if array.dtype.isnative and array.flags.aligned:
-        return array  # the very object: by it planes are known to be of one array
-    return np.require(array, array.dtype.newbyteorder("="), "A")
+    if rows.dtype.isnative and rows.flags.aligned:
+        return rows
+    return np.require(rows, rows.dtype.newbyteorder("="), "A")
+
+
+def is_same_array(one: NDArray[Any], other: NDArray[Any]) -> bool:
+    """Whether both are the same rows in memory, as those of an image that was given twice."""
+    return one is other or one.__array_interface__ == other.__array_interface__
 
 
 def _hashes(places: NDArray[np.float64]) -> NDArray[np.uint64]:
@@ -174,13 +208,19 @@ def pose_matrix(pose: Any) -> NDArray[np.float64]:
     raise ValueError("pose: is no 4 x 4 matrix of a rotation and a translation")
 
 
-def plane_numbers(name: str, labels: Any, number: int, none: int) -> NDArray[np.uint32]:
-    """Labels as the extension has them: planes from 1, 0 for none."""
+def plane_numbers(
+    name: str, labels: Any, of_points: Tuple[int, ...], none: int
+) -> NDArray[np.uint32]:
+    """Labels as the extension has them: planes from 1, 0 for none.
+
+    of_points: the shape of the array of the points without its last side.
+    """
     array = plain_array(name, labels, "-1")
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: dtype {array.dtype} is not one of whole numbers")
-    if array.shape != (number,):
-        raise ValueError(f"{name}: shape {array.shape} is not ({number},), that of the points")
+    if array.shape != of_points:
+        raise ValueError(f"{name}: shape {array.shape} is not {of_points}, that of the points")
+    array = array.ravel()
     if array.max() > 2**32 - 3:
         raise ValueError(f"{name}: the label {array.max()} is too large")
     array = array.astype(np.int64)

@@ -3,14 +3,17 @@
 """Point clouds of files and of messages, as arrays."""
 
 import os
-from typing import Any, Dict, NamedTuple, Optional, Union
+from typing import Any, Dict, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._arguments import Points, plain_array, plane_numbers, points_array
+
 # Of sensor_msgs/PointField, and of PCL, whose last two are 64-bit integers.
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8",
           10: "u8"}
+_NUMBERS_OF_TYPES = {name: number for number, name in _TYPES.items()}
 
 
 class Cloud(NamedTuple):
@@ -23,13 +26,19 @@ class Cloud(NamedTuple):
     """(3,): where the sensor was, as a PCD file says; else zero."""
     fields: Dict[str, NDArray[Any]]
     """All fields by name, each of shape (N,), or (N, count) where it has several numbers."""
+    height: int = 1
+    """Rows of the image that the points are, one after another; 1 where they are none."""
+    orientation: Tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
+    """How the sensor was turned, as a PCD file says: a quaternion w, x, y, z."""
+    source: Optional[str] = None
+    """The .las or .laz it was read from, of which write keeps every byte."""
 
     @property
     def labels(self) -> Optional[NDArray[np.int32]]:
         """(N,): the field label as segment has labels, -1 for no plane, where files have 0 for
         none; or None where there is none."""
         label = self.fields.get("label")
-        return None if label is None else (label.astype(np.int64) - 1).astype(np.int32)
+        return None if label is None else np.maximum(label.astype(np.int64) - 1, -1).astype(np.int32)
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
@@ -39,12 +48,116 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
     Raises OSError where the file cannot be opened, ValueError where it is damaged or of
     another kind; both name it.
     """
-    from . import _reader  # what it needs takes longer to load than all else
+    from . import _files  # what it needs takes longer to load than all else
 
     with open(path, "rb"):
         pass
-    file = _reader.load(os.fsencode(path))
-    return from_message(file)._replace(viewpoint=np.array(file.viewpoint, float))
+    file = _files.load(os.fsencode(path))
+    return from_message(file)._replace(
+        viewpoint=np.array(file.viewpoint, float), orientation=file.orientation,
+        source=os.path.abspath(os.fsdecode(path)) if _is_las(path) else None)
+
+
+def write(
+    path: Union[str, "os.PathLike[str]"], cloud: Union[Cloud, Points],
+    labels: Optional[NDArray[Any]] = None, *, distances: Optional[NDArray[Any]] = None,
+    keep_color: bool = False,
+) -> None:
+    """Write a point cloud as the programs do, with the plane of each point.
+
+    path: .pcd or .ply, or .las or .laz for a cloud that was read from one of these, of which
+        all is kept. An existing file is replaced once the new one is complete.
+    cloud: what read or from_message gives, with all its fields; or an array of points as for
+        segment, of which x, y and z are written.
+    labels: whole numbers of the shape that segment gives them, negative on no plane. In the
+        file they are the field label, 0 on no plane, the first plane 1. Points get the color
+        of their plane in a .pcd or .ply.
+    distances: a number for each point, the field distance; only beside labels.
+    keep_color: keep the colors that the cloud has.
+
+    Raises OSError where the file cannot be written, ValueError or TypeError where the
+    arguments do not fit.
+    """
+    from . import _files
+
+    cloud = _checked_cloud(cloud)
+    number = len(cloud.points)
+    numbered = _numbers_of_file("labels", labels, number)
+    apart = _distances_of_file(distances, number)
+    if len(apart) and not len(numbered):
+        raise ValueError("distances: are those to planes; give labels, too")
+    name = os.fsencode(path)
+    if _is_las(path):
+        if cloud.source is None:
+            raise ValueError(f"{os.fsdecode(path)}: is LAS, which the cloud was not read from; "
+                             "give a .pcd or .ply")
+        if not len(numbered):
+            raise ValueError("labels: are what is added to a .las; give them")
+        _files.save_las(name, os.fsencode(cloud.source), cloud.points, numbered, apart)
+        return
+    if os.path.splitext(os.fsdecode(path))[1].lower() not in (".pcd", ".ply"):
+        raise ValueError(f"{os.fsdecode(path)}: has an unknown extension; give .pcd, .ply, or "
+                         ".las of a cloud that was read from one")
+    rows = _rows_of_file(cloud)
+    fields = [(field, _NUMBERS_OF_TYPES[kind.base.str[1:]], int(np.prod(kind.shape, dtype=int)))
+              for field, (kind, _) in rows.dtype.fields.items()]
+    _files.save(name, fields, rows.view(np.uint8).ravel(), cloud.height, cloud.viewpoint,
+                cloud.orientation, numbered, apart, keep_color)
+
+
+def _checked_cloud(given: Any) -> Cloud:
+    if not isinstance(given, Cloud):
+        height = np.shape(given)[0] if np.ndim(given) == 3 else 1
+        return Cloud(points_array(given), np.zeros(3), {}, height)
+    cloud = given._replace(points=points_array(given.points))
+    number = len(cloud.points)
+    if cloud.height < 1 or number % cloud.height:
+        raise ValueError(f"cloud: {number} points are no image of {cloud.height} rows")
+    for name, field in cloud.fields.items():
+        if name.split() != [name]:
+            raise ValueError(f"cloud: the field {name!r} has a name that files cannot have")
+        if field.dtype.base.str[1:] not in _NUMBERS_OF_TYPES or len(field) != number:
+            raise ValueError(f"cloud: the field {name} has {len(field)} of {field.dtype} for "
+                             f"{number} points")
+    return cloud
+
+
+def _is_las(path: Any) -> bool:
+    return os.fsdecode(path).lower().endswith((".las", ".laz"))
+
+
+def _numbers_of_file(name: str, labels: Any, number: int) -> NDArray[np.uint32]:
+    """Labels as files have them: planes from 1, 0 for none; of none an empty array."""
+    if labels is None:
+        return np.empty(0, np.uint32)
+    array = np.asarray(labels)
+    return plane_numbers(name, array if array.shape == (number,) else array.ravel(), (number,), -1)
+
+
+def _distances_of_file(distances: Any, number: int) -> NDArray[np.float32]:
+    if distances is None:
+        return np.empty(0, np.float32)
+    array = plain_array("distances", distances, "numpy.nan").ravel()
+    if array.dtype.kind != "f" or len(array) != number:
+        raise ValueError(f"distances: has to be a number for each of the {number} points")
+    return array.astype(np.float32)
+
+
+def _rows_of_file(cloud: Cloud) -> NDArray[Any]:
+    """All fields side by side; x, y and z are those of the points."""
+    columns = {axis: cloud.points[:, i] for i, axis in enumerate("xyz")}
+    for name, field in cloud.fields.items():
+        if name not in columns:
+            columns[name] = field
+        elif np.array_equal(field, columns[name], equal_nan=True):
+            columns[name] = field  # of its own type
+    names = [*cloud.fields, *(axis for axis in "xyz" if axis not in cloud.fields)]
+    kinds = [(name, columns[name].dtype.newbyteorder("<"), columns[name].shape[1:])
+             for name in names]
+    rows = np.empty(len(cloud.points), kinds)
+    for name in names:
+        rows[name] = columns[name]
+    return rows
 
 
 def from_message(msg: Any) -> Cloud:
@@ -69,7 +182,7 @@ def from_message(msg: Any) -> Cloud:
     if points.ndim != 2:
         raise TypeError("msg: has several numbers x, y or z for each point")
     kind = np.float32 if points.dtype == np.float32 else np.float64
-    return Cloud(points.astype(kind, copy=False), np.zeros(3), fields)
+    return Cloud(points.astype(kind, copy=False), np.zeros(3), fields, msg.height)
 
 
 def _rows(msg: Any) -> NDArray[Any]:

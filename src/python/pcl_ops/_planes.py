@@ -4,13 +4,15 @@
 others."""
 
 from typing import Any, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple
+from typing import Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
 from ._arguments import (
-    Vector, named_parameters, place, pose_matrix, single_precision, with_given)
+    Points, Vector, is_same_array, named_parameters, place, points_array, pose_matrix,
+    single_precision, with_given)
 
 
 def _part(name: str, doc: str) -> Any:
@@ -20,6 +22,13 @@ def _part(name: str, doc: str) -> Any:
 
 def _part_of_extent(position: int, doc: str) -> Any:
     return property(lambda plane: plane._extent()[position], doc=doc)
+
+
+# Of the programs' tables of planes.
+TABLE_COLUMNS = (
+    "orientation", "points", "a", "b", "c", "d", "centroid_x", "centroid_y", "centroid_z",
+    "normal_x", "normal_y", "normal_z", "rms", "area", "length", "width", "slope", "aspect",
+    "height")
 
 
 class Plane(_pcl_ops.Segment):
@@ -59,6 +68,36 @@ class Plane(_pcl_ops.Segment):
 
     lies_on: Optional[int] = None
     """Of a piece: the number of the plane it lies on, by falling size from 0."""
+
+    def distances(self, points: Points) -> NDArray[np.float64]:
+        """Signed distance of any points to the plane, positive where the normal points to.
+
+        points: array as for segment; the result has its shape without the last side.
+        """
+        # From the centroid: an equation's offset has few digits left far from zero.
+        distances = (points_array(points) - self.centroid) @ self.normal
+        return distances.reshape(np.shape(points)[:-1])
+
+    def as_dict(self, up: Vector = (0.0, 0.0, 1.0)) -> Dict[str, Union[int, float, str, None]]:
+        """Numbers and words of the plane by name, those of the columns of the programs' tables.
+
+        slope and aspect in degrees, as there: the angle to the horizontal, and where the plane
+        goes down, clockwise from y as seen from above; None where it is level, or z is not up.
+        height: of the centroid along up.
+        """
+        axis = place("up", up)
+        axis = axis / np.linalg.norm(axis)
+        along = float(self.normal @ axis)
+        across = float(np.linalg.norm(np.cross(self.normal, axis)))
+        x, y = (self.normal if along >= 0.0 or self.orientation == "vertical"
+                else -self.normal)[:2]
+        has_aspect = axis[2] == 1.0 and (x != 0.0 or y != 0.0)
+        slope = float(np.degrees(np.arctan2(across, abs(along))))
+        aspect = float(np.degrees(np.arctan2(x, y))) % 360.0 if has_aspect else None
+        return dict(zip(TABLE_COLUMNS, (
+            self.orientation, len(self.inliers), *self.coefficients.tolist(),
+            *self.centroid.tolist(), *self.normal.tolist(), self.rms, self.area, self.length,
+            self.width, slope, aspect, float(self.centroid @ axis))))
 
     def __init__(self, segment: Any, points: NDArray[Any]) -> None:
         """As segment makes them."""
@@ -101,6 +140,15 @@ class FoundPlanes(List[Plane]):
     distance_threshold: Optional[float] = None
     """Farthest a point may be from its plane; the median where it follows their noise. None
     where no plane was found to tell it."""
+    up: Tuple[float, float, float] = (0.0, 0.0, 1.0)
+    """Against gravity: what orientations are named by."""
+    up_confidence: Optional[float] = None
+    """With up="auto", how sure the planes are of it, 0 to 1; None where they cannot tell."""
+
+    def as_dict(self) -> Dict[str, List[Any]]:
+        """Columns by name, those of Plane.as_dict: pandas.DataFrame(planes.as_dict())."""
+        rows = [plane.as_dict(self.up) for plane in self]
+        return {name: [row[name] for row in rows] for name in TABLE_COLUMNS}
 
 
 class PlaneEdge(NamedTuple):
@@ -124,7 +172,7 @@ class PlaneCorner(NamedTuple):
 
 
 def _array_of(planes: Planes) -> NDArray[Any]:
-    if any(plane._points is not planes[0]._points for plane in planes):
+    if not all(is_same_array(plane._points, planes[0]._points) for plane in planes):
         raise ValueError("planes: they are of different arrays, whose rows cannot be told apart")
     return planes[0]._points if planes else np.empty((0, 3), np.float32)
 
@@ -206,14 +254,6 @@ def find_plane_edges(
         single, origin, planes, with_given(_pcl_ops.find_plane_edges(), parameters))
     return ([PlaneEdge(tuple(of_planes), *rest) for of_planes, *rest in edges],
             [PlaneCorner(tuple(of_planes), position) for of_planes, position in corners])
-
-
-def camera_up() -> Tuple[float, float, float]:
-    """Against gravity in the optical frame of a level camera.
-
-    There x points to the right, y down, z ahead: segment(points, up=camera_up()).
-    """
-    return 0.0, -1.0, 0.0
 
 
 @named_parameters("estimate_up_axis")

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The planes of an array, and how right they are."""
 
-from typing import Any, Dict, Literal, Optional, Tuple, get_args
+import warnings
+from typing import Any, Dict, Literal, Optional, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +34,7 @@ def _gap(piece_gap: Any) -> float:
     return float(piece_gap)
 
 
-@named_parameters("ops", "fspf", "kht")
+@named_parameters("ops", "fspf", "kht", up="Union[Vector, Literal['auto', 'camera']]")
 def segment(
     points: Points, method: Method = "ops", preset: Preset = "default", *,
     viewpoint: Vector = (0.0, 0.0, 0.0), pieces: bool = False, piece_gap: float = 8.0,
@@ -41,10 +42,11 @@ def segment(
 ) -> Tuple[Labels, FoundPlanes]:
     """Find all planes of a point cloud.
 
-    points: array of float32 or float64 of shape (N, 3), with any strides; rows with NaN or
-        infinite numbers are on no plane. float32 with its rows in order is read where it
-        is, all else is copied as float32; float64 relative to a place among the points
-        where float32 could not hold it. Other threads must not change it meanwhile.
+    points: array of float32 or float64 of shape (N, 3), or (H, W, 3) as of an image; a fourth
+        number of each point is not looked at. Rows with NaN or infinite numbers are on no
+        plane. float32 with its rows in order is read where it is, all else is copied as
+        float32; float64 relative to a place among the points where float32 could not hold
+        it. Other threads must not change it meanwhile.
     method: "ops" (Oriented Point Sampling), "fspf" (Fast Sampling Plane Filtering) or
         "kht" (3D Kernel-based Hough Transform).
     preset: "default" or "paper", what the other parameters are by default.
@@ -55,20 +57,29 @@ def segment(
     piece_gap: widest gap within a piece, in spacings of the points around it.
     parameters: see pcl_ops.parameters(method), with the values of the preset.
         distance_threshold, up=(x, y, z), angle_tolerance, seed and threads (0: all) are
-        those of all methods.
+        those of all methods. up="camera" is camera_up(); up="auto" is what the planes tell
+        (estimate_up_axis), with planes.up and planes.up_confidence.
 
-    Returns (labels, planes): an int32 array of shape (N,) with the position in planes of
-    the plane each point is on, -1 on none; and a list of Plane by falling number of
-    points, in the frame of the array, which has the lengths that were used, too.
+    Returns (labels, planes): an int32 array of shape (N,), or (H, W), with the position in
+    planes of the plane each point is on, -1 on none; and a list of Plane by falling number
+    of points, in the frame of the array, which has what was used, too.
 
-    Raises ValueError or TypeError, which name the argument at fault.
+    Raises ValueError or TypeError, which name the argument at fault. Warns where no up is
+    given and the planes suggest another one than z, or where they cannot tell "auto".
     """
     by_default = _preset(method, preset)
     sensor = place("viewpoint", viewpoint)
     array = points_array(points)
     single, origin = single_precision(array)
-    segments, voxel_size, distance_threshold = _pcl_ops.segment(
-        single, origin, sensor, with_given(by_default, parameters))
+    seen = single, origin, sensor
+    found_up = None
+    if _is_auto(parameters.get("up")):
+        found_up = _up_of_default(seen, parameters)
+        parameters["up"] = (0.0, 0.0, 1.0) if found_up is None else found_up[0]
+    given = with_given(by_default, parameters)
+    segments, voxel_size, distance_threshold = _pcl_ops.segment(*seen, given)
+    if "up" not in parameters and (method, preset) == ("ops", "default"):
+        _hint_at_up(seen, segments, given)
     lies_on = [None] * len(segments)
     if pieces:
         segments, lies_on = _pcl_ops.pieces(
@@ -77,10 +88,50 @@ def segment(
     for plane, number in zip(planes, lies_on):
         plane.lies_on = number
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
+    planes.up = parameters_of(given)["up"][0]
+    planes.up_confidence = found_up and found_up[1]
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
         labels[plane.inliers] = number
-    return labels, planes
+    return labels.reshape(np.shape(points)[:-1]), planes
+
+
+# The points, their zero and the sensor's place, as the extension takes them.
+_Seen = Tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float64]]
+
+
+def _is_auto(up: Any) -> bool:
+    return isinstance(up, str) and up == "auto"
+
+
+def _up_of(seen: _Seen, segments: Any) -> Optional[Tuple[NDArray[np.float64], float]]:
+    """Direction and confidence, where the sensor's place may be the true one."""
+    single, origin, sensor = seen
+    found = _pcl_ops.up_axis(segments, sensor, _pcl_ops.estimate_up_axis())
+    return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
+
+
+def _up_of_default(
+    seen: _Seen, parameters: Dict[str, Any]
+) -> Optional[Tuple[NDArray[np.float64], float]]:
+    """By the planes of the default preset, on which the confidence was measured."""
+    known = {name: parameters[name] for name in ("seed", "threads") if name in parameters}
+    found = _up_of(seen, _pcl_ops.segment(*seen, with_given(_pcl_ops.ops(), known))[0])
+    if found is None:
+        warnings.warn("up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)",
+                      stacklevel=3)
+    return found
+
+
+def _hint_at_up(seen: _Seen, segments: Any, used: Any) -> None:
+    """Names another axis than the one used where the planes are sure of it."""
+    found = _up_of(seen, segments)
+    known = parameters_of(used)
+    # Planes have the same names upside down.
+    if found and abs(found[0] @ known["up"][0]) < np.cos(known["angle_tolerance"][0]):
+        x, y, z = np.round(found[0], 2) + 0.0  # the sum turns -0 into 0
+        warnings.warn(f"planes suggest that up is {x:.2f}, {y:.2f}, {z:.2f}: give up=\"auto\", "
+                      "or up=(0, 0, 1) where z is", stacklevel=3)
 
 
 def parameters(method: Method = "ops", preset: Preset = "default") -> Dict[str, Any]:
@@ -111,9 +162,9 @@ def evaluate(
 ) -> Dict[str, float]:
     """Compare the planes found in a point cloud with the true ones.
 
-    truth, result: arrays of whole numbers of shape (N,), the plane of each point, negative
-        on none, as segment gives them.
-    points: array of shape (N, 3), as for segment; rows that are not finite do not count.
+    truth, result: arrays of whole numbers of the shape that segment gives labels, the plane
+        of each point, negative on none.
+    points: array as for segment; rows that are not finite do not count.
     none: the label of truth that stands for no plane, besides negative ones: 0 for labels
         as files have them, -1 where 0 is a plane. Needed where truth has the label 0 but
         no negative one, while result has negative ones.
@@ -125,9 +176,9 @@ def evaluate(
     of 0.5 and, ending in _75, of 0.75; points_off_planes_called_planes; and the numbers
     points, truth_planes and result_planes.
     """
-    array = points_array(points)
-    true_planes = plane_numbers("truth", truth, len(array), -1 if none is None else none)
-    found_planes = plane_numbers("result", result, len(array), -1)
+    array, shape = points_array(points), np.shape(points)[:-1]
+    true_planes = plane_numbers("truth", truth, shape, -1 if none is None else none)
+    found_planes = plane_numbers("result", result, shape, -1)
     # 1 was the label 0, 0 a negative one.
     if none is None and true_planes.min() == 1 and found_planes.min() == 0:
         raise ValueError(

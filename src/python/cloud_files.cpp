@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The programs' readers and writers of files, apart from the other extension: where PCL
+// is, they load a library of it.
+#include "interpreter.h"
+#include <cli/errors.h>
+#include <io/cloud_file.h>
+#include <io/las_file.h>
+#include <picture/colors.h>
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+using namespace pcl_ops::apps;
+
+namespace {
+
+using Labels = py::array_t<std::uint32_t, py::array::c_style>;
+using Distances = py::array_t<float, py::array::c_style>;
+
+template <typename Number, int Flags>
+std::vector<Number>
+vectorOf (const py::array_t<Number, Flags>& numbers)
+{
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+/** \brief Works on files while others run.
+ * \param[in] error what Python raises where the work cannot be done */
+template <typename Work>
+void
+onFiles (PyObject* error, const Work& work)
+{
+  try {
+    pcl_ops::python::whileOthersRun (work);
+  }
+  catch (const ProgramError& problem) {
+    PyErr_SetString (error, problem.what());
+    throw py::error_already_set();
+  }
+}
+
+/** \brief A cloud with the parts of a PointCloud2, so that from_message decodes it. */
+py::object
+load (const std::string& file)
+{
+  auto cloud = std::make_unique<FileCloud>();
+  onFiles (PyExc_ValueError, [&] { *cloud = loadCloud (file); });
+  const py::object parts = py::module_::import ("types").attr ("SimpleNamespace");
+  using py::arg;
+  py::list fields;
+  for (const pcl::PCLPointField& field : cloud->points.fields)
+    fields.append (parts (arg ("name") = field.name,
+                          arg ("offset") = field.offset,
+                          arg ("datatype") = field.datatype,
+                          arg ("count") = field.count));
+  const pcl::PCLPointCloud2& points = cloud->points;
+  const Eigen::Vector3f viewpoint = cloud->origin.head<3>();
+  const Eigen::Quaternionf& turn = cloud->orientation;
+  const auto orientation = std::make_tuple (turn.w(), turn.x(), turn.y(), turn.z());
+  const py::capsule owner (cloud.release(),
+                           [] (void* it) { delete static_cast<FileCloud*> (it); });
+  const py::array_t<std::uint8_t> data (
+      static_cast<py::ssize_t> (points.data.size()), points.data.data(), owner);
+  return parts (arg ("width") = points.width,
+                arg ("height") = points.height,
+                arg ("fields") = fields,
+                arg ("is_bigendian") = points.is_bigendian,
+                arg ("point_step") = points.point_step,
+                arg ("row_step") = points.row_step,
+                arg ("data") = data,
+                arg ("viewpoint") = viewpoint,
+                arg ("orientation") = orientation);
+}
+
+using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
+
+/** \brief Name, type as in pcl::PCLPointField and count of a field; they follow each
+ * other. */
+using Field = std::tuple<std::string, std::uint8_t, pcl::uindex_t>;
+
+/** \brief Writes a .pcd or .ply.
+ * \param[in] viewpoint, orientation of the sensor, the latter as w, x, y, z
+ * \param[in] labels, distances of all points, or none */
+void
+writeCloud (const std::string& file,
+            const std::vector<Field>& fields,
+            const Bytes& data,
+            pcl::uindex_t height,
+            const Eigen::Vector3f& viewpoint,
+            const Eigen::Vector4f& orientation,
+            const Labels& labels,
+            const Distances& distances,
+            bool keeps_color)
+{
+  FileCloud cloud;
+  for (const auto& [name, datatype, count] : fields)
+    addField (name, datatype, cloud.points, count);
+  cloud.points.data = vectorOf (data);
+  cloud.points.height = height;
+  cloud.points.width = static_cast<pcl::uindex_t> (cloud.points.data.size() /
+                                                   cloud.points.point_step / height);
+  cloud.points.row_step = cloud.points.point_step * cloud.points.width;
+  cloud.origin.head<3>() = viewpoint;
+  cloud.orientation = {orientation[0], orientation[1], orientation[2], orientation[3]};
+  const auto of_planes = vectorOf (labels);
+  const auto apart = vectorOf (distances);
+  onFiles (PyExc_OSError, [&] {
+    if (of_planes.empty())
+      saveCloud (file, cloud);
+    else
+      saveLabelledCloud (file, cloud, of_planes, apart, keeps_color);
+  });
+}
+
+/** \brief Writes a .las or .laz with every byte of another, which has these points. */
+void
+writeLas (const std::string& file,
+          const std::string& source,
+          const py::array_t<double, py::array::c_style>& points,
+          const Labels& labels,
+          const Distances& distances)
+{
+  const double* place = points.data();
+  const auto number = static_cast<std::uint64_t> (points.shape (0));
+  const auto of_planes = vectorOf (labels);
+  const auto apart = vectorOf (distances);
+  std::shared_ptr<LasFile> las;
+  onFiles (PyExc_ValueError, [&] {
+    las = openLas (source);
+    const std::string problem = las->validate (
+        apart.empty() ? std::vector<LasField>{label_field}
+                      : std::vector<LasField>{label_field, distance_field});
+    if (!problem.empty())
+      throw WorkError (source, problem);
+    bool is_same = las->size() == number;
+    if (is_same)
+      las->forPlaces ([&] (const Eigen::Vector3d& there) {
+        is_same &= there == Eigen::Map<const Eigen::Vector3d> (place);
+        place += 3;
+      });
+    if (!is_same)
+      throw WorkError (
+          source,
+          "has other points than the cloud, and a .las is written with all "
+          "that is in the one it was read from; write a .pcd or .ply");
+  });
+  onFiles (PyExc_OSError, [&] { saveLabelledLas (file, *las, of_planes, apart); });
+}
+
+} // namespace
+
+PYBIND11_MODULE (_files, module)
+{
+  module.def ("load", &load);
+  module.def ("save", &writeCloud);
+  module.def ("save_las", &writeLas);
+}

@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Planes as maps and tables for other programs."""
+
+import csv
+import io
+import json
+import math
+import os
+import re
+from typing import Any, Dict, List, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._arguments import Vector
+from ._planes import TABLE_COLUMNS, Planes, plane_list
+
+Rings = List[NDArray[np.float64]]
+
+
+def write_planes(
+    path: Union[str, "os.PathLike[str]"], planes: Planes, *, crs: Optional[str] = None,
+    up: Optional[Vector] = None, labels: Optional[Sequence[int]] = None,
+) -> None:
+    """Write planes with their outlines, as --planes of the programs does.
+
+    path: .geojson, a map for QGIS and others, or .csv, a table with the outline as the column
+        wkt.
+    planes: list of Plane.
+    crs: of a .geojson, the reference system of the coordinates, as "EPSG:25832"; without it
+        programs take them for degrees.
+    up: vector against gravity, of slope, aspect and height; None: the one that segment was
+        given, for its list, else z.
+    labels: the column id; None: 1, 2, ..., as write numbers the planes in a cloud.
+
+    Raises OSError where the file cannot be written, ValueError or TypeError where the
+    arguments do not fit.
+    """
+    name = os.fsdecode(path)
+    axis = getattr(planes, "up", (0.0, 0.0, 1.0)) if up is None else up
+    listed = plane_list("planes", planes)
+    numbers = range(1, len(listed) + 1) if labels is None else [int(one) for one in labels]
+    if len(numbers) != len(listed):
+        raise ValueError(f"labels: {len(numbers)} are not one for each of {len(listed)} planes")
+    rows = [{"id": number, **plane.as_dict(axis)} for number, plane in zip(numbers, listed)]
+    outlines = [_seen_from_above([plane.hull] if len(plane.hull) else []) for plane in listed]
+    extension = os.path.splitext(name)[1].lower()
+    if crs is not None and extension != ".geojson":
+        raise ValueError(f"crs: is about a .geojson, not {name}")
+    if extension == ".geojson":
+        text = _geojson(rows, outlines, crs)
+    elif extension == ".csv":
+        text = _csv(rows, outlines)
+    else:
+        raise ValueError(f"{name}: has an unknown extension; give .geojson or .csv")
+    _replace_file(name, text)
+
+
+def _replace_file(name: str, text: str) -> None:
+    """Under another name until it is complete: a failure leaves an existing file as it is."""
+    unfinished = f"{os.path.realpath(name)}.{os.getpid()}.part"
+    try:
+        with open(unfinished, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        os.replace(unfinished, os.path.realpath(name))
+    finally:
+        if os.path.exists(unfinished):
+            os.remove(unfinished)
+
+
+def _seen_from_above(rings: Rings) -> Rings:
+    """The outline counter-clockwise, its holes clockwise, as maps want them; closed."""
+    turned = []
+    for ring in rings:
+        x, y = (ring - ring[0])[:, :2].T  # far from zero areas have few digits left
+        area = x @ np.roll(y, -1) - y @ np.roll(x, -1)
+        is_wrong = area < 0.0 if not turned else area > 0.0
+        ring = ring[::-1] if is_wrong else ring
+        turned.append(np.vstack([ring, ring[:1]]))
+    return turned
+
+
+def _decimals(rows: Sequence[Dict[str, Any]]) -> int:
+    """Three, or as many as a thousandth of the narrowest plane takes."""
+    widths = [row["width"] for row in rows if row["width"] > 0.0]
+    return min(12, max([3, *(math.ceil(3 - math.log10(width)) for width in widths)]))
+
+
+def _numbers(corner: NDArray[np.float64], decimals: int) -> List[str]:
+    # A coordinate that is rounded to zero has no sign.
+    return [f"{0.0 if abs(value) <= 0.5 * 10.0**-decimals else value:.{decimals}f}"
+            for value in corner.tolist()]
+
+
+def _nested(rings: Rings, decimals: int, between: str, lists: str, corners: str) -> str:
+    """Lists of corners between the two signs of lists; each corner between its own."""
+    texts = []
+    for ring in rings:
+        written = (corners[:1] + between.join(_numbers(corner, decimals)) + corners[1:]
+                   for corner in ring)
+        texts.append(lists[0] + ",".join(written) + lists[1])
+    return lists[0] + ",".join(texts) + lists[1]
+
+
+def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any) -> str:
+    text = '{"type":"FeatureCollection",'
+    if crs is not None:
+        if not (isinstance(crs, str) and re.fullmatch("EPSG:[0-9]{1,7}", crs)):
+            raise ValueError(f"crs: has to be as 'EPSG:25832', not {crs!r:.80}")
+        known = f"urn:ogc:def:crs:EPSG::{crs[5:]}"
+        text += f'"crs":{{"type":"name","properties":{{"name":"{known}"}}}},'
+    decimals = _decimals(rows)
+    features = []
+    for row, rings in zip(rows, outlines):
+        properties = {name.replace("normal_", "n"): value for name, value in row.items()}
+        coordinates = _nested(rings, decimals, ",", "[]", "[]")
+        geometry = f'{{"type":"Polygon","coordinates":{coordinates}}}' if rings else "null"
+        features.append(
+            f'\n{{"type":"Feature","id":{row["id"]},"geometry":{geometry},"properties":'
+            f"{json.dumps(properties, separators=(',', ':'))}}}")
+    return f'{text}"features":[{",".join(features)}\n]}}\n'
+
+
+def _csv(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings]) -> str:
+    stream = io.StringIO()
+    table = csv.writer(stream, lineterminator="\n")
+    table.writerow(["id", *TABLE_COLUMNS, "wkt"])
+    decimals = _decimals(rows)
+    for row, rings in zip(rows, outlines):
+        wkt = f"POLYGON Z {_nested(rings, decimals, ' ', '()', '')}" if rings else "POLYGON Z EMPTY"
+        table.writerow([*row.values(), wkt])
+    return stream.getvalue()
