@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The C++ blocks of README.md and of the pages of src/doc compile as they are written.
+
+python3 code_blocks_test.py SOURCES COMPILER FLAGS: the project's folder, the compiler, and a file
+with the options it needs for the library's headers.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCES, COMPILER, FLAGS = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+PAGES = [SOURCES / "README.md", *sorted((SOURCES / "src/doc").glob("*.md"))]
+
+# What a reader has by then: a cloud and the detector of the first example, and where a page
+# goes on from planes, these. Headers beyond that are the block's own business.
+GIVEN = """
+#include <pcl_ops/oriented_point_sampling.h>
+void
+example (const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud,
+         pcl_ops::OrientedPointSampling<pcl::PointXYZ>& ops,
+         std::vector<pcl_ops::PlaneSegment>& planes,
+         const pcl_ops::PlaneSegment& plane,
+         const std::vector<pcl_ops::PlaneSegment>& previous,
+         const std::vector<pcl_ops::PlaneSegment>& current,
+         const Eigen::Isometry3d& pose)
+{
+  (void) cloud, (void) ops, (void) planes, (void) plane;
+  (void) previous, (void) current, (void) pose;
+  {
+"""
+
+
+def blocks_of(page):
+    return re.findall(r"^```cpp\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
+
+
+def program_of(block):
+    """A block with a main function is a program, another one the body of a function."""
+    if re.search(r"^main \(", block, re.MULTILINE):
+        return block
+    lines = block.splitlines(keepends=True)
+    headers = [line for line in lines if line.startswith("#")]
+    return "".join([*headers, GIVEN, *(line for line in lines if line not in headers), "}\n}\n"])
+
+
+class Blocks(unittest.TestCase):
+    def assertCompiles(self, block):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder, "block.cpp")
+            source.write_text(program_of(block))
+            done = subprocess.run([COMPILER, "-std=c++17", f"@{FLAGS}", "-fsyntax-only", source],
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                  check=False)
+        self.assertEqual(done.returncode, 0, f"{block}\n{done.stdout}")
+
+    def test_compile_as_written(self):
+        blocks = [(page, block) for page in PAGES for block in blocks_of(page)]
+        self.assertGreater(len(blocks), 10)
+        for page, block in blocks:
+            with self.subTest(page.name, block=block.splitlines()[0]):
+                self.assertCompiles(block)
+
+    def test_a_block_without_its_header_does_not(self):
+        edges = blocks_of(SOURCES / "src/doc/edges.md")[0]
+        self.assertCompiles(edges)
+        with self.assertRaises(AssertionError):
+            self.assertCompiles(edges.replace("#include <pcl_ops/plane_extent.h>", ""))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
