@@ -12,3 +12,5 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror")
 run(${CMAKE_COMMAND} --build ${BUILD} --parallel 2)
 run(${PREFIX}/bin/pcl_ops_simulate ${ROOM} --organized --quiet)
+# The points of that file are as those of a scan of KITTI: four numbers of four bytes.
+run(sh -c "LC_ALL=C sed '1,/^DATA binary/d' ${ROOM} > ${BUILD}/room.bin")

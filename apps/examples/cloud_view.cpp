@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Planes in points where they are: in the bytes of a PointCloud2 and in a scan of
+// KITTI. It links pcl_ops::core, and with that no library of PCL.
+#include <pcl/PCLPointCloud2.h> // a header alone, for want of sensor_msgs here
+
+#include <pcl_ops/detect_planes.h>
+#include <pcl_ops/plane_extent.h>
+
+#include <cstdio>
+#include <fstream>
+
+/** \brief Of a sensor_msgs::msg::PointCloud2, or one of ROS 1, whose x, y and z are
+ * float32 side by side, as drivers have them. */
+template <typename PointCloud2>
+static pcl_ops::CloudView
+viewOf (const PointCloud2& message)
+{
+  std::size_t offset_of_x = 0;
+  for (const auto& field : message.fields)
+    if (field.name == "x")
+      offset_of_x = field.offset;
+  const std::size_t points = std::size_t (message.width) * message.height;
+  return {message.data.data(), offset_of_x, message.point_step, points};
+}
+
+int
+main (int argc, char** argv)
+{
+  std::ifstream file (argc == 2 ? argv[1] : "", std::ios::binary);
+  pcl::PCLPointCloud2 message; // x, y, z and intensity of each point, as in the file
+  message.data.assign (std::istreambuf_iterator<char> (file), {});
+  message.point_step = 4 * sizeof (float);
+  message.height = 1;
+  message.width = message.data.size() / message.point_step;
+  if (message.width == 0)
+    return std::fprintf (stderr, "Usage: cloud_view SCAN.bin\n"), 2;
+
+  const pcl_ops::CloudView cloud = viewOf (message);
+  const pcl_ops::OrientedPointSamplingParameters parameters;
+  for (const pcl_ops::PlaneSegment& plane : pcl_ops::detectPlanes (cloud, parameters))
+    std::printf ("%zu points, %s, %.2f m^2, height %.2f\n",
+                 plane.inliers.size(),
+                 pcl_ops::toString (plane.orientation),
+                 pcl_ops::planeExtent (cloud, plane).area,
+                 plane.centroid.z());
+}
