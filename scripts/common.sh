@@ -8,20 +8,94 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '==> %s\n' "$*"; }
 
+# What is said of a script at its head, to whoever asks any of them for it.
+if [[ "${1-}" == --help || "${1-}" == -h ]]; then
+  sed -n '5,/^[^#]/s/^# \?//p' "$0" | sed '/^shellcheck /d'
+  exit 0
+fi
+
 fail() {
   printf '%s: %s\n' "$(basename "$0")" "$*" >&2
   exit 1
 }
 
-# quietly LOG COMMAND...: the command's output goes to the file and is shown if it fails.
+silence=${PCL_OPS_SILENCE:-20} # seconds after which a line says what goes on
+
+# progress_of LOG: how far a build, an installation or tests are by their output, in a line.
+progress_of() {
+  LC_ALL=C awk '
+    function megabytes(number, unit) {
+      gsub(",", "", number)
+      return number * (unit ~ /^GB/ ? 1000 : unit ~ /^MB/ ? 1 : unit ~ /^kB/ ? 0.001 : 0.000001)
+    }
+    / newly installed, / { packages = $3 }
+    /^Need to get / { split($4, all, "/"); wanted = megabytes(all[1], $5) }
+    /^Get:/ && match($0, /\[[0-9.,]+ [kMG]?B\]$/) {
+      split(substr($0, RSTART + 1, RLENGTH - 2), size, " ")
+      fetched += megabytes(size[1], size[2])
+    }
+    /^Unpacking / { ++unpacked }
+    /^Setting up / { ++set_up }
+    /^\[ *[0-9]+%\]/ || /^\[[0-9]+\/[0-9]+\]/ { step = substr($0, 2, index($0, "]") - 2) }
+    / Test +#[0-9]+:/ { tests = $1 }
+    NF { last = $0 }
+    END {
+      if (set_up) print set_up " of " packages " packages are set up"
+      else if (unpacked) print unpacked " of " packages " packages are unpacked"
+      else if (wanted) printf "%d of %d MB are fetched for %d packages\n", fetched, wanted, packages
+      else if (tests) print tests " tests are done"
+      else if (step) print (step ~ /%/ ? step " is built" : step " steps are done")
+      else print substr(last, 1, 100)
+    }' "$1" 2>/dev/null || true
+}
+
+# tell_of LOG WHILE: lines that say how far a command is that writes the log, and says nothing
+# itself; with WHILE silent only as long as the log does not grow, as others see it, too.
+tell_of() {
+  local log=$1 while=$2 size=-1 now waiting
+  # Reads of what nobody writes: a sleep would outlive this one, and hold its output open.
+  exec {waiting}<> <(:)
+  while kill -0 $$ 2>/dev/null; do
+    read -r -t "$silence" -u "$waiting" _ || true
+    now=$(wc -c <"$log")
+    if [ "$while" = always ] || [ "$now" = "$size" ]; then
+      say "  $(progress_of "$log"), goes on"
+    fi
+    size=$now
+  done
+}
+
+# quietly LOG COMMAND...: the command's output goes to the file and is shown if it fails;
+# meanwhile lines say how far it is.
 quietly() {
-  local log=$1
+  local log=$1 status=0 teller
   shift
   mkdir -p "$(dirname "$log")"
-  if ! "$@" >"$log" 2>&1 </dev/null; then
+  : >"$log"
+  tell_of "$log" always &
+  teller=$!
+  "$@" >"$log" 2>&1 </dev/null || status=$?
+  kill "$teller" 2>/dev/null || true
+  wait "$teller" 2>/dev/null || true
+  if [ "$status" -ne 0 ]; then
     tail -n 60 "$log" >&2
     fail "failed: $* (all of its output: $log)"
   fi
+}
+
+# aloud LOG COMMAND...: the command's output is shown, and goes to the file; where there is
+# none for long, lines say how far it is.
+aloud() {
+  local log=$1 status=0 teller
+  shift
+  mkdir -p "$(dirname "$log")"
+  : >"$log"
+  tell_of "$log" silent &
+  teller=$!
+  "$@" </dev/null 2>&1 | tee "$log" || status=$?
+  kill "$teller" 2>/dev/null || true
+  wait "$teller" 2>/dev/null || true
+  return "$status"
 }
 
 # missing_packages PACKAGE...: those that are not installed, and of ?PACKAGE those that this
@@ -54,13 +128,19 @@ install_packages() {
     as_root=(sudo)
   fi
   say "installing ${missing[*]}"
-  as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes)
+  as_root+=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get --quiet --yes)
   quietly "$root/build/apt-update.log" "${as_root[@]}" update
   mapfile -t missing < <(missing_packages "$@") # more names are known now
+  "${as_root[@]}" --assume-no install --no-install-recommends "${missing[@]}" 2>/dev/null |
+    sed -n 's/.* \([0-9]* newly installed\).*/==>   packages: \1/p; s/^Need to get \(.*\) of archives.*/==>   to fetch: \1/p' || true
   quietly "$root/build/apt-install.log" "${as_root[@]}" install --no-install-recommends "${missing[@]}"
 }
 
-# What every build needs.
+# What pcl_ops_segment and pcl_ops_simulate need; the rest of the project needs PCL.
+# shellcheck disable=SC2034
+build_packages_without_pcl=(g++ cmake make libeigen3-dev libboost-dev nlohmann-json3-dev
+  libpng-dev '?liblaszip-dev')
+# What every other build needs.
 # shellcheck disable=SC2034
 build_packages=(g++ cmake make libpcl-dev nlohmann-json3-dev libpng-dev
   '?liblaszip-dev')

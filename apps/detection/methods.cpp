@@ -16,8 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <new>
 #include <type_traits>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -303,11 +303,10 @@ millisecondsOf (clockid_t clock)
          1e-6 * static_cast<double> (time.tv_nsec);
 }
 
-template <typename Detector>
+template <typename Parameters>
 Detected
 detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
-  using Parameters = typename Detector::Parameters;
   Parameters parameters =
       options.preset == "paper" ? Parameters::paper() : Parameters();
   parameters.up_axis = options.up.value_or (parameters.up_axis);
@@ -315,20 +314,16 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   relate (options.numbers, cloud->size(), parameters);
   const std::string problem = validate (parameters);
   if (!problem.empty())
-    throw UsageError (Detector::Parameters::class_name, problem + "; see --help");
-  Detector detector;
-  detector.setParameters (parameters);
-  detector.setInputCloud (cloud);
-  Detected detected;
+    throw UsageError (Parameters::class_name, problem + "; see --help");
   const clockid_t clock =
       parameters.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID;
   const double start = millisecondsOf (clock);
-  // Cloud and parameters are valid: nothing but the memory is left to fail.
-  if (!detector.segment (detected.planes))
-    throw std::bad_alloc();
+  auto found = detectPlanesInDetail (*cloud, parameters, sensorOf (*cloud));
+  Detected detected;
   detected.processor_time = millisecondsOf (clock) - start;
-  detected.timing = detector.getStageDurations();
-  detected.used = detector.getUsedLengths();
+  detected.planes = std::move (found.planes);
+  detected.timing = found.durations;
+  detected.used = found.used;
   detected.settings = reportOf (options.preset, parameters);
   reportUsed (detected.used, detected.settings);
   detected.up = parameters.up_axis;
@@ -365,15 +360,14 @@ presetNotes ()
   return notes;
 }
 
-template <typename Detector>
+template <typename Parameters>
 Method
 methodOf (const std::string& name, const std::string& title)
 {
-  using Parameters = typename Detector::Parameters;
   const auto declare_options = [] (CommandLine& line, GivenNumbers& given) {
     declare (Parameters(), presetNotes<Parameters>(), line, given);
   };
-  return {name, title, declare_options, detectBy<Detector>};
+  return {name, title, declare_options, detectBy<Parameters>};
 }
 
 OpsParameters
@@ -495,13 +489,10 @@ labelsOf (const std::vector<PlaneSegment>& planes,
 const std::vector<Method>&
 allMethods ()
 {
-  using pcl::PointXYZ;
   static const std::vector<Method> methods = {
-      methodOf<OrientedPointSampling<PointXYZ>> ("ops", "Oriented Point Sampling"),
-      methodOf<FastSamplingPlaneFiltering<PointXYZ>> ("fspf",
-                                                      "Fast Sampling Plane Filtering"),
-      methodOf<KernelHoughTransform<PointXYZ>> ("kht",
-                                                "3D Kernel-based Hough Transform")};
+      methodOf<OpsParameters> ("ops", "Oriented Point Sampling"),
+      methodOf<FspfParameters> ("fspf", "Fast Sampling Plane Filtering"),
+      methodOf<KhtParameters> ("kht", "3D Kernel-based Hough Transform")};
   return methods;
 }
 

@@ -12,6 +12,18 @@
 
 namespace pcl_ops {
 
+/** \brief As \ref detectPlanes.
+ * \return the planes with the times of the stages and the lengths that were used, as the
+ * classes of the detectors tell them */
+template <typename Parameters>
+detail::Detection
+detectPlanesInDetail (const CloudView& cloud,
+                      const Parameters& parameters,
+                      const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero())
+{
+  return detail::detectChecked ({cloud, nullptr, viewpoint, nullptr}, parameters);
+}
+
 /** \brief Finds planes in positions of any origin, by the detector that the parameters
  * are of: what its class does, without a pcl::PointCloud.
  * \param[in] cloud finite points or not
@@ -26,8 +38,7 @@ detectPlanes (const CloudView& cloud,
               const Parameters& parameters,
               const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero())
 {
-  return detail::detectChecked ({cloud, nullptr, viewpoint, nullptr}, parameters)
-      .planes;
+  return detectPlanesInDetail (cloud, parameters, viewpoint).planes;
 }
 
 } // namespace pcl_ops

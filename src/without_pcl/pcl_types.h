@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The types of PCL that the Python module is made of, where it is built without PCL.
-// Each of PCL's headers stands for this one there (CMakeLists.txt beside it).
+// The types of PCL that programs and the Python module are made of, where they are
+// built without PCL. Each of PCL's headers stands for this one there (CMakeLists.txt
+// beside it).
 
 #include <Eigen/Geometry>
 
@@ -56,28 +57,43 @@ getFieldIndex (const PCLPointCloud2& cloud, const std::string& name)
 }
 
 struct PointXYZ {
-  PointXYZ (float x_ = 0.0F, float y_ = 0.0F, float z_ = 0.0F) : x (x_), y (y_), z (z_)
+  PointXYZ (float x_ = 0.0F, float y_ = 0.0F, float z_ = 0.0F) : data{x_, y_, z_, 1.0F}
   {}
 
   Eigen::Map<Eigen::Vector3f>
   getVector3fMap ()
   {
-    return Eigen::Map<Eigen::Vector3f> (&x);
+    return Eigen::Map<Eigen::Vector3f> (data);
   }
   Eigen::Map<const Eigen::Vector3f>
   getVector3fMap () const
   {
-    return Eigen::Map<const Eigen::Vector3f> (&x);
+    return Eigen::Map<const Eigen::Vector3f> (data);
   }
 
-  float x, y, z;
-  float padding = 1.0F;
+  union {
+    float data[4];
+    struct {
+      float x, y, z;
+    };
+  };
+};
+
+struct PointXYZL : PointXYZ {
+  std::uint32_t label = 0;
 };
 
 struct RGB {
+  RGB() : RGB (0, 0, 0) {}
   RGB (std::uint8_t red, std::uint8_t green, std::uint8_t blue)
   : b (blue), g (green), r (red)
   {}
+
+  Eigen::Vector3i
+  getRGBVector3i () const
+  {
+    return {r, g, b};
+  }
 
   std::uint8_t b, g, r;
   std::uint8_t a = 255;
@@ -114,6 +130,19 @@ isXYZFinite (const PointXYZ& point)
   return point.getVector3fMap().allFinite();
 }
 
+inline bool
+isFinite (const PointXYZ& point)
+{
+  return isXYZFinite (point);
+}
+
+template <typename Number>
+Number
+deg2rad (Number degrees)
+{
+  return degrees * static_cast<Number> (0.017453292519943295);
+}
+
 using std::make_shared;
 using std::shared_ptr;
 
@@ -133,12 +162,24 @@ struct PointCloud {
   bool empty () const { return points.empty(); }
   std::size_t size () const { return points.size(); }
   void reserve (std::size_t size) { points.reserve (size); }
-  void push_back (const PointT& point) { points.push_back (point); }
-  template <typename... Args>
-  void emplace_back (Args... args) { points.emplace_back (args...); }
+  void push_back (const PointT& point) { emplace_back (point); }
   const PointT& operator[] (std::size_t i) const { return points[i]; }
   PointT& operator[] (std::size_t i) { return points[i]; }
+  auto begin () { return points.begin(); }
+  auto end () { return points.end(); }
+  auto begin () const { return points.begin(); }
+  auto end () const { return points.end(); }
   // clang-format on
+
+  /** \brief No image any more. */
+  template <typename... Args>
+  void
+  emplace_back (Args... args)
+  {
+    points.emplace_back (args...);
+    width = static_cast<uindex_t> (points.size());
+    height = 1;
+  }
 
   std::vector<PointT> points;
   uindex_t width = 0;
