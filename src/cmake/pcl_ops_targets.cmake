@@ -9,6 +9,11 @@ function(pcl_ops_target_defaults target)
   # Clang 19 warns of what std::stable_sort of libstdc++ 12 calls itself; g++ of our own use.
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-deprecated-declarations>)
+  # MPL of Boost 1.74 casts to values that an enumeration lacks.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^1[6-9]\\.")
+    target_compile_options(${target} PRIVATE
+      $<$<COMPILE_LANGUAGE:CXX>:-Wno-enum-constexpr-conversion>)
+  endif()
   if(PCL_OPS_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE
       $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Werror>)
