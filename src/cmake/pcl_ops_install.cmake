@@ -26,7 +26,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
 set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
 install(EXPORT pcl_ops-targets NAMESPACE pcl_ops::
   DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
-# Exported apart: who does not ask for the component needs neither VTK nor Qhull.
+# Exported apart, as the package of Debian may be missing.
 if(TARGET pcl_ops_surface)
   pcl_ops_install_library(pcl_ops_surface surface pcl_ops-surface-targets)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops/surface

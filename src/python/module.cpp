@@ -9,6 +9,7 @@
 #include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_pieces.h>
 #include <pcl_ops/plane_tracker.h>
+#include <pcl_ops/surface/concave_hull.h>
 #include <pcl_ops/visibility.h>
 #include <pybind11/numpy.h>
 
@@ -163,6 +164,20 @@ extent (const PointRows& inliers,
   const PlaneExtent found =
       planeExtent (viewOf (inliers), ofItsInliers (plane, origin));
   return std::make_tuple (found.hull, found.area, found.length, found.width);
+}
+
+/** \return outline and holes relative to \p origin, and their area
+ * \param[in] inliers of the plane, relative to \p origin
+ * \param[in] alpha radius of the shape to begin with, 0: by the spacing of the points */
+auto
+concaveExtent (const PointRows& inliers,
+               const Eigen::Vector3d& origin,
+               const PlaneSegment& plane,
+               double alpha)
+{
+  const PlaneExtent found =
+      concavePlaneExtent (viewOf (inliers), ofItsInliers (plane, origin), alpha);
+  return std::make_pair (found.rings(), found.area);
 }
 
 /** \return the planes after merging, and into which of them each plane went */
@@ -375,6 +390,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("segment", &segment<Kht>);
   module.def ("pieces", &pieces);
   module.def ("extent", &extent);
+  module.def ("concave_extent", &concaveExtent);
   module.def ("correlated_covariance",
               [] (const PointRows& inliers,
                   const Eigen::Vector3d& origin,

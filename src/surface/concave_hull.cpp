@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/surface/concave_hull.h>
-#include <pcl/point_types.h>
-
+#include "alpha_shape.h"
 #include "extent/planar_ring.h"
 #include "geometry/planar_area.h"
 #include <pcl_ops/surface/concave_hull.h>
@@ -77,25 +75,9 @@ weightWithin (const Ring& ring, const WeightedPoints& points)
 std::vector<Ring>
 ringsOf (const PlanarPoints& points, double alpha)
 {
-  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  for (const Eigen::Vector2d& point : points)
-    cloud->push_back (
-        {static_cast<float> (point.x()), static_cast<float> (point.y()), 0.0f});
-  pcl::ConcaveHull<pcl::PointXYZ> concave;
-  concave.setInputCloud (cloud);
-  concave.setDimension (2);
-  concave.setAlpha (alpha);
-  concave.setKeepInformation (true);
-  pcl::PointCloud<pcl::PointXYZ> corners;
-  std::vector<pcl::Vertices> polygons;
-  concave.reconstruct (corners, polygons);
-  pcl::PointIndices indices;
-  concave.getHullPointIndices (indices);
   std::vector<Ring> rings;
-  for (const pcl::Vertices& polygon : polygons) {
-    rings.emplace_back();
-    for (const auto vertex : polygon.vertices)
-      rings.back().push_back (points[indices.indices[vertex]]);
+  for (const PlanarPoints& corners : alphaShapeRings (points, alpha)) {
+    rings.emplace_back (corners.begin(), corners.end());
     geometry::correct (rings.back());
   }
   std::stable_sort (rings.begin(), rings.end(), [] (const Ring& a, const Ring& b) {
@@ -173,9 +155,7 @@ outlineAround (const PlanarPoints& points, double alpha)
       std::sqrt (areaOf (convex) / static_cast<double> (numberOfPlaces (inside)));
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
   const WeightedPoints thinned = thinInside (inside, radius / cells_per_alpha);
-  constexpr std::size_t min_for_qhull = 4;
-  const int attempts = thinned.points.size() < min_for_qhull ? 0 : max_attempts;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
     const std::vector<Ring> rings = ringsOf (thinned.points, radius);
     if (!rings.empty() && geometry::is_valid (rings.front()) &&
         static_cast<double> (weightWithin (rings.front(), thinned)) >=

@@ -68,6 +68,20 @@ class Planes(unittest.TestCase):
         plane = pcl_ops.segment(points + far, viewpoint=viewpoint + far)[1][0]
         self.assertAlmostEqual(plane.distances(far + [[1, 1, 0.5]])[0], 0.5, delta=0.003)
 
+    def test_concave_outlines_have_the_doors_of_walls_as_holes(self):
+        wall = surface((0, 0, 0), (3, 0, 0), (0, 0, 2.5), 40000)
+        in_window = (abs(wall[:, 0] - 1.5) < 0.5) & (abs(wall[:, 2] - 1.2) < 0.4)
+        for place in (np.zeros(3), np.array([5e5, 5.4e6, 300.0])):
+            plane = pcl_ops.segment(wall[~in_window] + place, viewpoint=place - (0, 9, 0))[1][0]
+            rings, area = plane.concave_outline()
+            self.assertEqual(len(rings), 2)
+            self.assertAlmostEqual(area, 7.5 - 0.8, delta=0.15)
+            self.assertAlmostEqual(plane.area, 7.5, delta=0.1)
+            np.testing.assert_allclose(rings[1].mean(axis=0) - place, (1.5, 0, 1.2), atol=0.1)
+        self.assertEqual(plane.concave_outline(alpha=50.0)[0][1:], [])
+        with self.assertRaisesRegex(ValueError, "^alpha: has to be a length or 0, not -1"):
+            plane.concave_outline(-1)
+
     def test_are_rows_of_a_table(self):
         row = floor.as_dict()
         self.assertEqual((row["orientation"], row["points"]), ("horizontal", len(floor.inliers)))
@@ -117,6 +131,18 @@ class Maps(unittest.TestCase):
             x, y = ring[:, :2].T
             self.assertAlmostEqual(0.5 * (x[:-1] @ y[1:] - y[:-1] @ x[1:]), floor.area, delta=0.05)
 
+    def test_concave_outlines_come_with_their_holes_clockwise_and_areas(self):
+        ground = surface((0, 0, 0), (3, 0, 0), (0, 2.5, 0), 40000)
+        around = ground[np.abs(ground[:, :2] - (1.5, 1.2)).max(axis=1) > 0.4]
+        some = pcl_ops.segment(around, viewpoint=(0, 0, 9))[1]
+        feature = self.features(some, hull="concave")[0]
+        areas = []
+        for ring in map(np.array, feature["geometry"]["coordinates"]):
+            x, y = ring[:, :2].T
+            areas.append(0.5 * (x[:-1] @ y[1:] - y[:-1] @ x[1:]))
+        np.testing.assert_allclose(areas, [7.5, -0.64], atol=0.15)
+        self.assertAlmostEqual(feature["properties"]["area"], sum(areas), delta=0.01)
+
     def test_ids_are_the_labels(self):
         self.assertEqual([one["id"] for one in self.features(planes)], [1, 2, 3])
         self.assertEqual([one["properties"]["id"] for one in self.features(planes, labels=[7, 9, 8])],
@@ -140,6 +166,7 @@ class Maps(unittest.TestCase):
             ("map.csv", planes, {"crs": "EPSG:25832"}, ValueError, "crs: is about a .geojson"),
             ("map.geojson", planes, {"crs": "25832"}, ValueError, "crs: has to be as 'EPSG:25832'"),
             ("map.csv", planes, {"labels": [1]}, ValueError, "labels: 1 are not one for each of 3"),
+            ("map.csv", planes, {"hull": "round"}, ValueError, "hull: has to be 'convex' or"),
             ("map.csv", [1], {}, TypeError, "planes: not a list"),
             ("none/map.csv", planes, {}, OSError, "none/map.csv"),
         ):

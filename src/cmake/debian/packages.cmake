@@ -18,7 +18,7 @@ if(TARGET pcl_ops_surface)
     COMPONENTS library
     SUMMARY "outlines and meshes of the planes pcl_ops finds"
     DESCRIPTION "pcl_ops finds all planes of a point cloud in one call. This part of it turns
-them into surfaces, for which it needs more of the Point Cloud Library.
+them into surfaces: outlines with holes, and triangles.
 .
 This package has the shared library.")
 endif()

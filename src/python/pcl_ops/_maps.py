@@ -8,7 +8,7 @@ import json
 import math
 import os
 import re
-from typing import Any, Dict, List, Optional, Sequence, Union
+from typing import Any, Dict, List, Literal, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,8 @@ Rings = List[NDArray[np.float64]]
 
 def write_planes(
     path: Union[str, "os.PathLike[str]"], planes: Planes, *, crs: Optional[str] = None,
-    up: Optional[Vector] = None, labels: Optional[Sequence[int]] = None,
+    hull: Literal["convex", "concave"] = "convex", up: Optional[Vector] = None,
+    labels: Optional[Sequence[int]] = None,
 ) -> None:
     """Write planes with their outlines, as --planes of the programs does.
 
@@ -30,6 +31,7 @@ def write_planes(
     planes: list of Plane.
     crs: of a .geojson, the reference system of the coordinates, as "EPSG:25832"; without it
         programs take them for degrees.
+    hull: the outlines, and the column area by them; "concave" with holes.
     up: vector against gravity, of slope, aspect and height; None: the one that segment was
         given, for its list, else z.
     labels: the column id; None: 1, 2, ..., as write numbers the planes in a cloud.
@@ -43,8 +45,16 @@ def write_planes(
     numbers = range(1, len(listed) + 1) if labels is None else [int(one) for one in labels]
     if len(numbers) != len(listed):
         raise ValueError(f"labels: {len(numbers)} are not one for each of {len(listed)} planes")
+    if hull not in ("convex", "concave"):
+        raise ValueError(f"hull: has to be 'convex' or 'concave', not {hull!r:.80}")
     rows = [{"id": number, **plane.as_dict(axis)} for number, plane in zip(numbers, listed)]
-    outlines = [_seen_from_above([plane.hull] if len(plane.hull) else []) for plane in listed]
+    outlines = [[plane.hull] if len(plane.hull) else [] for plane in listed]
+    if hull == "concave":
+        concave = [plane.concave_outline() for plane in listed]
+        outlines = [rings for rings, _ in concave]
+        for row, (_, area) in zip(rows, concave):
+            row["area"] = area
+    outlines = [_seen_from_above(rings) for rings in outlines]
     extension = os.path.splitext(name)[1].lower()
     if crs is not None and extension != ".geojson":
         raise ValueError(f"crs: is about a .geojson, not {name}")

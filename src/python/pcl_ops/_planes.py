@@ -69,6 +69,22 @@ class Plane(_pcl_ops.Segment):
     lies_on: Optional[int] = None
     """Of a piece: the number of the plane it lies on, by falling size from 0."""
 
+    def concave_outline(self, alpha: float = 0.0) -> Tuple[List[NDArray[np.float64]], float]:
+        """The concave outline with its holes, as doors and windows, and its area without them.
+
+        alpha: radius of a circle that fits into holes and bays, to begin with; 0: six times
+            the mean distance of neighboring points. It grows until one outline is around
+            99 % of the inliers.
+
+        Returns (rings, area): arrays of shape (m, 3), first the outline, counter-clockwise as
+        hull is, then the holes, clockwise; none where the inliers span no area.
+        """
+        if not (isinstance(alpha, (int, float)) and 0.0 <= alpha < np.inf):
+            raise ValueError(f"alpha: has to be a length or 0, not {alpha!r:.80}")
+        points, origin = self._own_points()
+        rings, area = _pcl_ops.concave_extent(points, origin, self, alpha)
+        return [np.reshape(ring, (-1, 3)) + origin for ring in rings], area
+
     def distances(self, points: Points) -> NDArray[np.float64]:
         """Signed distance of any points to the plane, positive where the normal points to.
 
