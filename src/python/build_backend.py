@@ -87,6 +87,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         build, prefix = pathlib.Path(folder, "build"), pathlib.Path(folder, "prefix")
         settings = {
             "CMAKE_BUILD_TYPE": "Release", "CMAKE_UNITY_BUILD": "ON",
+            "CMAKE_UNITY_BUILD_BATCH_SIZE": "16", "PCL_OPS_BUILD_SURFACE": "OFF",
             "BUILD_TESTING": "OFF", "PCL_OPS_WITHOUT_PCL": "ON", "PCL_OPS_BUILD_APPS": "OFF",
             "PCL_OPS_PYTHON": sys.executable, "PCL_OPS_PYTHON_INSTALL_DIR": ".",
             "CMAKE_INSTALL_PREFIX": prefix}
