@@ -32,6 +32,8 @@ def draw(axes, points, labels, planes):
     axes.scatter(*points[some].T, s=0.5, c=colors[some])
     for plane in planes:
         axes.plot(*np.vstack([plane.hull, plane.hull[:1]]).T, color="black", linewidth=1)
+    # More words would lie over one another.
+    for plane in planes[:6]:
         axes.text(*plane.centroid, f"{plane.orientation}\n{plane.area:.1f} m²", ha="center")
     axes.set_box_aspect(np.ptp(points[np.isfinite(points).all(axis=1)], axis=0))
 
