@@ -62,7 +62,7 @@ class Stubs(unittest.TestCase):
     def test_and_help_have_each_parameter_by_name(self):
         methods = ("ops", "fspf", "kht")
         of_segment = {name for method in methods for name in pcl_ops.parameters(method)}
-        self.assertEqual(keywords(pcl_ops.segment), {"viewpoint"} | of_segment)
+        self.assertEqual(keywords(pcl_ops.segment), {"viewpoint", "pieces", "piece_gap"} | of_segment)
         for name in names:
             if isinstance(self.stubs[name], ast.FunctionDef):
                 given = {arg.arg for arg in self.stubs[name].args.kwonlyargs}

@@ -66,8 +66,10 @@ class Plane(_pcl_ops.Segment):
     length: float = _part_of_extent(2, "Longer side of the smallest rectangle around the hull.")
     width: float = _part_of_extent(3, "Shorter side of that rectangle.")
 
-    lies_on: Optional[int] = None
-    """Of a piece: the number of the plane it lies on, by falling size from 0."""
+    @property
+    def lies_on(self) -> Optional[int]:
+        """Of a piece: the number of the plane it lies on, by falling size from 0."""
+        return self._lies_on
 
     def concave_outline(self, alpha: float = 0.0) -> Tuple[List[NDArray[np.float64]], float]:
         """The concave outline with its holes, as doors and windows, and its area without them.
@@ -120,6 +122,7 @@ class Plane(_pcl_ops.Segment):
         super().__init__(segment)
         self._points = points
         self._known_extent = None
+        self._lies_on: Optional[int] = None
 
     def __repr__(self) -> str:
         return (f"<pcl_ops.Plane: {self.orientation}, {len(self.inliers)} points, "
@@ -127,7 +130,7 @@ class Plane(_pcl_ops.Segment):
 
     def __reduce__(self) -> Any:
         return _plane, (self._points, self.centroid, self.normal, self.orientation, *self._moments,
-                        self.inliers), {"lies_on": self.lies_on}
+                        self.inliers), {"_lies_on": self._lies_on}
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
         if self._known_extent is None:  # it takes longer than finding the plane

@@ -86,7 +86,7 @@ def segment(
             single, origin, segments, _gap(piece_gap), parameters.get("threads", 1))
     planes = FoundPlanes(Plane(segment, array) for segment in segments)
     for plane, number in zip(planes, lies_on):
-        plane.lies_on = number
+        plane._lies_on = number
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
     planes.up = parameters_of(given)["up"][0]
     planes.up_confidence = found_up and found_up[1]

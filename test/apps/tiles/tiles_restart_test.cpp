@@ -16,9 +16,14 @@ protected:
     addScript ("killed_at",
                "exec env LD_PRELOAD='" PCL_OPS_FAILING_CALLS
                "' KILLED_AT_WRITE=$first \"$@\"");
-    addScript ("stopped_once",
-               "n=1; until [ -e $first ]; do ./killed_at $n \"$@\" && exit 1; "
-               "n=$((n + 1)); done");
+    // A run that is killed late enough to go on is killed early again: else it may end
+    // before it is seen to have written the file.
+    addScript (
+        "stopped_once",
+        "files () { find out -type f ! -name '.*' 2>/dev/null | sort; }\n"
+        "n=1; until [ -e $first ]; do before=$(files); "
+        "./killed_at $n \"$@\" && exit 1; [ $n -lt 200 ] || exit 1; "
+        "if [ \"$before\" = \"$(files)\" ]; then n=$((n + 1)); else n=1; fi; done");
     addScript ("ranks",
                "exec env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
                "'" PCL_OPS_MPIEXEC "' --oversubscribe -n $first \"$@\"");
