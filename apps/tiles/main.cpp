@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -208,6 +209,7 @@ struct TileRun {
   const TilesOptions& options;
   const Ranks& ranks;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  double processor_start = static_cast<double> (std::clock()) / CLOCKS_PER_SEC;
   std::string times = {};
 
   /** \return how long each phase took, in words */
@@ -254,9 +256,14 @@ struct TileRun {
   {
     ranks.meet();
     const auto now = std::chrono::steady_clock::now();
-    times += str (boost::format ("%s%s in %.1f s") % (times.empty() ? "" : ", ") %
-                  phase % std::chrono::duration<double> (now - start).count());
+    // Of this rank, with all of its threads.
+    const double processor = static_cast<double> (std::clock()) / CLOCKS_PER_SEC;
+    times += str (boost::format ("%s%s in %.1f s (%.1f of the processor)") %
+                  (times.empty() ? "" : ", ") % phase %
+                  std::chrono::duration<double> (now - start).count() %
+                  (processor - processor_start));
     start = now;
+    processor_start = processor;
   }
 
   /** \brief Does this rank's share of the parts of a phase that are not done.
