@@ -97,21 +97,6 @@ isExactInSingle (const CoordinateReader& reader, std::size_t size)
   return true;
 }
 
-/** \brief A number as good as drawn, but the same for a place wherever it stands. */
-std::uint32_t
-hashOf (const Eigen::Vector3d& place)
-{
-  std::uint64_t hash = 0;
-  for (const double coordinate : place) {
-    const double same = coordinate + 0.0; // of zero and minus zero
-    std::uint64_t bits;
-    std::memcpy (&bits, &same, sizeof bits);
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 32;
-  }
-  return static_cast<std::uint32_t> (hash);
-}
-
 bool
 isBefore (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
 {
@@ -155,6 +140,20 @@ roundedMedian (Places places)
 }
 
 } // namespace
+
+std::uint32_t
+hashOf (const Eigen::Vector3d& place)
+{
+  std::uint64_t hash = 0;
+  for (const double coordinate : place) {
+    const double same = coordinate + 0.0; // of zero and minus zero
+    std::uint64_t bits;
+    std::memcpy (&bits, &same, sizeof bits);
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::uint32_t> (hash);
+}
 
 ShiftedCloud
 shiftedCloudOf (const FileCloud& cloud, double step)

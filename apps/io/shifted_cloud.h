@@ -78,6 +78,10 @@ private:
 
 using PlaceOf = std::function<Eigen::Vector3d (std::size_t)>;
 
+/** \brief A number as good as drawn, but the same for a place wherever it stands. */
+std::uint32_t
+hashOf (const Eigen::Vector3d& place);
+
 /** \brief Finite ones of some points, evenly spread over their order. */
 std::vector<Eigen::Vector3d>
 somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);

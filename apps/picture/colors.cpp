@@ -4,6 +4,8 @@
 
 #include <pcl/common/colors.h>
 
+#include <boost/format.hpp>
+
 #include <algorithm>
 
 namespace pcl_ops::apps {
@@ -35,6 +37,13 @@ colorOfLabel (std::uint32_t label)
   if (label == 0)
     return {gray, gray, gray};
   return colors[(label - 1) % colors.size()];
+}
+
+std::string
+webColor (const pcl::RGB& color)
+{
+  return str (boost::format ("#%02x%02x%02x") % int (color.r) % int (color.g) %
+              int (color.b));
 }
 
 pcl::RGB

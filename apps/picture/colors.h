@@ -17,6 +17,10 @@ namespace pcl_ops::apps {
 pcl::RGB
 colorOfLabel (std::uint32_t label);
 
+/** \brief As "#ff8000". */
+std::string
+webColor (const pcl::RGB& color);
+
 pcl::RGB
 colorOf (Orientation orientation);
 

@@ -191,7 +191,8 @@ segmentCloud (const SegmentOptions& options,
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
   if (give_ids)
     give_ids (sensor.isZero (0.0) ? shifted.shift : sensor, report);
-  if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
+  if (!task.outputs.planes.empty() || !task.outputs.mesh.empty() ||
+      !task.outputs.view.empty())
     std::transform (
         planes.begin(), planes.end(), std::back_inserter (report.extents), extent_of);
   begin ("writing");

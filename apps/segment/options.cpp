@@ -50,6 +50,7 @@ struct OutputOption {
 const OutputOption output_options[] = {
     {"planes", &Outputs::planes, {".json", ".csv", ".geojson"}},
     {"image", &Outputs::image, {".png"}},
+    {"view", &Outputs::view, {".html"}},
     {"mesh", &Outputs::mesh, {".ply", ".vtk"}},
     {"edges", &Outputs::edges, {".ply", ".vtk", ".json"}},
     {"rest", &Outputs::rest, {".pcd", ".ply"}},
@@ -67,9 +68,11 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("planes FILE", outputs.planes)
       .help ("write the planes: .json, .csv, .geojson or - (printed)");
   line.add ("image FILE.png", outputs.image).help ("write a picture of the planes");
+  line.add ("view FILE.html", outputs.view)
+      .help ("write a page to look at them in a browser");
   line.add ("mesh FILE", outputs.mesh).help ("write the hulls as a .ply or .vtk mesh");
   line.add ("hull", options.hull, {"convex", "concave"})
-      .help ("outline of a plane in --planes, --mesh (convex)");
+      .help ("outline of a plane in --planes, --view, --mesh (convex)");
   line.add ("pieces", options.pieces)
       .help ("each connected piece of a plane has a label of its own");
   line.add ("distances", options.distances)
@@ -146,9 +149,9 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
   const bool is_batch = options.isBatch(), is_tracked = options.track.is_on;
   const bool has_cloud = is_batch || !outputs.cloud.empty();
   const bool has_hulls = is_batch || !outputs.planes.empty() || !outputs.mesh.empty() ||
-                         line.isGiven ("min-area");
+                         !outputs.view.empty() || line.isGiven ("min-area");
   const std::tuple<std::string, bool, std::string> rows[] = {
-      {"hull", has_hulls, "--planes, --mesh and --min-area; give one"},
+      {"hull", has_hulls, "--planes, --view, --mesh and --min-area; give one"},
       {"piece-gap", options.pieces, "--pieces; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
       {"calib", !options.track.poses.empty(), "--poses; give it, too"},

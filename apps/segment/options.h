@@ -19,6 +19,8 @@ struct Outputs {
   /** \brief .json, .csv or .geojson; "-" for JSON on the standard output. */
   std::string planes;
   std::string image;
+  /** \brief A page for a browser. */
+  std::string view;
   std::string mesh;
   std::string edges;
   std::string rest;

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <io/shifted_cloud.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief A page with so many points has 16 MB. */
+inline constexpr std::size_t max_points_on_page = 2'000'000;
+
+/** \brief The points of a plane, or those on none, on a lattice of their own: 16 bits
+ * along each axis of the box around them. */
+struct PointGroup {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();
+  /** \brief Of the cloud; \ref places has all of them, or some. */
+  std::size_t all = 0;
+  /** \brief In an order as good as drawn: the first ones are an even sample. */
+  std::vector<std::array<std::uint16_t, 3>> places;
+};
+
+/** \brief Groups the points of a cloud by planes, those on none last, with at most so
+ * many in all. Where there are more, each plane keeps a hundred points, or its share of
+ * half of them, before the rest is shared out by size. The same for any order of the
+ * points; those that are not finite are left out.
+ * \param[in] labels per point: 0 for no plane, else the position of the plane plus 1
+ * \param[in] place where each point is */
+std::vector<PointGroup>
+groupPoints (const std::vector<std::uint32_t>& labels,
+             std::size_t planes,
+             const PlaceOf& place,
+             std::size_t max_points = max_points_on_page);
+
+/** \brief Writes a page that shows a cloud in a browser, all in one file (\ref
+ * writeFile).
+ * \param[in] description a JSON object for viewer.js: "title", "up", "planes" as lists
+ * of planes have them, each with its "color", and "edges"
+ * \param[in] groups one for each plane, then that of no plane
+ * \param[in] shift is added to all places */
+void
+savePage (const std::string& file,
+          const std::string& description,
+          const std::vector<PointGroup>& groups,
+          const Eigen::Vector3d& shift);
+
+} // namespace pcl_ops::apps
