@@ -9,7 +9,7 @@
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <numbers/angles.h>
-#include <page/page.h>
+#include <page/plane_page.h>
 #include <pcl_ops/plane_edges.h>
 #include <picture/colors.h>
 #include <picture/picture.h>
@@ -393,37 +393,6 @@ saveEdges (const std::string& file,
   savePolyData (file, cloud, toLines (edges));
 }
 
-/** \brief Writes a page with the cloud, its planes and where they end and meet. */
-void
-saveView (const std::string& file, const ShiftedCloud& shifted, const Report& report)
-{
-  const std::vector<PlaneSegment>& planes = report.detected.planes;
-  const Eigen::Vector3d up = report.detected.up.cast<double>().normalized();
-  nlohmann::ordered_json page;
-  page["title"] = fs::path (report.input).filename().string();
-  page["up"] = up;
-  page["planes"] = page["edges"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const std::uint32_t id = report.ids[i];
-    nlohmann::ordered_json plane = planeObject (id, planes[i], report.extents[i], up);
-    plane["color"] = webColor (colorOfLabel (id));
-    page["planes"].push_back (plane);
-  }
-  for (const PlaneEdge& edge :
-       findPlaneEdges (*shifted.cloud, planes, {}, shifted.shift).edges)
-    page["edges"].push_back ({{"from", edge.from}, {"to", edge.to}});
-  const auto place = [&] (std::size_t i) -> Eigen::Vector3d {
-    return (*shifted.cloud)[i].getVector3fMap().cast<double>();
-  };
-  const std::vector<PointGroup> groups =
-      groupPoints (labelsOf (planes, shifted.cloud->size()), planes.size(), place);
-  savePage (
-      file,
-      page.dump (-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
-      groups,
-      shifted.shift);
-}
-
 } // namespace
 
 bool
@@ -454,7 +423,13 @@ saveOutputs (const SegmentOptions& options,
                  report.detected.up,
                  report.ids);
   if (!outputs.view.empty())
-    saveView (outputs.view, shifted, report);
+    savePlanePage (outputs.view,
+                   {fs::path (report.input).filename().string(),
+                    shifted,
+                    planes,
+                    report.extents,
+                    report.ids,
+                    report.detected.up});
   if (!outputs.mesh.empty())
     saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0));
   if (!outputs.edges.empty())

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plane_page.h"
+
+#include "page.h"
+#include <detection/methods.h>
+#include <detection/plane_list.h>
+#include <pcl_ops/plane_edges.h>
+#include <pcl_ops/visibility.h>
+#include <picture/colors.h>
+#include <picture/view.h>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+planesOf (const PlanePage& page, const Eigen::Vector3d& up)
+{
+  Json planes = Json::array();
+  for (std::size_t i = 0; i < page.planes.size(); ++i) {
+    Json plane = planeObject (page.ids[i], page.planes[i], page.extents[i], up);
+    plane["color"] = webColor (colorOfLabel (page.ids[i]));
+    planes.push_back (plane);
+  }
+  return planes;
+}
+
+Json
+edgesOf (const PlanePage& page)
+{
+  const ShiftedCloud& shifted = page.shifted;
+  Json edges = Json::array();
+  for (const PlaneEdge& edge :
+       findPlaneEdges (*shifted.cloud, page.planes, {}, shifted.shift).edges)
+    edges.push_back ({{"from", edge.from}, {"to", edge.to}});
+  return edges;
+}
+
+Json
+descriptionOf (const PlanePage& page)
+{
+  constexpr int width = 4, height = 3; // only the direction of the view is used
+  const XyzCloud& cloud = *page.shifted.cloud;
+  const View view = chooseView (cloud, page.planes, page.up, width, height);
+  const Eigen::Vector3d up = page.up.cast<double>().normalized();
+  const Eigen::Vector3d to_eye = -view.axes.row (2).transpose().cast<double>();
+  Json description;
+  description["title"] = page.title;
+  description["up"] = up;
+  description["view"] = to_eye;
+  // Normals say which side was seen where the sensor is known.
+  description["backs"] = !view.hides_backs && !isSeenFromItsOrigin (cloud);
+  description["planes"] = planesOf (page, up);
+  description["edges"] = edgesOf (page);
+  return description;
+}
+
+} // namespace
+
+void
+savePlanePage (const std::string& file, const PlanePage& page)
+{
+  const XyzCloud& cloud = *page.shifted.cloud;
+  const auto place = [&] (std::size_t i) -> Eigen::Vector3d {
+    return cloud[i].getVector3fMap().cast<double>();
+  };
+  // A file may have any bytes in its name.
+  const std::string description =
+      descriptionOf (page).dump (-1, ' ', false, Json::error_handler_t::replace);
+  savePage (
+      file,
+      description,
+      groupPoints (labelsOf (page.planes, cloud.size()), page.planes.size(), place),
+      page.shifted.shift);
+}
+
+} // namespace pcl_ops::apps

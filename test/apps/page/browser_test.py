@@ -1,0 +1,257 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a page of pcl_ops_segment --view has and, where Chromium is installed, shows.
+
+python3 browser_test.py PROGRAMS: the folder of the programs.
+"""
+
+import collections
+import html
+import json
+import os
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+PROGRAMS = pathlib.Path(sys.argv[1]).resolve()
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+WIDTH, HEIGHT = 900, 600
+
+# Before all else on the page: keeps what goes wrong.
+WATCH = """<script>
+const problems = [];
+addEventListener('error', event => problems.push(event.message));
+console.error = console.warn = (...words) => problems.push(words.join(' '));
+</script>"""
+# After all else: does something once the page is drawn, and leaves the answer in the page.
+ACT = """<script>
+function press(x, y) {
+  for (const kind of ['pointerdown', 'pointerup'])
+    element('points').dispatchEvent(new PointerEvent(
+      kind, {clientX: x, clientY: y, pointerId: 1, bubbles: true}));
+}
+setTimeout(() => {
+  const result = (() => { %s })();
+  document.body.setAttribute('data-result', JSON.stringify({result, problems}));
+}, 1500);
+</script>"""
+
+
+def run(folder, *command):
+    return subprocess.run([PROGRAMS / command[0], *command[1:]], cwd=folder, check=True,
+                          stdout=subprocess.PIPE, text=True).stdout
+
+
+def part_of(page, name):
+    return re.search(rf'id="{name}">(.*?)</script>', page, re.DOTALL)[1]
+
+
+def pixels_of(png):
+    """The colors of a picture of 8 bits in RGB or RGBA, with how many pixels have them."""
+    data, at, packed = png.read_bytes(), 8, b""
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        content = data[at + 8:at + 8 + size]
+        if kind == b"IHDR":
+            width, height, _, color = struct.unpack(">IIBB", content[:10])
+        elif kind == b"IDAT":
+            packed += content
+        at += 12 + size
+    depth = {2: 3, 6: 4}[color]
+    rows, stride = zlib.decompress(packed), depth * width
+    before, counts = bytearray(stride), collections.Counter()
+    for row in range(height):
+        start = row * (stride + 1)
+        line = bytearray(rows[start + 1:start + 1 + stride])
+        unfilter(rows[start], line, before, depth)
+        counts.update(zip(line[0::depth], line[1::depth], line[2::depth]))
+        before = line
+    return counts
+
+
+def unfilter(kind, line, above, depth):
+    """As the PNG specification has it, section 9.2."""
+    for i, number in enumerate(line):
+        left = line[i - depth] if i >= depth else 0
+        corner = above[i - depth] if i >= depth else 0
+        if kind == 1:
+            number += left
+        elif kind == 2:
+            number += above[i]
+        elif kind == 3:
+            number += (left + above[i]) // 2
+        elif kind == 4:
+            guess = left + above[i] - corner
+            number += min((left, above[i], corner), key=lambda one: abs(guess - one))
+        line[i] = number & 255
+
+
+def is_shade(pixel, color):
+    """Whether it is that color, or a darker one of that hue down to 0.6 of it."""
+    light = max(pixel) / max(color)
+    return 0.6 < light < 1.02 and all(abs(p - light * c) < 4 for p, c in zip(pixel, color))
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        run(cls.folder, "pcl_ops_simulate", "room.pcd", "--seed", "1", "--quiet")
+        run(cls.folder, "pcl_ops_segment", "room.pcd", "--quiet", "--view", "room.html",
+            "--planes", "room.json")
+        cls.page = (cls.folder / "room.html").read_text(encoding="utf-8")
+        cls.description = json.loads(part_of(cls.page, "description"))
+        cls.planes = json.loads((cls.folder / "room.json").read_text())["planes"]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def chromium(self, page, *options):
+        command = [CHROMIUM, "--headless", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle",
+                   "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars",
+                   f"--user-data-dir={self.folder / 'profile'}", f"--window-size={WIDTH},{HEIGHT}",
+                   "--virtual-time-budget=10000", *options, page.as_uri()]
+        return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                              check=True, timeout=120, env={**os.environ, "HOME": str(self.folder)}).stdout
+
+    def result_of(self, script):
+        """What a script on the page returns, once the page was drawn without a problem."""
+        acting = self.folder / "acting.html"
+        page = self.page.replace("<head>", "<head>" + WATCH).replace("</body>", ACT % script + "</body>")
+        acting.write_text(page, encoding="utf-8")
+        dom = self.chromium(acting, "--dump-dom")
+        found = re.search(r'data-result="([^"]*)"', dom)
+        self.assertTrue(found, "the script did not end")
+        outcome = json.loads(html.unescape(found[1]))
+        self.assertEqual(outcome["problems"], [])
+        return outcome["result"]
+
+
+class Data(Page):
+    def test_has_the_planes_of_the_list_with_their_points(self):
+        groups = json.loads(part_of(self.page, "groups"))
+        self.assertEqual(len(groups), len(self.planes) + 1)
+        for plane, shown, group in zip(self.planes, self.description["planes"], groups):
+            self.assertEqual(plane, {name: shown[name] for name in plane})
+            self.assertRegex(shown["color"], "^#[0-9a-f]{6}$")
+            self.assertEqual((group["all"], group["shown"]), (plane["points"], plane["points"]))
+        self.assertEqual(self.description["title"], "room.pcd")
+        self.assertEqual(self.description["up"], [0.0, 0.0, 1.0])
+        self.assertGreater(len(self.description["edges"]), 0)
+
+    def test_has_places_on_their_planes(self):
+        import base64
+        numbers = memoryview(base64.b64decode(part_of(self.page, "places"))).cast("H")
+        group, plane = json.loads(part_of(self.page, "groups"))[0], self.planes[0]
+        squares = 0.0
+        for i in range(group["shown"]):
+            place = [o + s * n for o, s, n in zip(group["origin"], group["step"], numbers[3 * i:3 * i + 3])]
+            squares += sum(n * (p - c) for n, p, c in zip(plane["normal"], place, plane["centroid"]))**2
+        self.assertAlmostEqual((squares / group["shown"])**0.5, plane["rms"], delta=0.02 * plane["rms"])
+
+
+@unittest.skipUnless(CHROMIUM, "there is no Chromium here")
+class Browser(Page):
+    def screenshot(self, name, *options):
+        # Tests leave it for those who want to look at it.
+        picture = pathlib.Path(os.environ.get("PCL_OPS_PICTURES", self.folder), name)
+        self.chromium(self.folder / "room.html", f"--screenshot={picture}", *options)
+        return pixels_of(picture)
+
+    def test_draws_the_largest_planes_in_their_colors(self):
+        pixels = self.screenshot("page.png")
+        for plane in self.description["planes"][:5]:
+            color = [int(plane["color"][at:at + 2], 16) for at in (1, 3, 5)]
+            shades = sum(count for pixel, count in pixels.items() if is_shade(pixel, color))
+            self.assertGreater(shades, 1000, plane["id"])
+        self.assertGreater(pixels[255, 255, 255], 10000)
+
+    def test_is_dark_where_the_browser_is(self):
+        pixels = self.screenshot("page_dark.png", "--blink-settings=preferredColorScheme=0")
+        self.assertLess(pixels[255, 255, 255], 3000)
+        self.assertGreater(pixels[0x16, 0x18, 0x1b], 10000)
+
+    def test_lists_all_planes(self):
+        rows = self.result_of(
+            "return [...element('rows').children].map(row => row.innerText.split(/\\s+/).filter(x => x));")
+        self.assertEqual([row[:3] for row in rows],
+                         [[str(one["id"]), one["orientation"], str(one["points"])] for one in self.planes])
+        for row, plane in zip(rows, self.planes):
+            for shown, name, error in zip(row[3:], ("area", "rms", "slope"), (0.01, 0.1, 0.01)):
+                self.assertAlmostEqual(float(shown), plane[name], delta=error * plane[name] + 0.06 * (name == "slope"))
+
+    def test_a_click_says_plane_position_and_distance(self):
+        for plane in self.planes[:3]:
+            answer, place = self.result_of(f"""
+              const i = {plane["id"] - 1}, group = groups[i], at = 3 * group.first;
+              const point = group.fromMiddle.map((x, k) => x + group.step[k] * places[at + k]);
+              element('none').click();  // others may be in front of it
+              element('rows').children[i].querySelector('input').click();
+              look(point, group.normal, radius / 4);
+              const box = element('points').getBoundingClientRect();
+              press(box.left + box.width / 2, box.top + box.height / 2);
+              return [element('answer').textContent, add(point, middle)];""")
+            found = re.fullmatch(r"plane (\d+), (\w+), at (\S+), (\S+), (\S+), distance to the plane (\S+) ± (\S+)",
+                                 answer)
+            self.assertTrue(found, answer)
+            self.assertEqual((int(found[1]), found[2]), (plane["id"], plane["orientation"]))
+            shown = [float(found[i]) for i in (3, 4, 5)]
+            self.assertLess(max(abs(a - b) for a, b in zip(shown, place)), 0.01)
+            distance = sum(n * (p - c) for n, p, c in zip(plane["normal"], shown, plane["centroid"]))
+            self.assertAlmostEqual(float(found[6]), distance, delta=0.001)
+            self.assertLess(float(found[7]), 0.001)
+
+    def test_planes_and_layers_are_switched_on_and_off(self):
+        counts = self.result_of("""
+          const drawn = () => {
+            draw();
+            const bytes = new Uint8Array(4 * canvas.width * canvas.height);
+            gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            return bytes.filter((byte, i) => i % 4 === 3 && byte).length;
+          };
+          const counts = [drawn()];
+          for (const id of ['none', 'rest', 'all']) { element(id).click(); counts.push(drawn()); }
+          element('rows').children[0].querySelector('input').click();
+          counts.push(drawn());
+          element('none').click();
+          for (const id of ['outlines', 'normals', 'edges']) { element(id).click(); counts.push(drawn()); }
+          return counts;""")
+        all_, rest, nothing, planes, without_largest, outlines, normals, edges = counts
+        self.assertGreater(all_, planes)
+        self.assertTrue(0 < rest < all_)
+        self.assertEqual(nothing, 0)
+        self.assertGreater(planes, without_largest)
+        self.assertEqual((outlines, normals), (0, 0))  # of planes that are off
+        self.assertGreater(edges, 0)
+
+    def test_turns_moves_and_zooms(self):
+        cameras = self.result_of("""
+          const cameras = [{...camera}];
+          const send = (kind, x, y, more) => canvas.dispatchEvent(new PointerEvent(kind,
+            {clientX: x, clientY: y, pointerId: 1, buttons: 1, button: 0, bubbles: true, ...more}));
+          const after = () => cameras.push({...camera});
+          send('pointerdown', 200, 200); send('pointermove', 260, 200); send('pointerup', 260, 200); after();
+          send('pointerdown', 200, 200, {buttons: 2}); send('pointermove', 200, 260, {buttons: 2});
+          send('pointerup', 200, 260); after();
+          canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, cancelable: true})); after();
+          send('pointerdown', 200, 200); send('pointerdown', 300, 200, {pointerId: 2});
+          send('pointermove', 400, 200, {pointerId: 2}); after();
+          return cameras;""")
+        first, turned, moved, nearer, pinched = cameras
+        self.assertNotEqual(turned["yaw"], first["yaw"])
+        self.assertEqual(turned["target"], first["target"])
+        self.assertNotEqual(moved["target"], turned["target"])
+        self.assertLess(nearer["distance"], moved["distance"])
+        self.assertAlmostEqual(pinched["distance"], nearer["distance"] / 2)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])

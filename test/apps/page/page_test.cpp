@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <page/page.h>
+#include <support/temporary_folder.h>
+#include <support/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace pcl_ops::apps;
+using Eigen::Vector3d;
+
+namespace {
+
+struct LabeledPoints {
+  std::vector<Vector3d> points;
+  std::vector<std::uint32_t> labels;
+
+  /** \brief A row along x, 1 cm apart. */
+  void
+  addRow (std::uint32_t label, int number, double y)
+  {
+    for (int i = 0; i < number; ++i) {
+      points.emplace_back (0.01 * i, y, 0.1 * std::sin (i));
+      labels.push_back (label);
+    }
+  }
+
+  std::vector<PointGroup>
+  groups (std::size_t planes, std::size_t max_points = max_points_on_page) const
+  {
+    return groupPoints (
+        labels, planes, [this] (std::size_t i) { return points[i]; }, max_points);
+  }
+};
+
+/** \brief What stands on a page between the tags of an element. */
+std::string
+elementOf (const std::string& page, const std::string& id)
+{
+  const std::size_t tag = page.find ("id=\"" + id + "\"");
+  const std::size_t begin = page.find ('>', tag) + 1;
+  return page.substr (begin, page.find ("</script>", begin) - begin);
+}
+
+/** \brief Bytes of letters in base64. */
+std::vector<std::uint8_t>
+decoded (const std::string& letters)
+{
+  const std::string digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    bits = bits << 6U | static_cast<std::uint32_t> (digits.find (letters[i]));
+    if (i % 4 == 3)
+      for (const unsigned shift : {16U, 8U, 0U})
+        bytes.push_back (bits >> shift & 255U);
+  }
+  return bytes;
+}
+
+struct ShownGroup {
+  std::size_t all;
+  Vector3d step;
+  std::vector<Vector3d> points;
+};
+
+Vector3d
+vectorIn (const nlohmann::json& list)
+{
+  return Vector3d (list.at (0), list.at (1), list.at (2));
+}
+
+std::vector<ShownGroup>
+groupsOn (const std::string& page)
+{
+  const std::vector<std::uint8_t> bytes = decoded (elementOf (page, "places"));
+  std::size_t next = 0;
+  const auto coordinate = [&] {
+    const int number = bytes.at (next) + 256 * bytes.at (next + 1);
+    next += 2;
+    return double (number);
+  };
+  std::vector<ShownGroup> groups;
+  for (const nlohmann::json& one : nlohmann::json::parse (elementOf (page, "groups"))) {
+    const Vector3d origin = vectorIn (one.at ("origin"));
+    ShownGroup& group = groups.emplace_back (
+        ShownGroup{one.at ("all"), vectorIn (one.at ("step")), {}});
+    for (std::size_t i = 0; i < one.at ("shown"); ++i) {
+      const double x = coordinate(), y = coordinate(), z = coordinate();
+      group.points.emplace_back (origin + group.step.cwiseProduct (Vector3d (x, y, z)));
+    }
+  }
+  EXPECT_EQ (next, bytes.size());
+  return groups;
+}
+
+class Page : public testing::Test {
+protected:
+  std::string
+  textOf (const std::vector<PointGroup>& groups,
+          const std::string& description = "{}",
+          const Vector3d& shift = Vector3d::Zero()) const
+  {
+    savePage (folder_ / "page.html", description, groups, shift);
+    return contentOf (folder_ / "page.html");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F (Page, HasEachPointInItsGroupWithinHalfAStep)
+{
+  LabeledPoints cloud;
+  cloud.addRow (2, 300, 1.0);
+  cloud.addRow (0, 50, 7.0);
+  cloud.addRow (1, 200, 3.0);
+  const Vector3d shift (500'000, 5'400'000, 100);
+  const std::vector<ShownGroup> shown =
+      groupsOn (textOf (cloud.groups (2), "{}", shift));
+  ASSERT_EQ (shown.size(), 3u);
+  const std::vector<std::uint32_t> group_of_label = {2, 0, 1};
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const ShownGroup& group = shown[group_of_label[cloud.labels[i]]];
+    const Vector3d half_step = 0.5 * group.step + Vector3d::Constant (1e-8);
+    EXPECT_TRUE (std::any_of (group.points.begin(), group.points.end(), [&] (auto& p) {
+      return ((p - shift - cloud.points[i]).array().abs() <= half_step.array()).all();
+    })) << i;
+  }
+  EXPECT_EQ (shown[0].points.size(), 200u);
+  EXPECT_EQ (shown[1].points.size(), 300u);
+  EXPECT_EQ (shown[2].points.size(), 50u);
+  EXPECT_LE (shown[1].step.maxCoeff(), 3.0 / 65535 + 1e-12);
+}
+
+TEST_F (Page, OfManyPointsHasSomeOfEachPlaneAndAtMostTheLimit)
+{
+  LabeledPoints cloud;
+  cloud.addRow (1, 100'000, 1.0);
+  cloud.addRow (2, 10'000, 2.0);
+  cloud.addRow (3, 10, 3.0);
+  cloud.addRow (0, 20'000, 4.0);
+  const std::vector<ShownGroup> shown = groupsOn (textOf (cloud.groups (3, 1000)));
+  std::size_t all = 0;
+  for (const ShownGroup& group : shown)
+    all += group.points.size();
+  EXPECT_LE (all, 1000u);
+  EXPECT_GE (all, 600u);
+  EXPECT_EQ (shown[0].all, 100'000u);
+  EXPECT_GT (shown[0].points.size(), 300u);
+  EXPECT_GE (shown[1].points.size(), 100u);
+  EXPECT_EQ (shown[2].points.size(), 10u);
+}
+
+TEST_F (Page, ShowsAnEvenSampleWhosePartsAreEven)
+{
+  LabeledPoints cloud;
+  cloud.addRow (1, 100'000, 1.0);
+  const std::vector<Vector3d> points =
+      groupsOn (textOf (cloud.groups (1, 4000)))[0].points;
+  for (const std::size_t part : {points.size(), points.size() / 4}) {
+    const auto is_left = [] (const Vector3d& point) { return point.x() < 500.0; };
+    const auto end = points.begin() + static_cast<std::ptrdiff_t> (part);
+    const auto left = double (std::count_if (points.begin(), end, is_left));
+    EXPECT_NEAR (left / double (part), 0.5, 0.06);
+  }
+}
+
+TEST_F (Page, IsTheSameForAnyOrderOfThePoints)
+{
+  LabeledPoints cloud;
+  cloud.addRow (1, 3000, 1.0);
+  cloud.addRow (0, 3000, 2.0);
+  const std::string before = textOf (cloud.groups (1, 1000));
+  std::reverse (cloud.points.begin(), cloud.points.end());
+  std::reverse (cloud.labels.begin(), cloud.labels.end());
+  EXPECT_EQ (textOf (cloud.groups (1, 1000)), before);
+}
+
+TEST_F (Page, LeavesOutPointsWithoutCoordinates)
+{
+  LabeledPoints cloud;
+  cloud.addRow (1, 5, 1.0);
+  cloud.points[2].y() = std::numeric_limits<double>::quiet_NaN();
+  cloud.points[3].z() = std::numeric_limits<double>::infinity();
+  const std::vector<ShownGroup> shown = groupsOn (textOf (cloud.groups (1)));
+  EXPECT_EQ (shown[0].points.size(), 3u);
+  EXPECT_EQ (shown[0].all, 3u);
+}
+
+TEST_F (Page, OfNoPointsHasEmptyGroups)
+{
+  const std::vector<ShownGroup> shown = groupsOn (textOf (LabeledPoints().groups (2)));
+  ASSERT_EQ (shown.size(), 3u);
+  for (const ShownGroup& group : shown)
+    EXPECT_TRUE (group.points.empty());
+}
+
+TEST_F (Page, TakesEightBytesForAPoint)
+{
+  LabeledPoints cloud;
+  cloud.addRow (1, 30'000, 1.0);
+  const std::size_t empty = textOf (LabeledPoints().groups (1)).size();
+  EXPECT_LT (textOf (cloud.groups (1)).size() - empty, 8u * 30'000 + 200);
+  // So that the most points have 30 MB at most, with a megabyte for planes.
+  EXPECT_LT (empty + 8u * max_points_on_page, 29'000'000u);
+}
+
+TEST_F (Page, HasNamesWhichLookLikeTheEndOfAScript)
+{
+  const nlohmann::json description = {{"title", "</script><script>alert (1)<!--"}};
+  const std::string plain = textOf (LabeledPoints().groups (0));
+  const std::string page = textOf (LabeledPoints().groups (0), description.dump());
+  EXPECT_EQ (nlohmann::json::parse (elementOf (page, "description")), description);
+  const auto scripts = [] (const std::string& text) {
+    std::size_t number = 0;
+    for (std::size_t at = 0; (at = text.find ("<script", at)) != std::string::npos;
+         ++at)
+      ++number;
+    return number;
+  };
+  EXPECT_EQ (scripts (page), scripts (plain));
+}
+
+TEST_F (Page, LoadsNothing)
+{
+  const std::string page = textOf (LabeledPoints().groups (0));
+  for (const char* word : {"http", "src=", "import", "fetch", "url(", "{{"})
+    EXPECT_EQ (page.find (word), std::string::npos) << word;
+}
+
+} // namespace
