@@ -18,7 +18,9 @@ const short = (x, digits) => String(parseFloat(x.toPrecision(digits)));
 // ---- the cloud
 
 function decodedPlaces() {
-  const bytes = Uint8Array.from(atob(element('places').textContent), letter => letter.charCodeAt(0));
+  const letters = atob(element('places').textContent), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < bytes.length; ++i)
+    bytes[i] = letters.charCodeAt(i);
   element('places').remove();
   return new Uint16Array(bytes.buffer);
 }
