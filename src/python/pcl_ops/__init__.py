@@ -9,6 +9,7 @@ Lengths are in the unit of the points, angles in radians.
 
 from ._arguments import camera_up
 from ._clouds import Cloud, from_message, read, write
+from ._look import write_html
 from ._maps import write_planes
 from ._pcl_ops import __version__
 from ._planes import FoundPlanes, Plane, PlaneCorner, PlaneEdge, PlaneTracker, TrackedPlane
@@ -19,5 +20,5 @@ __all__ = [
     "Cloud", "FoundPlanes", "Plane", "PlaneCorner", "PlaneEdge", "PlaneTracker", "TrackedPlane",
     "__version__", "camera_up", "estimate_up_axis", "evaluate", "filter_planes", "find_plane_edges",
     "from_message", "is_seen_from", "match_planes", "merge_planes", "parameters", "read", "segment",
-    "write", "write_planes",
+    "write", "write_html", "write_planes",
 ]

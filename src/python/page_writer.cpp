@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The programs' writer of pages, apart from the other extension as the reader is.
+#include "interpreter.h"
+#include <cli/errors.h>
+#include <page/page.h>
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace {
+
+/** \param[in] points relative to \p shift
+ * \param[in] labels 0 for no plane, else the position of the plane plus 1 */
+void
+save (const std::string& file,
+      const std::string& description,
+      const py::array_t<float>& points,
+      const Eigen::Vector3d& shift,
+      const std::vector<std::uint32_t>& labels,
+      std::size_t planes,
+      std::size_t max_points)
+{
+  const auto numbers = points.unchecked<2>();
+  const auto place = [&] (std::size_t i) {
+    const auto row = static_cast<py::ssize_t> (i);
+    return Eigen::Vector3d (numbers (row, 0), numbers (row, 1), numbers (row, 2));
+  };
+  try {
+    pcl_ops::python::whileOthersRun ([&] {
+      using namespace pcl_ops::apps;
+      savePage (
+          file, description, groupPoints (labels, planes, place, max_points), shift);
+    });
+  }
+  catch (const pcl_ops::apps::ProgramError& error) {
+    PyErr_SetString (PyExc_OSError, error.what());
+    throw py::error_already_set();
+  }
+}
+
+} // namespace
+
+PYBIND11_MODULE (_page, module) { module.def ("save", &save); }
