@@ -144,8 +144,6 @@ writeGroups (const std::vector<PointGroup>& groups,
 {
   const Eigen::IOFormat list (
       Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",", "", "", "[", "]");
-  stream.imbue (std::locale::classic());
-  stream.precision (std::numeric_limits<double>::max_digits10);
   stream << '[';
   for (const PointGroup& group : groups) {
     const Eigen::Vector3d origin = group.origin + shift;
@@ -187,6 +185,9 @@ savePage (const std::string& file,
   const std::string safe = boost::replace_all_copy (description, "<", "\\u003c");
   const std::string page = viewer_html;
   writeFile (file, [&] (std::ostream& stream) {
+    // Before all else: streams whose file is full throw at it.
+    stream.imbue (std::locale::classic());
+    stream.precision (std::numeric_limits<double>::max_digits10);
     std::size_t written = 0;
     const auto write_up_to = [&] (const std::string& mark) {
       const std::size_t end = page.find (mark);

@@ -51,8 +51,8 @@ descriptionOf (const PlanePage& page)
   description["title"] = page.title;
   description["up"] = up;
   description["view"] = to_eye;
-  // Normals say which side was seen where the sensor is known.
-  description["backs"] = !view.hides_backs && !isSeenFromItsOrigin (cloud);
+  // Where no sensor is known to have been, normals do not say which side was seen.
+  description["backs"] = !isSeenFromItsOrigin (cloud);
   description["planes"] = planesOf (page, up);
   description["edges"] = edgesOf (page);
   return description;

@@ -10,6 +10,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <io/output_file.h>
+#include <page/plane_page.h>
 #include <picture/view.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -22,6 +23,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 
 namespace pcl_ops::apps {
@@ -33,8 +35,9 @@ using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 constexpr int width = 1280, height = 960;
 
 struct ViewOptions {
-  /** \brief The picture to make instead of opening a window; empty for a window. */
-  std::string input, screenshot;
+  std::string input;
+  /** \brief The picture or page to make instead of opening a window; empty for none. */
+  std::string screenshot, page;
   ViewState state;
 };
 
@@ -53,14 +56,19 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
       .help ("what the colors show (planes)");
   line.add ("screenshot FILE.png", options.screenshot)
       .help ("write the first view to a file and open no window");
+  line.add ("view FILE.html", options.page)
+      .help ("write a page to look at them in a browser, and open no window");
   declareMethodOptions (line, state.method, state.detector);
   if (!line.parse (argc, argv))
     return false;
-  if (options.screenshot.empty())
-    return true;
-  state.help = false;
+  state.help = options.screenshot.empty();
   checkExtension ("--screenshot", options.screenshot, {".png"});
-  checkWritable (options.screenshot);
+  checkExtension ("--view", options.page, {".html"});
+  if (!options.screenshot.empty() && !options.page.empty())
+    throw UsageError ("--view", "opens no window to take --screenshot of; keep one");
+  for (const std::string& output : {options.screenshot, options.page})
+    if (!output.empty())
+      checkWritable (output);
   return true;
 }
 
@@ -242,6 +250,26 @@ private:
 };
 
 void
+savePage (const ViewOptions& options, const ShiftedCloud& shifted)
+{
+  const FoundPlanes found = findPlanes (options.state, shifted.cloud);
+  std::vector<PlaneSegment> planes = found.detected.planes;
+  std::vector<PlaneExtent> extents;
+  std::vector<std::uint32_t> ids;
+  for (PlaneSegment& plane : planes) {
+    const PlanarPoints points = pointsOnPlane (
+        *shifted.cloud, plane, PlaneFrame (plane.centroid, plane.normal));
+    plane.moveBy (shifted.shift);
+    extents.push_back (extentOf (
+        {convexHull (points)}, points, PlaneFrame (plane.centroid, plane.normal)));
+    ids.push_back (static_cast<std::uint32_t> (ids.size() + 1));
+  }
+  const std::string title = std::filesystem::path (options.input).filename().string();
+  savePlanePage (options.page,
+                 {title, shifted, planes, extents, ids, found.detected.up});
+}
+
+void
 view (const ViewOptions& options)
 {
   const ShiftedCloud shifted = shiftedCloudOf (loadCloud (options.input));
@@ -255,6 +283,8 @@ view (const ViewOptions& options)
     throw WorkError (options.input,
                      "has no point with finite coordinates, so there is nothing to "
                      "show; give another cloud");
+  if (!options.page.empty())
+    return savePage (options, shifted);
   checkDisplay();
   Window window (options, shifted, std::move (finite));
   options.screenshot.empty() ? window.run() : window.savePicture();

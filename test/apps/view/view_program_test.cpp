@@ -60,3 +60,12 @@ TEST_F (View, WritesScreenshotsAsAsked)
   EXPECT_EQ (contentOf (folder_ / "a.png"), png) << "the old one is kept";
 #endif
 }
+
+TEST_F (View, WritesThePageOfTheOtherProgramWithoutADisplay)
+{
+  const Outcome done =
+      shell ("pcl_ops_segment in.xyz --method kht --quiet --view a.html && "
+             "env -u DISPLAY -u WAYLAND_DISPLAY pcl_ops_view in.xyz --method kht "
+             "--view b.html && cmp a.html b.html");
+  EXPECT_EQ (done.exit_code, 0) << done.out << done.err;
+}
