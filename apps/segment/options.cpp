@@ -70,9 +70,8 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("image FILE.png", outputs.image).help ("write a picture of the planes");
   line.add ("view FILE.html", outputs.view)
       .help ("write a page to look at them in a browser");
-  line.add ("mesh FILE", outputs.mesh).help ("write the hulls as a .ply or .vtk mesh");
   line.add ("hull", options.hull, {"convex", "concave"})
-      .help ("outline of a plane in --planes, --view, --mesh (convex)");
+      .help ("outline of a plane in --planes, --view (convex)");
   line.add ("pieces", options.pieces)
       .help ("each connected piece of a plane has a label of its own");
   line.add ("distances", options.distances)
@@ -89,6 +88,7 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("keep-color", options.keep_color).help ("keep the input's rgb in OUTPUT");
   line.add ("piece-gap R", options.of_pieces.max_gap, from (1))
       .help ("widest gap in one of --pieces, in spacings of its points (8)");
+  line.add ("mesh FILE", outputs.mesh).help ("write the hulls as a .ply or .vtk mesh");
   line.add ("edges FILE", outputs.edges)
       .help ("write where planes meet: .ply, .vtk or .json");
   line.add ("rest FILE", outputs.rest)
