@@ -70,7 +70,7 @@ function look(target, direction, distance) {
 }
 
 function lookAtAll() {
-  look([0, 0, 0], description.view, 1.6 * radius * Math.max(1, canvas.clientHeight / canvas.clientWidth));
+  look([0, 0, 0], description.view, 1.8 * radius * Math.max(1, canvas.clientHeight / canvas.clientWidth));
 }
 
 function cameraFrame() {
@@ -412,6 +412,7 @@ function start() {
   new ResizeObserver(redraw).observe(canvas);
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
   lookAtAll();
+  redrawMoving(); // something to see at once
 }
 
 start();

@@ -5,6 +5,7 @@
 python3 browser_test.py PROGRAMS: the folder of the programs.
 """
 
+import base64
 import collections
 import html
 import json
@@ -31,13 +32,24 @@ console.error = console.warn = (...words) => problems.push(words.join(' '));
 </script>"""
 # After all else: does something once the page is drawn, and leaves the answer in the page.
 ACT = """<script>
+function drawnPixels() {
+  draw();
+  const bytes = new Uint8Array(4 * canvas.width * canvas.height);
+  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  return bytes.filter((byte, i) => i % 4 === 3 && byte).length;
+}
+function showOnly(i) {
+  for (const id of ['none', 'rest'])
+    element(id).click();
+  element('rows').children[i].querySelector('input').click();
+}
 function press(x, y) {
   for (const kind of ['pointerdown', 'pointerup'])
     element('points').dispatchEvent(new PointerEvent(
       kind, {clientX: x, clientY: y, pointerId: 1, bubbles: true}));
 }
 setTimeout(() => {
-  const result = (() => { %s })();
+  const result = (() => { SCRIPT })();
   document.body.setAttribute('data-result', JSON.stringify({result, problems}));
 }, 1500);
 </script>"""
@@ -125,7 +137,7 @@ class Page(unittest.TestCase):
     def result_of(self, script):
         """What a script on the page returns, once the page was drawn without a problem."""
         acting = self.folder / "acting.html"
-        page = self.page.replace("<head>", "<head>" + WATCH).replace("</body>", ACT % script + "</body>")
+        page = self.page.replace("<head>", "<head>" + WATCH).replace("</body>", ACT.replace("SCRIPT", script) + "</body>")
         acting.write_text(page, encoding="utf-8")
         dom = self.chromium(acting, "--dump-dom")
         found = re.search(r'data-result="([^"]*)"', dom)
@@ -147,8 +159,14 @@ class Data(Page):
         self.assertEqual(self.description["up"], [0.0, 0.0, 1.0])
         self.assertGreater(len(self.description["edges"]), 0)
 
+    def test_hides_planes_from_behind_where_a_sensor_saw_them_only(self):
+        self.assertFalse(self.description["backs"])
+        run(self.folder, "pcl_ops_simulate", "survey.pcd", "--scene", "survey", "--points", "20000", "--quiet")
+        run(self.folder, "pcl_ops_segment", "survey.pcd", "--quiet", "--view", "survey.html")
+        survey = (self.folder / "survey.html").read_text(encoding="utf-8")
+        self.assertTrue(json.loads(part_of(survey, "description"))["backs"])
+
     def test_has_places_on_their_planes(self):
-        import base64
         numbers = memoryview(base64.b64decode(part_of(self.page, "places"))).cast("H")
         group, plane = json.loads(part_of(self.page, "groups"))[0], self.planes[0]
         squares = 0.0
@@ -193,8 +211,7 @@ class Browser(Page):
             answer, place = self.result_of(f"""
               const i = {plane["id"] - 1}, group = groups[i], at = 3 * group.first;
               const point = group.fromMiddle.map((x, k) => x + group.step[k] * places[at + k]);
-              element('none').click();  // others may be in front of it
-              element('rows').children[i].querySelector('input').click();
+              showOnly(i);  // others may be in front of it
               look(point, group.normal, radius / 4);
               const box = element('points').getBoundingClientRect();
               press(box.left + box.width / 2, box.top + box.height / 2);
@@ -211,18 +228,12 @@ class Browser(Page):
 
     def test_planes_and_layers_are_switched_on_and_off(self):
         counts = self.result_of("""
-          const drawn = () => {
-            draw();
-            const bytes = new Uint8Array(4 * canvas.width * canvas.height);
-            gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-            return bytes.filter((byte, i) => i % 4 === 3 && byte).length;
-          };
-          const counts = [drawn()];
-          for (const id of ['none', 'rest', 'all']) { element(id).click(); counts.push(drawn()); }
+          const counts = [drawnPixels()];
+          for (const id of ['none', 'rest', 'all']) { element(id).click(); counts.push(drawnPixels()); }
           element('rows').children[0].querySelector('input').click();
-          counts.push(drawn());
+          counts.push(drawnPixels());
           element('none').click();
-          for (const id of ['outlines', 'normals', 'edges']) { element(id).click(); counts.push(drawn()); }
+          for (const id of ['outlines', 'normals', 'edges']) { element(id).click(); counts.push(drawnPixels()); }
           return counts;""")
         all_, rest, nothing, planes, without_largest, outlines, normals, edges = counts
         self.assertGreater(all_, planes)
@@ -231,6 +242,21 @@ class Browser(Page):
         self.assertGreater(planes, without_largest)
         self.assertEqual((outlines, normals), (0, 0))  # of planes that are off
         self.assertGreater(edges, 0)
+
+    def test_planes_are_seen_from_behind_where_asked(self):
+        before, behind, shown = self.result_of("""
+          showOnly(0);
+          const middle_of_plane = add(planes[0].centroid, middle, -1), counts = [];
+          look(middle_of_plane, planes[0].normal, radius);
+          counts.push(drawnPixels());
+          look(middle_of_plane, scaled(planes[0].normal, -1), radius);
+          counts.push(drawnPixels());
+          element('backs').click();
+          counts.push(drawnPixels());
+          return counts;""")
+        self.assertGreater(before, 1000)
+        self.assertEqual(behind, 0)
+        self.assertGreater(shown, 1000)
 
     def test_turns_moves_and_zooms(self):
         cameras = self.result_of("""
