@@ -74,8 +74,6 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
       .help ("outline of a plane in --planes, --view (convex)");
   line.add ("pieces", options.pieces)
       .help ("each connected piece of a plane has a label of its own");
-  line.add ("distances", options.distances)
-      .help ("add each point's signed distance to its plane");
   line.add ("quiet", options.quiet).help ("print no table");
 }
 
@@ -86,6 +84,8 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.beginGroup ("Further outputs");
   declareMap (line, options.map);
   line.add ("keep-color", options.keep_color).help ("keep the input's rgb in OUTPUT");
+  line.add ("distances", options.distances)
+      .help ("add each point's signed distance to its plane");
   line.add ("piece-gap R", options.of_pieces.max_gap, from (1))
       .help ("widest gap in one of --pieces, in spacings of its points (8)");
   line.add ("mesh FILE", outputs.mesh).help ("write the hulls as a .ply or .vtk mesh");

@@ -63,7 +63,7 @@ def write_html(
     """
     planes = plane_list("planes", planes)
     array = points_array(points)
-    numbers = plane_numbers("labels", labels, len(array), -1)
+    numbers = plane_numbers("labels", labels, np.shape(points)[:-1], -1)
     if numbers.max() > len(planes):
         raise ValueError(f"labels: the label {numbers.max() - 1} is none of {len(planes)} planes")
     if not (isinstance(max_points, int) and max_points >= 0):
