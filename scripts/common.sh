@@ -65,6 +65,12 @@ tell_of() {
   done
 }
 
+# stop_telling PID: of tell_of in the background.
+stop_telling() {
+  kill "$1" 2>/dev/null || true
+  wait "$1" 2>/dev/null || true
+}
+
 # quietly LOG COMMAND...: the command's output goes to the file and is shown if it fails;
 # meanwhile lines say how far it is.
 quietly() {
@@ -75,8 +81,7 @@ quietly() {
   tell_of "$log" always &
   teller=$!
   "$@" >"$log" 2>&1 </dev/null || status=$?
-  kill "$teller" 2>/dev/null || true
-  wait "$teller" 2>/dev/null || true
+  stop_telling "$teller"
   if [ "$status" -ne 0 ]; then
     tail -n 60 "$log" >&2
     fail "failed: $* (all of its output: $log)"
@@ -93,8 +98,7 @@ aloud() {
   tell_of "$log" silent &
   teller=$!
   "$@" </dev/null 2>&1 | tee "$log" || status=$?
-  kill "$teller" 2>/dev/null || true
-  wait "$teller" 2>/dev/null || true
+  stop_telling "$teller"
   return "$status"
 }
 

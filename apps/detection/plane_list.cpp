@@ -279,8 +279,9 @@ std::string
 toCsv (const Json& planes, const MapOptions& options)
 {
   std::string csv;
-  const Json like = planes.empty() ? planeObject (0, {}, {}) : planes.front();
-  for (const auto& [name, value] : columnsOf (like))
+  // A list without planes has the columns of a plane, too.
+  const Json any_plane = planes.empty() ? planeObject (0, {}, {}) : planes.front();
+  for (const auto& [name, value] : columnsOf (any_plane))
     csv += name + ",";
   csv += "wkt\n";
   const int decimals = decimalsFor (planes);

@@ -34,8 +34,10 @@ main (int argc, char** argv)
   message.point_step = 4 * sizeof (float);
   message.height = 1;
   message.width = message.data.size() / message.point_step;
-  if (message.width == 0)
-    return std::fprintf (stderr, "Usage: cloud_view SCAN.bin\n"), 2;
+  if (message.width == 0) {
+    std::fprintf (stderr, "Usage: cloud_view SCAN.bin\n");
+    return 2;
+  }
 
   const pcl_ops::CloudView cloud = viewOf (message);
   const pcl_ops::OrientedPointSamplingParameters parameters;

@@ -14,8 +14,10 @@ int
 main (int argc, char** argv)
 {
   const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
-  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
-    return std::fprintf (stderr, "Usage: edges CLOUD.pcd\n"), 2;
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0) {
+    std::fprintf (stderr, "Usage: edges CLOUD.pcd\n");
+    return 2;
+  }
   pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setInputCloud (cloud);
   std::vector<pcl_ops::PlaneSegment> planes;

@@ -30,10 +30,14 @@ int
 main (int argc, char** argv)
 {
   const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
-  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
-    return std::fprintf (stderr, "Usage: organized_cloud CLOUD.pcd\n"), 2;
-  if (!cloud->isOrganized())
-    return std::fprintf (stderr, "%s: has no rows; give a depth image\n", argv[1]), 1;
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0) {
+    std::fprintf (stderr, "Usage: organized_cloud CLOUD.pcd\n");
+    return 2;
+  }
+  if (!cloud->isOrganized()) {
+    std::fprintf (stderr, "%s: has no rows; give a depth image\n", argv[1]);
+    return 1;
+  }
 
   Ops ops;
   ops.setInputCloud (cloud);

@@ -23,8 +23,10 @@ int
 main (int argc, char** argv)
 {
   const pcl::PointCloud<ThermalPoint>::Ptr cloud (new pcl::PointCloud<ThermalPoint>);
-  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
-    return std::fprintf (stderr, "Usage: own_point_type CLOUD.pcd\n"), 2;
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0) {
+    std::fprintf (stderr, "Usage: own_point_type CLOUD.pcd\n");
+    return 2;
+  }
   // Where the file has no temperatures: a room that is warmer by 2 degrees a meter up.
   for (ThermalPoint& point : *cloud)
     if (!(point.temperature > 0.0f))

@@ -15,8 +15,10 @@ int
 main (int argc, char** argv)
 {
   const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
-  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
-    return std::fprintf (stderr, "Usage: planar_regions CLOUD.pcd\n"), 2;
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0) {
+    std::fprintf (stderr, "Usage: planar_regions CLOUD.pcd\n");
+    return 2;
+  }
   Ops ops;
   ops.setInputCloud (cloud);
 

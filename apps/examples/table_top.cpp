@@ -38,8 +38,10 @@ int
 main (int argc, char** argv)
 {
   const Cloud::Ptr cloud (new Cloud);
-  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
-    return std::fprintf (stderr, "Usage: table_top CLOUD.pcd\n"), 2;
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0) {
+    std::fprintf (stderr, "Usage: table_top CLOUD.pcd\n");
+    return 2;
+  }
 
   // Kept for all frames: its first call also allocates what the others use again.
   pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;

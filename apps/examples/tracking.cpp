@@ -16,8 +16,10 @@ int
 main (int argc, char** argv)
 {
   const Cloud::Ptr room (new Cloud);
-  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *room) < 0)
-    return std::fprintf (stderr, "Usage: tracking CLOUD.pcd\n"), 2;
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *room) < 0) {
+    std::fprintf (stderr, "Usage: tracking CLOUD.pcd\n");
+    return 2;
+  }
 
   pcl_ops::PlaneTracker tracker;
   // A frame of the sensor in the room: where it is, and where odometry says it is.

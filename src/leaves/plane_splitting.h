@@ -14,8 +14,9 @@ namespace pcl_ops::internal {
  * which is one, 10; hills taken for one plane have 15 to 40 (src/doc/decisions.md). */
 constexpr double max_thickness_of_plane = 12.0;
 
-/** \brief Divides planes that are thick into connected pieces that are not, as few as
- * a few joins find. Leaves of what is thick until it is small go on no plane.
+/** \brief Divides planes that are thick into connected pieces that are not, and joins
+ * pieces while what they make is thin. Leaves of what is thick until it is small go on
+ * no plane.
  *
  * The noise of the surroundings is the median over the leaves of a plane of how far
  * points scatter about the plane through a leaf and those beside it, at least what is

@@ -88,7 +88,7 @@ TEST (PlaneSplitting, LeavesNoisyAndSlightlyBentPlanesWhole)
   EXPECT_EQ (splitWhole (noisy), std::vector<char>{0});
   // A table that bends by five times the rms of its noise.
   LeafScene table (pointsOver (
-      2_m, 1_cm, [] (double x, double) { return 3e-2 * std::cos (x * M_PI / 4.0); }));
+      2_m, 1_cm, [] (double x, double) { return 9e-2 * std::cos (x * M_PI / 4.0); }));
   EXPECT_EQ (splitWhole (table), std::vector<char>{0});
   EXPECT_EQ (table.leavesOn (0), table.cloud.size());
 }
