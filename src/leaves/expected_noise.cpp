@@ -131,4 +131,11 @@ ExpectedNoise::lowest (double density) const
                                weight * curves_[below + 1].lowest);
 }
 
+bool
+ExpectedNoise::isNoise (double density, int level) const
+{
+  const auto own = static_cast<std::size_t> (classOf (density, classes));
+  return level <= curves_[own].coarsest;
+}
+
 } // namespace pcl_ops::internal

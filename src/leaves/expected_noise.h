@@ -33,6 +33,12 @@ public:
   double
   lowest (double density) const;
 
+  /** \brief Whether points as dense as that scatter in cells of a level by what is
+   * noise: in larger cells no more than twice as much, level by level up to this one.
+   * What grows faster is structure of the surface. */
+  bool
+  isNoise (double density, int level) const;
+
 private:
   /** \brief Densities are told apart by factors of two. */
   static constexpr int classes = 128;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/detect_on_leaves.h"
 
+#include "leaves/common_errors.h"
 #include "leaves/leaf_growing.h"
 #include "leaves/leaf_halving.h"
 #include "leaves/leaf_joining.h"
@@ -112,6 +113,7 @@ adaptToPoints (std::size_t points, const OpsParameters& parameters, OctreeSizes&
 struct Rounds {
   CurvePoints points;
   OctreeSizes sizes;
+  std::vector<CellScatter> cells;
   ExpectedNoise expected;
   UnevenNoise uneven;
   CoordinateSteps steps;
@@ -147,12 +149,13 @@ sortPoints (const Points& points, OctreeSizes sizes, const OpsParameters& parame
 {
   CurvePoints sorted = sortAlongCurve (points, sizes.cell, parameters.threads);
   adaptToPoints (sorted.size(), parameters, sizes);
-  const std::vector<CellScatter> cells = scatterOfCells (sorted);
+  std::vector<CellScatter> cells = scatterOfCells (sorted);
   ExpectedNoise expected (cells, sorted.cell);
   UnevenNoise uneven (sorted, cells, sizes.leaves.largest_level + 1);
   CoordinateSteps steps (sorted);
   return {std::move (sorted),
           sizes,
+          std::move (cells),
           std::move (expected),
           std::move (uneven),
           std::move (steps),
@@ -180,14 +183,11 @@ divide (const Rounds& rounds)
 // average their noise better: in images of depth cameras, not in lidar scans, surveys,
 // fused meshes, CAD models (src/doc/decisions.md).
 bool
-prefersVoxels (const std::vector<Leaf>& leaves, std::size_t points)
+prefersVoxels (const Rounds& rounds, const std::vector<Leaf>& leaves)
 {
-  constexpr double max_uneven_share = 0.3;
-  double uneven = 0.0;
-  for (const Leaf& leaf : leaves)
-    if (isUneven (leaf))
-      uneven += leaf.end - leaf.begin;
-  return uneven > max_uneven_share * static_cast<double> (points);
+  constexpr double max_share_of_errors = 0.25;
+  return shareOfCommonErrors (rounds.points, rounds.cells, rounds.expected, leaves) >
+         max_share_of_errors;
 }
 
 // The labels of all points of the cloud, of planes that are kept.
@@ -474,7 +474,7 @@ detectOnLeaves (const Points& points,
       timed (times.search, [&] { return sortPoints (points, sizes, parameters); });
   std::vector<Leaf> leaves = timed (times.search, [&] { return divide (rounds); });
   if (parameters.sampling == Sampling::Automatic &&
-      prefersVoxels (leaves, rounds.points.size()))
+      prefersVoxels (rounds, leaves))
     return splitLayersOfVoxels (
         rounds, leaves, points, detectOnVoxels (points, parameters, times));
   LeafCloud cloud =

@@ -128,3 +128,10 @@ TEST (ExpectedNoise, HasABoundThatIsNotAboveItAndNotFarBelow)
     }
   EXPECT_NEAR (noise.lowest (densityOf10cm (36)), 2_mm, 0.1e-3);
 }
+
+TEST (ExpectedNoise, IsNoiseUpToTheSizeFromWhichItMoreThanDoubles)
+{
+  const ExpectedNoise noise (cellsOfLevels ({4_mm, 5_mm, 6_mm, 60_mm}), finest_cell);
+  EXPECT_TRUE (noise.isNoise (densityOf10cm (36), level_of_10_cm + 2));
+  EXPECT_FALSE (noise.isNoise (densityOf10cm (36), level_of_10_cm + 3));
+}
