@@ -181,7 +181,7 @@ jobs() {
 configure() {
   local folder=$root/build/$1
   shift
-  set -- -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 -DPCL_OPS_BUILD_LAB=ON "$@"
+  set -- -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 "$@"
   if command -v ccache >/dev/null; then
     set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi

@@ -4,7 +4,7 @@
 // arrays, is Python beside it.
 #include "interpreter.h"
 #include "parameters.h"
-#include <evaluation/metrics/metrics.h>
+#include <metrics/metrics.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_pieces.h>
@@ -348,7 +348,7 @@ evaluate (const PlaneNumbers& truth,
   };
   evaluation::Metrics metrics;
   whileOthersRun ([&] {
-    apps::XyzCloud cloud;
+    evaluation::XyzCloud cloud;
     cloud.reserve (view.size);
     for (std::size_t i = 0; i < view.size; ++i)
       cloud.emplace_back (view[i][0], view[i][1], view[i][2]);

@@ -84,17 +84,13 @@ protected:
 TEST_F (Refusals, AreOneLineAndHarmNothing)
 {
   const auto rows = tableIn (PCL_OPS_REFUSALS);
-  ASSERT_GT (rows.size(), 100u);
+  ASSERT_FALSE (rows.empty());
   const auto before = files();
   for (const auto& row : rows) {
     const std::string &exit_code = row.at (0), &program = row.at (1),
                       &arguments = row.at (2), &line = row.at (3);
 #ifndef PCL_OPS_HAS_VIEW
     if (program == "view")
-      continue;
-#endif
-#ifndef PCL_OPS_HAS_BENCHMARK
-    if (program == "benchmark")
       continue;
 #endif
     SCOPED_TRACE (program + " " + arguments);

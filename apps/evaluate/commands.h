@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops::evaluation {
+
+/** A command of pcl_ops_evaluate, which explains itself by --help. */
+struct Command {
+  std::string name, arguments, summary;
+  /** \return the exit code */
+  int (*run) (int argc, const char* const* argv);
+};
+
+int
+compareCommand (int argc, const char* const* argv);
+
+int
+planesCommand (int argc, const char* const* argv);
+
+int
+trackCommand (int argc, const char* const* argv);
+
+/** Those about results of users; lab/evaluation adds those about detectors. */
+std::vector<Command>
+commandsForResults ();
+
+/** Runs the command that the arguments of the program name.
+ * \return the exit code
+ * \throw apps::UsageError if they name none */
+int
+runCommand (const std::vector<Command>& commands, int argc, const char* const* argv);
+
+} // namespace pcl_ops::evaluation

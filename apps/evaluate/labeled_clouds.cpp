@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "labeled_clouds.h"
+
+#include <pcl/common/common.h>
+#include <pcl/common/io.h>
+#include <pcl/common/point_tests.h>
+
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <io/cloud_file.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl_ops::evaluation {
+
+using namespace apps;
+
+PlaneLabels
+labelsIn (const pcl::PCLPointCloud2& cloud,
+          const std::string& file,
+          const std::string& name)
+{
+  const int index = pcl::getFieldIndex (cloud, name);
+  if (index < 0)
+    throw WorkError (file, "has no field " + name + "; give a cloud with labels");
+  const pcl::PCLPointField& field = cloud.fields[std::size_t (index)];
+  const NumberType& type = numberType (field.datatype);
+  // Double precision is that of texts, which have no other.
+  const bool is_integer = type.kind != 'F' && type.size <= 4;
+  if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
+    throw WorkError (file,
+                     "its " + name + " is no integer of up to 4 bytes; convert it");
+  constexpr double largest = std::numeric_limits<std::uint32_t>::max();
+  PlaneLabels labels (std::size_t (cloud.width) * cloud.height);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double label = type.read (&cloud.data[i * cloud.point_step + field.offset]);
+    if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
+      throw WorkError (file,
+                       "point " + std::to_string (i) + " has " +
+                           (name == "label" ? "a label" : "an " + name) +
+                           " that is no whole number from 0 on; 0 means no plane");
+    labels[i] = std::uint32_t (label);
+  }
+  return labels;
+}
+
+LabeledCloud
+loadLabeledCloud (const std::string& file, bool needs_labels)
+{
+  return inMemory (file, "give a smaller cloud", [&] {
+    const FileCloud cloud = loadCloud (file);
+    PlaneLabels labels;
+    if (needs_labels || hasField (cloud, "label"))
+      labels = labelsIn (cloud.points, file);
+    const LabeledCloud labeled{shiftedCloudOf (cloud), labels};
+    const std::string damage = damageOf (labeled);
+    if (!damage.empty())
+      warn (file + ": " + damage);
+    return labeled;
+  });
+}
+
+std::pair<LabeledCloud, LabeledCloud>
+loadLabeledClouds (const std::string& truth_file,
+                   const std::string& result_file,
+                   std::size_t min_plane_points)
+{
+  std::pair clouds{loadLabeledCloud (truth_file, true),
+                   loadLabeledCloud (result_file, true)};
+  auto& [truth, result] = clouds;
+  if (truth.cloud->size() != result.cloud->size())
+    throw WorkError (result_file,
+                     "has " + std::to_string (result.cloud->size()) +
+                         " points, the truth " + std::to_string (truth.cloud->size()) +
+                         "; give two labelings of the same cloud");
+  const Vector3d shift = result.shift - truth.shift;
+  // Share of the cloud's diagonal by which rounding in a text file may move a point.
+  constexpr double max_rounding = 1e-3;
+  pcl::PointXYZ lowest, highest;
+  pcl::getMinMax3D (*truth.cloud, lowest, highest);
+  const Eigen::Vector3f diagonal = highest.getVector3fMap() - lowest.getVector3fMap();
+  const double tolerance = max_rounding * diagonal.cast<double>().norm();
+  for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
+    const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
+    const Vector3d offset =
+        (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
+    const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);
+    if (both_finite && offset.norm() > tolerance)
+      throw WorkError (result_file,
+                       "point " + std::to_string (i) +
+                           " lies elsewhere than in the truth; give two labelings of "
+                           "the same cloud");
+  }
+  dropSmallPlanes (truth.labels, min_plane_points);
+  return clouds;
+}
+
+} // namespace pcl_ops::evaluation

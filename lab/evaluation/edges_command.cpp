@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edges_command.h"
+
+#include <cli/command_line.h>
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <evaluate/answer.h>
+#include <evaluation/data/data_sets.h>
+#include <numbers/statistics.h>
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane_edges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <set>
+
+namespace pcl_ops::evaluation {
+
+using namespace apps;
+
+namespace {
+
+constexpr double farthest = 0.05; // [m]
+
+/** A length or number and how much of it was found; NaN of nothing. */
+struct Share {
+  double part = 0.0, whole = 0.0;
+
+  void
+  add (const PlaneEdge& edge, const std::vector<double>& distances)
+  {
+    const auto near = std::count_if (
+        distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
+    part += edge.length() * double (near) / double (distances.size());
+    whole += edge.length();
+  }
+};
+
+/** Of true and found edges, which share lies where the other's are. */
+struct EdgeScore {
+  Share walls, found, is_true, corners_found, corners_true;
+  /** At each centimeter of true edges that were found, and of corners [m]. */
+  std::vector<double> edge_errors, corner_errors;
+};
+
+/** For each centimeter the distance to the nearest of the others that runs alike, if
+ * any. */
+std::vector<double>
+distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
+{
+  constexpr double max_samples = 1e5, sample_step = 0.01; // [m]
+  const Vector3d direction = (edge.to - edge.from).normalized();
+  const int samples = int (std::min (max_samples, edge.length() / sample_step)) + 1;
+  std::vector<double> distances (samples, std::numeric_limits<double>::infinity());
+  for (const PlaneEdge& other : others) {
+    const Vector3d along = other.to - other.from;
+    if (std::abs (direction.dot (along.normalized())) <
+        std::cos (paper_angle_tolerance))
+      continue;
+    for (int sample = 0; sample < samples; ++sample) {
+      const double place = (sample + 0.5) / samples;
+      const Vector3d point = edge.from + place * (edge.to - edge.from);
+      const double share = along.dot (point - other.from) / along.squaredNorm();
+      const Vector3d nearest = other.from + std::clamp (share, 0.0, 1.0) * along;
+      distances[sample] = std::min (distances[sample], (nearest - point).norm());
+    }
+  }
+  return distances;
+}
+
+/** Pairs corners off, the nearest first found for each true one. */
+void
+addCorners (const std::vector<PlaneCorner>& truth,
+            std::vector<PlaneCorner> found,
+            EdgeScore& score)
+{
+  score.corners_found.whole += double (truth.size());
+  score.corners_true.whole += double (found.size());
+  for (const PlaneCorner& corner : truth) {
+    const auto distance = [&corner] (const PlaneCorner& other) {
+      return (other.position - corner.position).norm();
+    };
+    const auto nearest = std::min_element (
+        found.begin(), found.end(), [&] (const auto& one, const auto& other) {
+          return distance (one) < distance (other);
+        });
+    if (nearest == found.end() || distance (*nearest) > farthest)
+      continue;
+    score.corner_errors.push_back (distance (*nearest));
+    found.erase (nearest); // keeps the order, which decides between equals
+    ++score.corners_found.part;
+    ++score.corners_true.part;
+  }
+}
+
+void
+addCloud (const EvaluationCloud& cloud, EdgeScore& score)
+{
+  const std::vector<PlaneSegment> true_planes =
+      planesOf (*cloud.cloud, planeIds (*cloud.truth), {cloud.up});
+  OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setInputCloud (cloud.cloud);
+  std::vector<PlaneSegment> planes;
+  ops.segment (planes);
+  const PlaneEdges truth = findPlaneEdges (*cloud.cloud, true_planes),
+                   found = findPlaneEdges (*cloud.cloud, planes);
+  for (const PlaneEdge& edge : truth.edges) {
+    constexpr double wall_length = 1.0; // [m]
+    const std::set<Orientation> sides{true_planes[edge.planes[0]].orientation,
+                                      true_planes[edge.planes[1]].orientation};
+    const std::vector<double> distances = distancesAlong (edge, found.edges);
+    score.found.add (edge, distances);
+    if (edge.length() >= wall_length &&
+        sides == std::set{Orientation::Horizontal, Orientation::Vertical})
+      score.walls.add (edge, distances);
+    for (const double distance : distances)
+      if (distance <= farthest)
+        score.edge_errors.push_back (distance);
+  }
+  for (const PlaneEdge& edge : found.edges)
+    score.is_true.add (edge, distancesAlong (edge, truth.edges));
+  addCorners (truth.corners, found.corners, score);
+}
+
+Answer
+answerOf (const std::string& data_set, const EdgeScore& score)
+{
+  const auto millimeters = [] (const std::vector<double>& errors, double share) {
+    return 1e3 * quantile (errors, share);
+  };
+  const auto value = [] (const Share& share) { return share.part / share.whole; };
+  return {{"data_set", data_set},
+          {"wall_edges_found", value (score.walls)},
+          {"edges_found", value (score.found)},
+          {"edges_true", value (score.is_true)},
+          {"median_mm", millimeters (score.edge_errors, 0.5)},
+          {"95_%_mm", millimeters (score.edge_errors, 0.95)},
+          {"corners_found", value (score.corners_found)},
+          {"corners_true", value (score.corners_true)},
+          {"corners_median_mm", millimeters (score.corner_errors, 0.5)}};
+}
+
+} // namespace
+
+int
+edgesCommand (int argc, const char* const* argv)
+{
+  std::vector<std::string> texts;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  CommandLine line (
+      "pcl_ops_evaluate edges",
+      "Tells how well it is found where planes meet: compares the edges and corners\n"
+      "of planes found by the default preset with those of the true planes, by "
+      "length.\n"
+      "The same are those within 5 cm. Wall edges are of a horizontal and a vertical\n"
+      "plane, 1 m and longer.",
+      PCL_OPS_VERSION);
+  line.addArguments ("DATASET", texts, data_set_help);
+  bool json = false;
+  line.add ("json", json).help ("print JSON instead of text");
+  line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
+  if (!line.parse (argc, argv))
+    return ExitCode::done;
+  std::vector<DataSet> data_sets;
+  for (const std::string& text : texts)
+    data_sets.push_back (dataSetOf (text, up));
+  Answer edges = Answer::array();
+  for (const DataSet& data_set : data_sets) {
+    EdgeScore score;
+    for (const CloudSource& source : data_set) {
+      inMemory (source.name, "give a smaller cloud", [&] {
+        const EvaluationCloud cloud = source.load();
+        if (!cloud.truth)
+          throw WorkError (source.name, "has no true labels; give another cloud");
+        addCloud (cloud, score);
+      });
+      std::cerr << source.data_set << ' ' << source.name << std::endl;
+    }
+    edges.push_back (answerOf (data_set.front().data_set, score));
+  }
+  print ({{"edges", edges}}, json);
+  return ExitCode::done;
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cli/command_line.h>
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <evaluate/commands.h>
+#include <evaluation/edges_command.h>
+#include <evaluation/report/evaluation_run.h>
+#include <io/output_file.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+using namespace pcl_ops;
+using namespace pcl_ops::apps;
+using namespace pcl_ops::evaluation;
+
+Eigen::Vector3f
+parseShift (const std::string& text)
+{
+  constexpr double most = 1e6; // single precision has no room for more
+  return Eigen::Vector3f (
+      parseNumbers<float, 3> ("--shift",
+                              text,
+                              from (-most).upTo (most),
+                              "'" + text +
+                                  "' is not x,y,z; give three lengths, as 0.3,0.1,0.2")
+          .data());
+}
+
+/** \return false if the answer was --help or --version */
+bool
+readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
+{
+  std::string folder;
+  std::vector<std::string> data_sets;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  std::string detectors = "all";
+  CommandLine line (
+      "pcl_ops_evaluate run",
+      "Runs detectors over data sets and writes results.csv, of which report.py makes\n"
+      "tables and plots. Run it again to go on after a stop: rows that are there are\n"
+      "not computed again.",
+      PCL_OPS_VERSION);
+  line.addArgument ("OUTPUT", folder, "folder of the results");
+  line.addArguments ("DATASET", data_sets, data_set_help);
+  line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
+  line.add ("truth-neighbors K", plan.truth.neighbors, from (3).upTo (10'000))
+      .help ("neighborhood of grown truth (100)");
+  line.add ("min-plane-points N", plan.truth.min_points, from (0))
+      .help ("true planes with fewer points are none (50)");
+  line.add ("detectors LIST", detectors)
+      .help ("names and groups, see pcl_ops_evaluate detectors (all)");
+  line.add ("jobs N", plan.jobs, from (1).upTo (256))
+      .help ("clouds at a time; only 1 leaves times undisturbed (1)");
+  line.add ("labels FOLDER", plan.labels_folder)
+      .help ("save each new result, and the truth, as a labeled cloud");
+  line.add ("threshold M", plan.settings.peer_threshold, above (0))
+      .help ("distance to a plane that detectors of others are given (0.05)");
+  line.add ("peers-noise M", plan.settings.peer_noise, above (0))
+      .help ("noise that those of the group peers-measured are tuned to (measured)");
+  line.add ("peers-neighbors K", plan.settings.peer_neighbors, from (3).upTo (10'000))
+      .help ("that they estimate a normal from (24 or 30; 30 to 200 if measured)");
+  line.add ("peers-min-points N", plan.settings.peer_min_points, from (1))
+      .help ("points of the smallest plane they are to find (50; 500 of loops)");
+  line.add ("time-limit S", plan.time_limit, from (0).upTo (1e6))
+      .help ("for a detector of others on a cloud, 0 for none (600)");
+  line.add ("shift X,Y,Z",
+            [&plan] (const std::string& text) { plan.shift = parseShift (text); })
+      .help ("added to all points: voxels begin elsewhere in them (0,0,0)");
+  line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
+  if (!line.parse (argc, argv))
+    return false;
+  plan.configurations = selectConfigurations (detectors);
+  for (const std::string& data_set : data_sets) {
+    const DataSet clouds = dataSetOf (data_set, up);
+    plan.clouds.insert (plan.clouds.end(), clouds.begin(), clouds.end());
+  }
+  makeFolder (folder);
+  plan.file = (std::filesystem::path (folder) / "results.csv").string();
+  return true;
+}
+
+int
+runDetectorsCommand (int argc, const char* const* argv)
+{
+  EvaluationPlan plan;
+  if (!readOptions (argc, argv, plan))
+    return ExitCode::done;
+  if (std::filesystem::is_directory (plan.file))
+    throw WorkError (plan.file, "is a folder; remove it or give another OUTPUT");
+  const auto summary = evaluate (plan, std::cerr, isatty (STDERR_FILENO) == 1);
+  std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
+            << " new rows; " << summary.broken_clouds << " clouds left out, "
+            << summary.failed_runs << " runs failed, " << summary.stopped_runs
+            << " stopped\n";
+  const bool is_complete = summary.broken_clouds == 0 && summary.failed_runs == 0;
+  return is_complete ? ExitCode::done : ExitCode::work_failed;
+}
+
+int
+detectorsCommand (int argc, const char* const* argv)
+{
+  CommandLine line (
+      "pcl_ops_evaluate detectors",
+      "Lists the configurations a run can have, their groups and versions.",
+      PCL_OPS_VERSION);
+  if (!line.parse (argc, argv))
+    return ExitCode::done;
+  for (const Configuration& configuration : allConfigurations()) {
+    std::cout << configuration.name;
+    for (const std::string& group : configuration.groups)
+      std::cout << ' ' << group;
+    const std::string& version = configuration.version;
+    std::cout << ", " << (version.empty() ? "pcl_ops " PCL_OPS_VERSION : version)
+              << '\n';
+  }
+  return ExitCode::done;
+}
+
+std::vector<Command>
+allCommands ()
+{
+  std::vector<Command> commands = commandsForResults();
+  commands.push_back (
+      {"run", "OUTPUT DATASET...", "detectors over data sets", runDetectorsCommand});
+  commands.push_back (
+      {"edges", "DATASET...", "how well it is found where planes meet", edgesCommand});
+  commands.push_back (
+      {"detectors", "", "the detectors a run can have", detectorsCommand});
+  return commands;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return runProgram ("pcl_ops_evaluate",
+                     [&] { return runCommand (allCommands(), argc, argv); });
+}

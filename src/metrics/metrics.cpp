@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "metrics.h"
+
+#include <pcl/common/point_tests.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+/** part / whole, or \p of_nothing where the whole is 0. */
+double
+fraction (std::size_t part, std::size_t whole, double of_nothing)
+{
+  return whole == 0 ? of_nothing : double (part) / double (whole);
+}
+
+/** Of the one-to-one assignment of planes that has most points in common (the paper's
+ * Hungarian assignment, section IV). */
+std::size_t
+pointsOfAssignment (const Confusion& confusion)
+{
+  // 0.8 GB of matrix; no cloud has that many planes, only a wrong label field does.
+  constexpr std::size_t max_plane_pairs = 100'000'000;
+  const std::size_t rows = confusion.truth.size(), columns = confusion.result.size();
+  if (rows * columns > max_plane_pairs)
+    throw std::length_error (std::to_string (rows) + " and " +
+                             std::to_string (columns) +
+                             " labels are too many for planes");
+  Eigen::MatrixXd common = Eigen::MatrixXd::Zero (rows, columns);
+  for (const Overlap& overlap : confusion.overlaps)
+    common (overlap.truth, overlap.result) = double (overlap.points);
+  return std::size_t (maximumAssignment (
+      rows > columns ? Eigen::MatrixXd (common.transpose()) : common));
+}
+
+/** Other is the class of no plane, and where the points of a label span none. */
+double
+classificationAccuracy (const Confusion& confusion,
+                        const std::vector<PlaneSegment>& truth,
+                        const std::vector<PlaneSegment>& result)
+{
+  const auto classOf = [] (const std::vector<PlaneSegment>& planes, std::uint32_t id) {
+    return id == PlaneIds::none ? Orientation::Other : planes[id].orientation;
+  };
+  const std::size_t points = confusion.truth.of_point.size();
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < points; ++i)
+    right += classOf (truth, confusion.truth.of_point[i]) ==
+             classOf (result, confusion.result.of_point[i]);
+  return fraction (right, points, 1.0);
+}
+
+/** What is said about each plane of one side. */
+struct Verdicts {
+  const PlaneIds& planes;
+  std::uint32_t Overlap::*id;
+  std::vector<bool> matched = std::vector<bool> (planes.size(), false);
+  /** Broken up (a true plane) or swallowing several (a found one). */
+  std::vector<bool> split = matched;
+  /** A part of the other side's split plane. */
+  std::vector<bool> part = matched;
+
+  std::size_t
+  unexplained () const
+  {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < matched.size(); ++i)
+      count += !matched[i] && !split[i] && !part[i];
+    return count;
+  }
+};
+
+/** Marks planes of \p wholes on which two or more planes of the other side lie, and
+ * which they together cover, both by the threshold. */
+void
+markSplits (const Confusion& confusion,
+            double threshold,
+            Verdicts& wholes,
+            Verdicts& others)
+{
+  const auto reaches = [threshold] (std::size_t points, std::size_t all) {
+    return double (points) >= threshold * double (all);
+  };
+  std::vector<std::size_t> parts (wholes.planes.size(), 0), covered = parts;
+  std::vector<Overlap> on_whole;
+  for (const Overlap& overlap : confusion.overlaps)
+    if (reaches (overlap.points, others.planes.points[overlap.*others.id])) {
+      on_whole.push_back (overlap);
+      ++parts[overlap.*wholes.id];
+      covered[overlap.*wholes.id] += overlap.points;
+    }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    wholes.split[i] = parts[i] > 1 && reaches (covered[i], wholes.planes.points[i]);
+  for (const Overlap& overlap : on_whole)
+    if (wholes.split[overlap.*wholes.id])
+      others.part[overlap.*others.id] = true;
+}
+
+struct Matching {
+  Verdicts truth, result;
+  double iou_sum = 0.0;
+};
+
+/** Matches pairs with an IoU from a threshold on, the largest first. At more than one
+ * half no plane has two candidates. */
+Matching
+matchPlanes (const Confusion& confusion, double threshold)
+{
+  std::vector<Overlap> candidates;
+  for (const Overlap& overlap : confusion.overlaps)
+    if (confusion.iou (overlap) >= threshold)
+      candidates.push_back (overlap);
+  std::stable_sort (
+      candidates.begin(), candidates.end(), [&] (const Overlap& a, const Overlap& b) {
+        return confusion.iou (a) > confusion.iou (b);
+      });
+  Matching matching{{confusion.truth, &Overlap::truth},
+                    {confusion.result, &Overlap::result}};
+  auto& [truth, result, iou_sum] = matching;
+  for (const Overlap& pair : candidates) {
+    if (truth.matched[pair.truth] || result.matched[pair.result])
+      continue;
+    truth.matched[pair.truth] = result.matched[pair.result] = true;
+    iou_sum += confusion.iou (pair);
+  }
+  markSplits (confusion, threshold, truth, result);
+  markSplits (confusion, threshold, result, truth);
+  return matching;
+}
+
+void
+addInstanceMetrics (const Matching& matching,
+                    const std::string& suffix,
+                    NamedValues& named)
+{
+  const auto& [truth, result, iou_sum] = matching;
+  const std::size_t truth_planes = truth.planes.size();
+  const std::size_t result_planes = result.planes.size();
+  const auto count = [] (const std::vector<bool>& marks) {
+    return std::size_t (std::count (marks.begin(), marks.end(), true));
+  };
+  const std::size_t matches = count (truth.matched), all = truth_planes + result_planes;
+  const double both_empty = all == 0 ? 1.0 : 0.0;
+  const double f_score = fraction (2 * matches, all, both_empty);
+  const double mean_iou = matches == 0 ? both_empty : iou_sum / double (matches);
+  for (const auto& [name, value] : NamedValues{
+           {"precision", fraction (matches, result_planes, both_empty)},
+           {"recall", fraction (matches, truth_planes, both_empty)},
+           {"f_score", f_score},
+           {"mean_iou", mean_iou},
+           {"panoptic_quality", mean_iou * f_score},
+           {"over_segmentation", fraction (count (truth.split), truth_planes, 0)},
+           {"under_segmentation", fraction (count (result.split), result_planes, 0)},
+           {"noise", fraction (result.unexplained(), result_planes, 0)},
+           {"missed", fraction (truth.unexplained(), truth_planes, 0)}})
+    named.emplace_back (name + suffix, value);
+}
+
+SizeClasses
+classesOf (const Matching& at_50,
+           const Matching& at_75,
+           const std::vector<double>& sizes,
+           const std::vector<double>& limits)
+{
+  SizeClasses classes (1);
+  for (const double limit : limits) {
+    classes.back().below = limit;
+    classes.push_back ({limit});
+  }
+  for (std::size_t plane = 0; plane < sizes.size(); ++plane) {
+    auto of_plane = classes.begin();
+    while (of_plane->below && sizes[plane] >= *of_plane->below)
+      ++of_plane;
+    ++of_plane->planes;
+    of_plane->found_50 += at_50.truth.matched[plane];
+    of_plane->found_75 += at_75.truth.matched[plane];
+  }
+  return classes;
+}
+
+pcl::Indices
+knownOf (const pcl::Indices& points, const std::vector<char>& is_ignored)
+{
+  pcl::Indices known;
+  for (const pcl::index_t i : points)
+    if (is_ignored.empty() || is_ignored[std::size_t (i)] == 0)
+      known.push_back (i);
+  return known;
+}
+
+/** Without the found planes of which less than half is known. */
+PlaneLabels
+planesKnown (PlaneLabels result, const std::vector<char>& is_ignored)
+{
+  if (is_ignored.empty())
+    return result;
+  std::map<std::uint32_t, std::size_t> points, ignored;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    ++points[result[i]];
+    ignored[result[i]] += is_ignored[i] != 0;
+  }
+  for (std::uint32_t& label : result)
+    if (2 * ignored[label] > points[label])
+      label = 0;
+  return result;
+}
+
+std::vector<double>
+widthsOf (const std::vector<PlaneSegment>& planes)
+{
+  constexpr double squared_side_over_variance = 12.0; // of an even spread
+  std::vector<double> widths;
+  for (const PlaneSegment& plane : planes) {
+    const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+    widths.push_back (fit ? std::sqrt (squared_side_over_variance * fit->variances[1])
+                          : 0.0);
+  }
+  return widths;
+}
+
+} // namespace
+
+PlaneLabels
+labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points)
+{
+  PlaneLabels labels (points, 0);
+  for (std::size_t plane = 0; plane < planes.size(); ++plane)
+    for (const pcl::index_t i : planes[plane].indices)
+      labels[std::size_t (i)] = std::uint32_t (plane + 1);
+  return labels;
+}
+
+pcl::Indices
+finitePointsOf (const XyzCloud& cloud)
+{
+  pcl::Indices finite;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (pcl::isXYZFinite (cloud[i]))
+      finite.push_back (pcl::index_t (i));
+  return finite;
+}
+
+PlaneLabels
+selectLabels (const PlaneLabels& labels, const pcl::Indices& points)
+{
+  PlaneLabels selected;
+  for (const pcl::index_t i : points)
+    selected.push_back (labels[std::size_t (i)]);
+  return selected;
+}
+
+PlaneIds
+planeIds (const PlaneLabels& labels)
+{
+  std::map<std::uint32_t, std::uint32_t> id_of;
+  for (const std::uint32_t label : labels)
+    id_of[label] = PlaneIds::none;
+  PlaneIds ids;
+  for (auto& [label, id] : id_of)
+    if (label != 0) {
+      id = std::uint32_t (ids.size());
+      ids.label.push_back (label);
+    }
+  ids.points.resize (ids.size());
+  for (const std::uint32_t label : labels) {
+    ids.of_point.push_back (id_of[label]);
+    if (label != 0)
+      ++ids.points[ids.of_point.back()];
+  }
+  return ids;
+}
+
+void
+dropSmallPlanes (PlaneLabels& labels, std::size_t min_points)
+{
+  const PlaneIds ids = planeIds (labels);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != 0 && ids.points[ids.of_point[i]] < min_points)
+      labels[i] = 0;
+}
+
+std::vector<PlaneSegment>
+planesOf (const XyzCloud& cloud, const PlaneIds& ids, const ClassParameters& classes)
+{
+  std::vector<PlaneSegment> segments (ids.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (ids.of_point[i] == PlaneIds::none)
+      continue;
+    PlaneSegment& segment = segments[ids.of_point[i]];
+    const Vector3d point = cloud[i].getVector3fMap().cast<double>();
+    if (segment.inliers.empty())
+      segment.moments.origin = point;
+    addTo (segment.moments, point);
+    segment.inliers.push_back (pcl::index_t (i));
+  }
+  const Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
+  for (PlaneSegment& segment : segments) {
+    if (const std::optional<PlaneFit> fit = fitPlane (segment.moments)) {
+      const Vector3d& normal = fit->plane.normal;
+      segment.normal = fit->plane.distance (sensor) < 0.0 ? -normal : normal;
+      segment.orientation = orientationOf (normal, classes.up, classes.tolerance);
+    }
+    segment.centroid = segment.moments.centroid();
+    segment.moments = segment.moments.about (segment.centroid);
+  }
+  return segments;
+}
+
+Confusion
+confusionOf (const PlaneLabels& truth, const PlaneLabels& result)
+{
+  Confusion confusion{planeIds (truth), planeIds (result)};
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> points_of_pair;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    confusion.points_off_planes += truth[i] == 0;
+    confusion.points_on_no_plane_in_both += truth[i] == 0 && result[i] == 0;
+    if (truth[i] != 0 && result[i] != 0)
+      ++points_of_pair[{confusion.truth.of_point[i], confusion.result.of_point[i]}];
+  }
+  for (const auto& [pair, points] : points_of_pair)
+    confusion.overlaps.push_back ({pair.first, pair.second, points});
+  return confusion;
+}
+
+double
+maximumAssignment (const Eigen::MatrixXd& benefit)
+{
+  using Index = Eigen::Index;
+  constexpr Index none = -1;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Index columns = benefit.cols();
+  Eigen::VectorXd row_price = Eigen::VectorXd::Zero (benefit.rows());
+  Eigen::VectorXd column_price = Eigen::VectorXd::Zero (columns + 1);
+  // Behind the last column stands the row that is added.
+  std::vector<Index> row_of (columns + 1, none), previous (columns);
+  for (Index& row = row_of[columns] = 0; row < benefit.rows(); ++row) {
+    Eigen::VectorXd slack = Eigen::VectorXd::Constant (columns, infinity);
+    std::vector<bool> is_settled (columns + 1, false);
+    Index column = columns;
+    // The cheapest alternating path from the row to a free column (Dijkstra); prices
+    // keep every reduced cost non-negative and those of pairs at zero.
+    while (row_of[column] != none) {
+      is_settled[column] = true;
+      const Index settled = std::exchange (column, none), its_row = row_of[settled];
+      for (Index other = 0; other < columns; ++other) {
+        if (is_settled[other])
+          continue;
+        const double reduced =
+            -benefit (its_row, other) - row_price[its_row] - column_price[other];
+        if (reduced < slack[other]) {
+          slack[other] = reduced;
+          previous[other] = settled;
+        }
+        if (column == none || slack[other] < slack[column])
+          column = other;
+      }
+      const double step = slack[column];
+      slack.array() -= step;
+      for (Index other = 0; other <= columns; ++other)
+        if (is_settled[other]) {
+          row_price[row_of[other]] += step;
+          column_price[other] -= step;
+        }
+    }
+    for (; column != columns; column = previous[column])
+      row_of[column] = row_of[previous[column]];
+  }
+  return column_price[columns]; // has taken every step that pairs became dearer by
+}
+
+Metrics
+compareLabels (const XyzCloud& cloud,
+               const PlaneLabels& truth,
+               const PlaneLabels& result,
+               const ClassParameters& parameters,
+               const std::vector<char>& is_ignored)
+{
+  if (truth.size() != cloud.size() || result.size() != cloud.size() ||
+      !(is_ignored.empty() || is_ignored.size() == cloud.size()))
+    throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
+                                 std::to_string (truth.size()) + " true labels and " +
+                                 std::to_string (result.size()) +
+                                 " found ones do not belong together");
+  const pcl::Indices known = knownOf (finitePointsOf (cloud), is_ignored);
+  const XyzCloud points (cloud, known);
+  const Confusion confusion =
+      confusionOf (selectLabels (truth, known),
+                   selectLabels (planesKnown (result, is_ignored), known));
+  const auto& [true_ids, result_ids, overlaps, off_in_both, off_planes] = confusion;
+  const Matching at_50 = matchPlanes (confusion, 0.50),
+                 at_75 = matchPlanes (confusion, 0.75);
+  const auto truth_planes = planesOf (points, true_ids, parameters),
+             result_planes = planesOf (points, result_ids, parameters);
+  const std::size_t right = pointsOfAssignment (confusion), all = points.size();
+
+  Metrics metrics{all, true_ids.size(), result_ids.size()};
+  metrics.named = {
+      {"classification_accuracy",
+       classificationAccuracy (confusion, truth_planes, result_planes)},
+      {"segmentation_accuracy",
+       fraction (right, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
+      {"segmentation_accuracy_all", fraction (right + off_in_both, all, 1.0)}};
+  addInstanceMetrics (at_50, "", metrics.named);
+  addInstanceMetrics (at_75, "_75", metrics.named);
+  metrics.named.emplace_back ("points_off_planes_called_planes",
+                              fraction (off_planes - off_in_both, off_planes, 0.0));
+  const std::vector<double> sizes (true_ids.points.begin(), true_ids.points.end());
+  metrics.by_size = classesOf (at_50, at_75, sizes, {200, 500, 1000, 3000, 10'000});
+  metrics.by_width =
+      classesOf (at_50, at_75, widthsOf (truth_planes), {0.03, 0.06, 0.12, 0.25, 1.0});
+  return metrics;
+}
+
+NamedValues
+namedCounts (const Metrics& metrics)
+{
+  NamedValues named;
+  for (const auto& [by, classes] :
+       {std::pair ("points", &metrics.by_size), {"width", &metrics.by_width}})
+    for (const SizeClass& size : *classes) {
+      std::ostringstream suffix;
+      suffix << "_by_" << by << (size.below ? "_below_" : "_from_")
+             << size.below.value_or (size.from);
+      named.emplace_back ("planes" + suffix.str(), double (size.planes));
+      named.emplace_back ("found" + suffix.str(), double (size.found_50));
+      named.emplace_back ("found_75" + suffix.str(), double (size.found_75));
+    }
+  return named;
+}
+
+} // namespace pcl_ops::evaluation

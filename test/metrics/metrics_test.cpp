@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <metrics/metrics.h>
+#include <support/text.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <sstream>
+
+namespace {
+
+using namespace pcl_ops::evaluation;
+
+/** A floor of ten points (the first five near x = 0) and a wall of ten. */
+XyzCloud
+floorAndWall ()
+{
+  XyzCloud cloud;
+  for (int i = 0; i < 20; ++i)
+    cloud.push_back (i < 10 ? pcl::PointXYZ (i / 5, i % 5, 0)
+                            : pcl::PointXYZ (2, i % 5, i / 5 - 1));
+  return cloud;
+}
+
+/** "10x1 5x2": ten points labeled 1, then five labeled 2. */
+PlaneLabels
+runs (const std::string& text)
+{
+  PlaneLabels labels;
+  std::istringstream stream (text);
+  std::size_t count = 0;
+  std::uint32_t label = 0;
+  for (char times = ' '; stream >> count >> times >> label;)
+    labels.insert (labels.end(), count, label);
+  return labels;
+}
+
+TEST (Metrics, AreWhatTheirDefinitionSays)
+{
+  const auto rows = tableIn (PCL_OPS_METRICS);
+  ASSERT_FALSE (rows.empty());
+  for (const auto& row : rows) {
+    SCOPED_TRACE (row.at (0));
+    const Metrics metrics =
+        compareLabels (floorAndWall(), runs (row.at (1)), runs (row.at (2)));
+    std::map<std::string, double> named;
+    for (const NamedValues& values : {metrics.named, namedCounts (metrics)})
+      named.insert (values.begin(), values.end());
+    std::istringstream expected (row.at (3));
+    std::string name;
+    for (double value = -1.0; expected >> name >> value;)
+      EXPECT_DOUBLE_EQ (named.at (name), value) << name;
+    EXPECT_TRUE (expected.eof());
+  }
+}
+
+/** Whether the truth of each is unknown, by \ref runs of 1 and 0. */
+std::vector<char>
+ignoring (const std::string& text)
+{
+  const PlaneLabels marks = runs (text);
+  return {marks.begin(), marks.end()};
+}
+
+double
+valueOf (const Metrics& metrics, const std::string& name)
+{
+  for (const auto& named : metrics.named)
+    if (named.first == name)
+      return named.second;
+  return -1.0;
+}
+
+TEST (Metrics, PointsWhoseTruthIsUnknownAreLeftOut)
+{
+  // Of the wall the truth knows nothing; half of the floor's plane is missing.
+  const Metrics metrics = compareLabels (floorAndWall(),
+                                         runs ("10x1 10x0"),
+                                         runs ("5x1 15x0"),
+                                         {},
+                                         ignoring ("10x0 10x1"));
+  EXPECT_EQ (metrics.points, 10u);
+  EXPECT_DOUBLE_EQ (valueOf (metrics, "segmentation_accuracy_all"), 0.5);
+  EXPECT_DOUBLE_EQ (valueOf (metrics, "mean_iou"), 0.5);
+}
+
+TEST (Metrics, AFoundPlaneCountsIfAtLeastHalfOfItIsKnown)
+{
+  // The floor is found; on the wall another plane, four or five points of which are
+  // known to be on none.
+  const PlaneLabels truth = runs ("10x1 10x0"), found = runs ("10x1 10x2");
+  for (const auto& [marks, precision] :
+       {std::pair ("10x0 4x0 6x1", 1.0), {"10x0 5x0 5x1", 0.5}})
+    EXPECT_DOUBLE_EQ (
+        valueOf (compareLabels (floorAndWall(), truth, found, {}, ignoring (marks)),
+                 "precision"),
+        precision)
+        << marks;
+}
+
+TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
+{
+  EXPECT_THROW (
+      compareLabels (floorAndWall(), PlaneLabels (20, 1), PlaneLabels (19, 1)),
+      std::invalid_argument);
+  PlaneLabels one_a_point (20'000); // refused before memory is
+  std::iota (one_a_point.begin(), one_a_point.end(), 1u);
+  EXPECT_THROW (compareLabels (XyzCloud (20'000, 1), one_a_point, one_a_point),
+                std::length_error);
+}
+
+/** How many planes there are in each class. */
+std::vector<std::size_t>
+planesIn (const SizeClasses& classes)
+{
+  std::vector<std::size_t> planes;
+  for (const SizeClass& size : classes)
+    planes.push_back (size.planes);
+  return planes;
+}
+
+TEST (SizeClasses, ATruePlaneBelongsToTheClassOfItsPoints)
+{
+  PlaneLabels labels;
+  for (const std::size_t size :
+       {1, 199, 200, 499, 500, 999, 1000, 2999, 3000, 9999, 10000, 30000})
+    labels.insert (labels.end(), size, std::uint32_t (labels.size() + 1));
+  const XyzCloud cloud (std::uint32_t (labels.size()), 1);
+  EXPECT_EQ (planesIn (compareLabels (cloud, labels, labels).by_size),
+             (std::vector<std::size_t> (6, 2)));
+}
+
+TEST (Widths, DivideTruePlanesIntoClasses)
+{
+  // Slanted boards 2 m long, of 40 x 40 points each.
+  const Eigen::Vector3d across (1.0 / 3, 2.0 / 3, 2.0 / 3),
+      along (2.0 / 3, 1.0 / 3, -2.0 / 3);
+  XyzCloud cloud;
+  PlaneLabels labels;
+  for (const double width : {0.02, 0.04, 0.05, 0.2, 0.5, 1.5}) {
+    const std::uint32_t label = labels.empty() ? 1 : labels.back() + 1;
+    for (int i = 0; i < 1600; ++i) {
+      const Eigen::Vector3d point = width * (i / 40 + 0.5) / 40 * across +
+                                    2.0 * (i % 40 + 0.5) / 40 * along +
+                                    label * Eigen::Vector3d::UnitZ();
+      cloud.emplace_back (float (point.x()), float (point.y()), float (point.z()));
+      labels.push_back (label);
+    }
+  }
+  cloud[0].x = std::numeric_limits<float>::quiet_NaN();
+  PlaneLabels all_but_first = labels;
+  std::replace (all_but_first.begin(), all_but_first.end(), 1u, 0u);
+  const SizeClasses classes = compareLabels (cloud, labels, all_but_first).by_width;
+  EXPECT_EQ (planesIn (classes), (std::vector<std::size_t>{1, 2, 0, 1, 1, 1}));
+  EXPECT_EQ (classes[0].found_50, 0u);
+  EXPECT_EQ (classes[1].found_75, 2u);
+}
+
+TEST (Hungarian, IsTheBestOfAllPermutationsOfTheColumns)
+{
+  std::mt19937 generator (1);
+  for (const auto& [rows, columns] : {std::pair (5, 5), {3, 6}, {0, 4}, {0, 0}})
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::MatrixXd benefit = Eigen::MatrixXd::NullaryExpr (
+          rows, columns, [&] { return double (generator() % 20) - 5.0; });
+      std::vector<int> column_of (columns);
+      std::iota (column_of.begin(), column_of.end(), 0);
+      double best = -1e9;
+      do {
+        double sum = 0.0;
+        for (int row = 0; row < rows; ++row)
+          sum += benefit (row, column_of[row]);
+        best = std::max (best, sum);
+      }
+      while (std::next_permutation (column_of.begin(), column_of.end()));
+      EXPECT_EQ (maximumAssignment (benefit), best);
+    }
+}
+
+} // namespace
