@@ -33,13 +33,20 @@ tops and boards, each with the points that lie on it.
 This package has what programs that use it are built with: the headers, the
 CMake package and the pkg-config file.")
 
+set(lab "")
+if(PCL_OPS_BUILD_LAB)
+  set(lab "
+.
+pcl_ops_simulate makes rooms as a depth camera sees them, with their true
+planes; pcl_ops_evaluate and pcl_ops_benchmark measure how good and how fast
+plane detectors are.")
+endif()
 pcl_ops_add_package(tools NAME pcl-ops-tools SECTION science
   COMPONENTS ${libraries}
   SUMMARY "find the planes of a point cloud (command line programs)"
   DESCRIPTION "pcl_ops_segment labels every point of a .pcd or .ply file with the plane it
-lies on and writes the planes and a picture of them. pcl_ops_simulate makes
-rooms as a depth camera sees them, with their true planes. pcl_ops_evaluate
-and pcl_ops_benchmark measure how good and how fast plane detectors are.")
+lies on and writes the planes and a picture of them; pcl_ops_evaluate compares
+results.${lab}")
 
 if(TARGET pcl_ops_view)
   pcl_ops_add_package(view NAME pcl-ops-view SECTION science
