@@ -4,9 +4,10 @@
 
 #include <pcl/common/point_tests.h>
 
+#include "assignment.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -29,7 +30,8 @@ pointsOfAssignment (const Confusion& confusion)
 {
   // 0.8 GB of matrix; no cloud has that many planes, only a wrong label field does.
   constexpr std::size_t max_plane_pairs = 100'000'000;
-  const std::size_t rows = confusion.truth.size(), columns = confusion.result.size();
+  const std::size_t rows = confusion.truth.size();
+  const std::size_t columns = confusion.result.size();
   if (rows * columns > max_plane_pairs)
     throw std::length_error (std::to_string (rows) + " and " +
                              std::to_string (columns) +
@@ -53,29 +55,39 @@ classificationAccuracy (const Confusion& confusion,
   const std::size_t points = confusion.truth.of_point.size();
   std::size_t right = 0;
   for (std::size_t i = 0; i < points; ++i)
-    right += classOf (truth, confusion.truth.of_point[i]) ==
-             classOf (result, confusion.result.of_point[i]);
+    if (classOf (truth, confusion.truth.of_point[i]) ==
+        classOf (result, confusion.result.of_point[i]))
+      ++right;
   return fraction (right, points, 1.0);
 }
 
 /** What is said about each plane of one side. */
 struct Verdicts {
-  const PlaneIds& planes;
-  std::uint32_t Overlap::*id;
-  std::vector<bool> matched = std::vector<bool> (planes.size(), false);
-  /** Broken up (a true plane) or swallowing several (a found one). */
-  std::vector<bool> split = matched;
-  /** A part of the other side's split plane. */
-  std::vector<bool> part = matched;
+  Verdicts (const PlaneIds& planes_of_side, std::uint32_t Overlap::*id_in_overlap)
+  : planes (planes_of_side)
+  , id (id_in_overlap)
+  , matched (planes_of_side.size(), false)
+  , split (planes_of_side.size(), false)
+  , part (planes_of_side.size(), false)
+  {}
 
   std::size_t
   unexplained () const
   {
     std::size_t count = 0;
     for (std::size_t i = 0; i < matched.size(); ++i)
-      count += !matched[i] && !split[i] && !part[i];
+      if (!matched[i] && !split[i] && !part[i])
+        ++count;
     return count;
   }
+
+  const PlaneIds& planes;
+  std::uint32_t Overlap::*id;
+  std::vector<bool> matched;
+  /** Broken up (a true plane) or swallowing several (a found one). */
+  std::vector<bool> split;
+  /** A part of the other side's split plane. */
+  std::vector<bool> part;
 };
 
 /** Marks planes of \p wholes on which two or more planes of the other side lie, and
@@ -89,7 +101,8 @@ markSplits (const Confusion& confusion,
   const auto reaches = [threshold] (std::size_t points, std::size_t all) {
     return double (points) >= threshold * double (all);
   };
-  std::vector<std::size_t> parts (wholes.planes.size(), 0), covered = parts;
+  std::vector<std::size_t> parts (wholes.planes.size(), 0);
+  std::vector<std::size_t> covered (wholes.planes.size(), 0);
   std::vector<Overlap> on_whole;
   for (const Overlap& overlap : confusion.overlaps)
     if (reaches (overlap.points, others.planes.points[overlap.*others.id])) {
@@ -105,7 +118,8 @@ markSplits (const Confusion& confusion,
 }
 
 struct Matching {
-  Verdicts truth, result;
+  Verdicts truth;
+  Verdicts result;
   double iou_sum = 0.0;
 };
 
@@ -124,45 +138,65 @@ matchPlanes (const Confusion& confusion, double threshold)
       });
   Matching matching{{confusion.truth, &Overlap::truth},
                     {confusion.result, &Overlap::result}};
-  auto& [truth, result, iou_sum] = matching;
+  Verdicts& truth = matching.truth;
+  Verdicts& result = matching.result;
   for (const Overlap& pair : candidates) {
     if (truth.matched[pair.truth] || result.matched[pair.result])
       continue;
-    truth.matched[pair.truth] = result.matched[pair.result] = true;
-    iou_sum += confusion.iou (pair);
+    truth.matched[pair.truth] = true;
+    result.matched[pair.result] = true;
+    matching.iou_sum += confusion.iou (pair);
   }
   markSplits (confusion, threshold, truth, result);
   markSplits (confusion, threshold, result, truth);
   return matching;
 }
 
-void
-addInstanceMetrics (const Matching& matching,
-                    const std::string& suffix,
-                    NamedValues& named)
+std::size_t
+countOf (const std::vector<bool>& marks)
 {
-  const auto& [truth, result, iou_sum] = matching;
+  return std::size_t (std::count (marks.begin(), marks.end(), true));
+}
+
+/** The metrics of planes as instances. */
+NamedValues
+instanceMetrics (const Matching& matching)
+{
+  const Verdicts& truth = matching.truth;
+  const Verdicts& result = matching.result;
   const std::size_t truth_planes = truth.planes.size();
   const std::size_t result_planes = result.planes.size();
-  const auto count = [] (const std::vector<bool>& marks) {
-    return std::size_t (std::count (marks.begin(), marks.end(), true));
-  };
-  const std::size_t matches = count (truth.matched), all = truth_planes + result_planes;
+  const std::size_t matches = countOf (truth.matched);
+  const std::size_t all = truth_planes + result_planes;
   const double both_empty = all == 0 ? 1.0 : 0.0;
   const double f_score = fraction (2 * matches, all, both_empty);
-  const double mean_iou = matches == 0 ? both_empty : iou_sum / double (matches);
-  for (const auto& [name, value] : NamedValues{
-           {"precision", fraction (matches, result_planes, both_empty)},
-           {"recall", fraction (matches, truth_planes, both_empty)},
-           {"f_score", f_score},
-           {"mean_iou", mean_iou},
-           {"panoptic_quality", mean_iou * f_score},
-           {"over_segmentation", fraction (count (truth.split), truth_planes, 0)},
-           {"under_segmentation", fraction (count (result.split), result_planes, 0)},
-           {"noise", fraction (result.unexplained(), result_planes, 0)},
-           {"missed", fraction (truth.unexplained(), truth_planes, 0)}})
-    named.emplace_back (name + suffix, value);
+  const double mean_iou =
+      matches == 0 ? both_empty : matching.iou_sum / double (matches);
+  return {{"precision", fraction (matches, result_planes, both_empty)},
+          {"recall", fraction (matches, truth_planes, both_empty)},
+          {"f_score", f_score},
+          {"mean_iou", mean_iou},
+          {"panoptic_quality", mean_iou * f_score},
+          {"over_segmentation", fraction (countOf (truth.split), truth_planes, 0)},
+          {"under_segmentation", fraction (countOf (result.split), result_planes, 0)},
+          {"noise", fraction (result.unexplained(), result_planes, 0)},
+          {"missed", fraction (truth.unexplained(), truth_planes, 0)}};
 }
+
+/** Classes between limits and beyond them, without a plane. */
+SizeClasses
+emptyClasses (const std::vector<double>& limits)
+{
+  SizeClasses classes (1);
+  for (const double limit : limits) {
+    classes.back().below = limit;
+    classes.push_back ({limit});
+  }
+  return classes;
+}
+
+const std::vector<double> point_limits{200, 500, 1000, 3000, 10'000};
+const std::vector<double> width_limits{0.03, 0.06, 0.12, 0.25, 1.0}; // [m]
 
 SizeClasses
 classesOf (const Matching& at_50,
@@ -170,18 +204,16 @@ classesOf (const Matching& at_50,
            const std::vector<double>& sizes,
            const std::vector<double>& limits)
 {
-  SizeClasses classes (1);
-  for (const double limit : limits) {
-    classes.back().below = limit;
-    classes.push_back ({limit});
-  }
+  SizeClasses classes = emptyClasses (limits);
   for (std::size_t plane = 0; plane < sizes.size(); ++plane) {
     auto of_plane = classes.begin();
     while (of_plane->below && sizes[plane] >= *of_plane->below)
       ++of_plane;
     ++of_plane->planes;
-    of_plane->found_50 += at_50.truth.matched[plane];
-    of_plane->found_75 += at_75.truth.matched[plane];
+    if (at_50.truth.matched[plane])
+      ++of_plane->found_50;
+    if (at_75.truth.matched[plane])
+      ++of_plane->found_75;
   }
   return classes;
 }
@@ -202,10 +234,12 @@ planesKnown (PlaneLabels result, const std::vector<char>& is_ignored)
 {
   if (is_ignored.empty())
     return result;
-  std::map<std::uint32_t, std::size_t> points, ignored;
+  std::map<std::uint32_t, std::size_t> points;
+  std::map<std::uint32_t, std::size_t> ignored;
   for (std::size_t i = 0; i < result.size(); ++i) {
     ++points[result[i]];
-    ignored[result[i]] += is_ignored[i] != 0;
+    if (is_ignored[i] != 0)
+      ++ignored[result[i]];
   }
   for (std::uint32_t& label : result)
     if (2 * ignored[label] > points[label])
@@ -320,60 +354,16 @@ confusionOf (const PlaneLabels& truth, const PlaneLabels& result)
   Confusion confusion{planeIds (truth), planeIds (result)};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> points_of_pair;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    confusion.points_off_planes += truth[i] == 0;
-    confusion.points_on_no_plane_in_both += truth[i] == 0 && result[i] == 0;
+    if (truth[i] == 0)
+      ++confusion.points_off_planes;
+    if (truth[i] == 0 && result[i] == 0)
+      ++confusion.points_on_no_plane_in_both;
     if (truth[i] != 0 && result[i] != 0)
       ++points_of_pair[{confusion.truth.of_point[i], confusion.result.of_point[i]}];
   }
   for (const auto& [pair, points] : points_of_pair)
     confusion.overlaps.push_back ({pair.first, pair.second, points});
   return confusion;
-}
-
-double
-maximumAssignment (const Eigen::MatrixXd& benefit)
-{
-  using Index = Eigen::Index;
-  constexpr Index none = -1;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Index columns = benefit.cols();
-  Eigen::VectorXd row_price = Eigen::VectorXd::Zero (benefit.rows());
-  Eigen::VectorXd column_price = Eigen::VectorXd::Zero (columns + 1);
-  // Behind the last column stands the row that is added.
-  std::vector<Index> row_of (columns + 1, none), previous (columns);
-  for (Index& row = row_of[columns] = 0; row < benefit.rows(); ++row) {
-    Eigen::VectorXd slack = Eigen::VectorXd::Constant (columns, infinity);
-    std::vector<bool> is_settled (columns + 1, false);
-    Index column = columns;
-    // The cheapest alternating path from the row to a free column (Dijkstra); prices
-    // keep every reduced cost non-negative and those of pairs at zero.
-    while (row_of[column] != none) {
-      is_settled[column] = true;
-      const Index settled = std::exchange (column, none), its_row = row_of[settled];
-      for (Index other = 0; other < columns; ++other) {
-        if (is_settled[other])
-          continue;
-        const double reduced =
-            -benefit (its_row, other) - row_price[its_row] - column_price[other];
-        if (reduced < slack[other]) {
-          slack[other] = reduced;
-          previous[other] = settled;
-        }
-        if (column == none || slack[other] < slack[column])
-          column = other;
-      }
-      const double step = slack[column];
-      slack.array() -= step;
-      for (Index other = 0; other <= columns; ++other)
-        if (is_settled[other]) {
-          row_price[row_of[other]] += step;
-          column_price[other] -= step;
-        }
-    }
-    for (; column != columns; column = previous[column])
-      row_of[column] = row_of[previous[column]];
-  }
-  return column_price[columns]; // has taken every step that pairs became dearer by
 }
 
 Metrics
@@ -394,28 +384,37 @@ compareLabels (const XyzCloud& cloud,
   const Confusion confusion =
       confusionOf (selectLabels (truth, known),
                    selectLabels (planesKnown (result, is_ignored), known));
-  const auto& [true_ids, result_ids, overlaps, off_in_both, off_planes] = confusion;
-  const Matching at_50 = matchPlanes (confusion, 0.50),
-                 at_75 = matchPlanes (confusion, 0.75);
-  const auto truth_planes = planesOf (points, true_ids, parameters),
-             result_planes = planesOf (points, result_ids, parameters);
-  const std::size_t right = pointsOfAssignment (confusion), all = points.size();
+  const Matching at_50 = matchPlanes (confusion, 0.50);
+  const Matching at_75 = matchPlanes (confusion, 0.75);
+  const std::vector<PlaneSegment> truth_planes =
+      planesOf (points, confusion.truth, parameters);
+  const std::vector<PlaneSegment> result_planes =
+      planesOf (points, confusion.result, parameters);
+  const std::size_t right = pointsOfAssignment (confusion);
+  const std::size_t all = points.size();
+  const std::size_t off_planes = confusion.points_off_planes;
+  const std::size_t off_in_both = confusion.points_on_no_plane_in_both;
 
-  Metrics metrics{all, true_ids.size(), result_ids.size()};
+  Metrics metrics;
+  metrics.points = all;
+  metrics.truth_planes = confusion.truth.size();
+  metrics.result_planes = confusion.result.size();
   metrics.named = {
       {"classification_accuracy",
        classificationAccuracy (confusion, truth_planes, result_planes)},
       {"segmentation_accuracy",
        fraction (right, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
       {"segmentation_accuracy_all", fraction (right + off_in_both, all, 1.0)}};
-  addInstanceMetrics (at_50, "", metrics.named);
-  addInstanceMetrics (at_75, "_75", metrics.named);
+  for (const auto& [name, value] : instanceMetrics (at_50))
+    metrics.named.emplace_back (name, value);
+  for (const auto& [name, value] : instanceMetrics (at_75))
+    metrics.named.emplace_back (name + "_75", value);
   metrics.named.emplace_back ("points_off_planes_called_planes",
                               fraction (off_planes - off_in_both, off_planes, 0.0));
-  const std::vector<double> sizes (true_ids.points.begin(), true_ids.points.end());
-  metrics.by_size = classesOf (at_50, at_75, sizes, {200, 500, 1000, 3000, 10'000});
-  metrics.by_width =
-      classesOf (at_50, at_75, widthsOf (truth_planes), {0.03, 0.06, 0.12, 0.25, 1.0});
+  const std::vector<double> sizes (confusion.truth.points.begin(),
+                                   confusion.truth.points.end());
+  metrics.by_size = classesOf (at_50, at_75, sizes, point_limits);
+  metrics.by_width = classesOf (at_50, at_75, widthsOf (truth_planes), width_limits);
   return metrics;
 }
 
@@ -423,9 +422,8 @@ NamedValues
 namedCounts (const Metrics& metrics)
 {
   NamedValues named;
-  for (const auto& [by, classes] :
-       {std::pair ("points", &metrics.by_size), {"width", &metrics.by_width}})
-    for (const SizeClass& size : *classes) {
+  const auto add = [&named] (const char* by, const SizeClasses& classes) {
+    for (const SizeClass& size : classes) {
       std::ostringstream suffix;
       suffix << "_by_" << by << (size.below ? "_below_" : "_from_")
              << size.below.value_or (size.from);
@@ -433,6 +431,9 @@ namedCounts (const Metrics& metrics)
       named.emplace_back ("found" + suffix.str(), double (size.found_50));
       named.emplace_back ("found_75" + suffix.str(), double (size.found_75));
     }
+  };
+  add ("points", metrics.by_size);
+  add ("width", metrics.by_width);
   return named;
 }
 

@@ -131,13 +131,6 @@ struct Metrics {
   SizeClasses by_width = {};
 };
 
-/** The largest sum of benefits of a pairing of rows with columns, each used at most
- * once: the Hungarian method by shortest augmenting paths (Kuhn 1955; Jonker &
- * Volgenant 1987), O(rows^2 columns).
- * \param[in] benefit no more rows than columns */
-double
-maximumAssignment (const Eigen::MatrixXd& benefit);
-
 /** Points without finite coordinates do not count, nor those whose truth is unknown; a
  * found plane counts if at least half of its points are known.
  * \param[in] is_ignored of each point, whether its truth is unknown; empty: none

@@ -9,7 +9,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <random>
 #include <sstream>
 
 namespace {
@@ -159,27 +158,6 @@ TEST (Widths, DivideTruePlanesIntoClasses)
   EXPECT_EQ (planesIn (classes), (std::vector<std::size_t>{1, 2, 0, 1, 1, 1}));
   EXPECT_EQ (classes[0].found_50, 0u);
   EXPECT_EQ (classes[1].found_75, 2u);
-}
-
-TEST (Hungarian, IsTheBestOfAllPermutationsOfTheColumns)
-{
-  std::mt19937 generator (1);
-  for (const auto& [rows, columns] : {std::pair (5, 5), {3, 6}, {0, 4}, {0, 0}})
-    for (int i = 0; i < 50; ++i) {
-      const Eigen::MatrixXd benefit = Eigen::MatrixXd::NullaryExpr (
-          rows, columns, [&] { return double (generator() % 20) - 5.0; });
-      std::vector<int> column_of (columns);
-      std::iota (column_of.begin(), column_of.end(), 0);
-      double best = -1e9;
-      do {
-        double sum = 0.0;
-        for (int row = 0; row < rows; ++row)
-          sum += benefit (row, column_of[row]);
-        best = std::max (best, sum);
-      }
-      while (std::next_permutation (column_of.begin(), column_of.end()));
-      EXPECT_EQ (maximumAssignment (benefit), best);
-    }
 }
 
 } // namespace

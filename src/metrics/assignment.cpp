@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "assignment.h"
+
+#include <limits>
+#include <vector>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+using Index = Eigen::Index;
+constexpr Index none = -1;
+
+/** Pairs of the rows added so far, and the prices that prove them to be the best: the
+ * reduced cost is zero for each pair and nowhere below. */
+struct Assignment {
+  explicit Assignment (const Eigen::MatrixXd& all_benefits)
+  : benefit (all_benefits)
+  , row_price (Eigen::VectorXd::Zero (all_benefits.rows()))
+  , column_price (Eigen::VectorXd::Zero (all_benefits.cols()))
+  , row_of (std::size_t (all_benefits.cols()), none)
+  {}
+
+  double
+  reducedCost (Index row, Index column) const
+  {
+    return -benefit (row, column) - row_price[row] - column_price[column];
+  }
+
+  double
+  sum () const
+  {
+    double sum = 0.0;
+    for (Index column = 0; column < benefit.cols(); ++column)
+      if (row_of[column] != none)
+        sum += benefit (row_of[column], column);
+    return sum;
+  }
+
+  const Eigen::MatrixXd& benefit;
+  Eigen::VectorXd row_price;
+  Eigen::VectorXd column_price;
+  /** Of each column the row it is paired with, or none. */
+  std::vector<Index> row_of;
+};
+
+/** The cheapest alternating paths from a row without a column to columns (Dijkstra). */
+struct PathTree {
+  explicit PathTree (Index columns)
+  : length (
+        Eigen::VectorXd::Constant (columns, std::numeric_limits<double>::infinity()))
+  , previous (std::size_t (columns), none)
+  , is_settled (std::size_t (columns), false)
+  {}
+
+  Index
+  nearestOpenColumn () const
+  {
+    Index nearest = none;
+    for (Index column = 0; column < length.size(); ++column)
+      if (!is_settled[column] && (nearest == none || length[column] < length[nearest]))
+        nearest = column;
+    return nearest;
+  }
+
+  Eigen::VectorXd length;
+  /** Of each column the one before it on its path; none for those next to the row. */
+  std::vector<Index> previous;
+  std::vector<bool> is_settled;
+  /** The columns whose paths are final. */
+  std::vector<Index> settled = {};
+};
+
+/** Takes the paths one row further, which is at the end of \p last_column's. */
+void
+relaxColumns (const Assignment& assignment,
+              Index row,
+              Index last_column,
+              double length_so_far,
+              PathTree& tree)
+{
+  for (Index column = 0; column < tree.length.size(); ++column) {
+    if (tree.is_settled[column])
+      continue;
+    const double length = length_so_far + assignment.reducedCost (row, column);
+    if (length < tree.length[column]) {
+      tree.length[column] = length;
+      tree.previous[column] = last_column;
+    }
+  }
+}
+
+/** Grows the tree from a row to the nearest column that has none. */
+Index
+findFreeColumn (const Assignment& assignment, Index start_row, PathTree& tree)
+{
+  relaxColumns (assignment, start_row, none, 0.0, tree);
+  Index column = tree.nearestOpenColumn();
+  while (assignment.row_of[column] != none) {
+    tree.is_settled[column] = true;
+    tree.settled.push_back (column);
+    relaxColumns (
+        assignment, assignment.row_of[column], column, tree.length[column], tree);
+    column = tree.nearestOpenColumn();
+  }
+  return column;
+}
+
+/** Gives each column on the path to \p end the row of the one before it, and the first
+ * the new row. */
+void
+shiftPairs (Assignment& assignment, const PathTree& tree, Index end, Index new_row)
+{
+  Index column = end;
+  while (tree.previous[column] != none) {
+    const Index previous = tree.previous[column];
+    assignment.row_of[column] = assignment.row_of[previous];
+    column = previous;
+  }
+  assignment.row_of[column] = new_row;
+}
+
+void
+addRow (Assignment& assignment, Index row)
+{
+  PathTree tree (assignment.benefit.cols());
+  const Index free_column = findFreeColumn (assignment, row, tree);
+  const double path_length = tree.length[free_column];
+  assignment.row_price[row] += path_length;
+  for (const Index column : tree.settled) {
+    const double slack = path_length - tree.length[column];
+    assignment.row_price[assignment.row_of[column]] += slack;
+    assignment.column_price[column] -= slack;
+  }
+  shiftPairs (assignment, tree, free_column, row);
+}
+
+} // namespace
+
+double
+maximumAssignment (const Eigen::MatrixXd& benefit)
+{
+  Assignment assignment (benefit);
+  for (Index row = 0; row < benefit.rows(); ++row)
+    addRow (assignment, row);
+  return assignment.sum();
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <metrics/assignment.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace {
+
+using pcl_ops::evaluation::maximumAssignment;
+
+TEST (Assignment, IsTheBestOfAllPermutationsOfTheColumns)
+{
+  std::mt19937 generator (1);
+  for (const auto& [rows, columns] : {std::pair (5, 5), {3, 6}, {0, 4}, {0, 0}})
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::MatrixXd benefit = Eigen::MatrixXd::NullaryExpr (
+          rows, columns, [&] { return double (generator() % 20) - 5.0; });
+      std::vector<int> column_of (columns);
+      std::iota (column_of.begin(), column_of.end(), 0);
+      double best = -1e9;
+      do {
+        double sum = 0.0;
+        for (int row = 0; row < rows; ++row)
+          sum += benefit (row, column_of[row]);
+        best = std::max (best, sum);
+      }
+      while (std::next_permutation (column_of.begin(), column_of.end()));
+      EXPECT_EQ (maximumAssignment (benefit), best);
+    }
+}
+
+} // namespace
