@@ -39,8 +39,11 @@ sortByDigit (unsigned threads,
       });
   std::uint32_t next = 0;
   for (std::size_t digit = 0; digit < digits; ++digit)
-    for (Places& place : places)
-      next += std::exchange (place[digit], next);
+    for (Places& place : places) {
+      const std::uint32_t number = place[digit];
+      place[digit] = next;
+      next += number;
+    }
   parallelFor (threads, size, items_per_piece, [&] (auto begin, auto end) {
     Places& place = places[begin / items_per_piece];
     for (std::size_t i = begin; i < end; ++i)

@@ -50,17 +50,56 @@ freeNear (const Plane& plane,
   return near;
 }
 
-/** Planes by the weight they had when last looked at; of equal ones, by numbers below
- * zero, the first. Free clusters only become fewer. */
-using Ranks = std::priority_queue<std::pair<double, std::ptrdiff_t>>;
+/** A plane and the weight it had when it was last looked at: free clusters only become
+ * fewer. */
+struct RankedPlane {
+  double weight = 0.0;
+  std::size_t plane = 0;
+
+  /** Of planes of equal weight the first comes first. */
+  bool
+  operator<(const RankedPlane& other) const
+  {
+    if (weight != other.weight)
+      return weight < other.weight;
+    return plane > other.plane;
+  }
+};
+
+/** The largest is on top. */
+using Ranks = std::priority_queue<RankedPlane>;
 
 Ranks
 rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& found)
 {
   Ranks ranks;
-  for (std::size_t p = 0; p < planes.size(); ++p)
-    ranks.emplace (weightOf (planes[p].clusters, found), -std::ptrdiff_t (p));
+  for (std::size_t plane = 0; plane < planes.size(); ++plane)
+    ranks.push ({weightOf (planes[plane].clusters, found), plane});
   return ranks;
+}
+
+/** Fits a plane to free clusters, then to those near it.
+ * \return nothing where its clusters span no plane, or have too few points; else the
+ * clusters near it are its own, and no longer free */
+std::optional<HoughPlane>
+takeClusters (Indices clusters,
+              const OctreeClusters& found,
+              double min_count,
+              double largest_rms,
+              std::vector<bool>& is_free)
+{
+  Moments moments = momentsOfClusters (clusters, found);
+  std::optional<PlaneFit> fit = fitPlane (moments);
+  for (int i = 0; i < fits_per_plane && fit; ++i) {
+    clusters = freeNear (fit->plane, largest_rms, found, is_free);
+    moments = momentsOfClusters (clusters, found);
+    fit = fitPlane (moments);
+  }
+  if (!fit || moments.count < min_count)
+    return std::nullopt;
+  for (const std::uint32_t cluster : clusters)
+    is_free[cluster] = false;
+  return HoughPlane{fit->plane, std::move (clusters)};
 }
 
 } // namespace
@@ -99,8 +138,11 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
     planes.push_back ({planeThrough (nearest, normal), std::move (peak.voters)});
   }
   std::vector<HoughPlane> sorted;
-  for (auto ranks = rankPlanes (planes, found); !ranks.empty(); ranks.pop())
-    sorted.push_back (std::move (planes[-ranks.top().second]));
+  Ranks ranks = rankPlanes (planes, found);
+  while (!ranks.empty()) {
+    sorted.push_back (std::move (planes[ranks.top().plane]));
+    ranks.pop();
+  }
   return sorted;
 }
 
@@ -113,31 +155,27 @@ refitPlanes (const std::vector<HoughPlane>& planes,
   const double min_count = min_share * static_cast<double> (found.points.size());
   std::vector<bool> is_free (found.clusters.size(), true);
   std::vector<HoughPlane> refitted;
-  for (auto ranks = rankPlanes (planes, found); !ranks.empty();) {
-    const auto [last_weight, rank] = ranks.top();
+  Ranks ranks = rankPlanes (planes, found);
+  while (!ranks.empty()) {
+    const RankedPlane next = ranks.top();
     ranks.pop();
     Indices clusters;
-    for (const std::uint32_t cluster : planes[-rank].clusters)
+    for (const std::uint32_t cluster : planes[next.plane].clusters)
       if (is_free[cluster])
         clusters.push_back (cluster);
     const double weight = weightOf (clusters, found);
-    if (weight < last_weight) {
-      ranks.emplace (weight, rank);
+    if (weight < next.weight) {
+      ranks.push ({weight, next.plane});
       continue;
     }
-    Moments moments = momentsOfClusters (clusters, found);
-    std::optional<PlaneFit> fit = fitPlane (moments);
-    for (int i = 0; i < fits_per_plane && fit; ++i) {
-      clusters =
-          freeNear (fit->plane, largest_rms_share * distance_threshold, found, is_free);
-      moments = momentsOfClusters (clusters, found);
-      fit = fitPlane (moments);
-    }
-    if (!fit || moments.count < min_count)
-      continue;
-    for (const std::uint32_t cluster : clusters)
-      is_free[cluster] = false;
-    refitted.push_back ({fit->plane, std::move (clusters)});
+    std::optional<HoughPlane> plane =
+        takeClusters (std::move (clusters),
+                      found,
+                      min_count,
+                      largest_rms_share * distance_threshold,
+                      is_free);
+    if (plane)
+      refitted.push_back (std::move (*plane));
   }
   return refitted;
 }

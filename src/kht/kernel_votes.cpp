@@ -36,81 +36,142 @@ bounded (double value, int low, int high)
   return static_cast<int> (std::clamp<double> (value, low, high));
 }
 
-struct VoteCaster {
-  const PlaneKernel& kernel;
-  const HoughSpace& space;
-  KernelVotes& votes;
+/** A direction's offset from the mean of a kernel. */
+struct Offset {
+  double phi = 0.0;
+  double theta = 0.0;
+};
 
-  double mean_rho = kernel.mean[0], mean_phi = kernel.mean[1],
-         mean_theta = kernel.mean[2];
-  const Eigen::Matrix3d& sigma = kernel.covariance;
-  double phi_deviation = std::sqrt (sigma (1, 1));
+/** A kernel's density, in the terms that its votes are computed from. */
+class KernelDensity {
+public:
+  explicit KernelDensity (const PlaneKernel& kernel)
+  {
+    const Eigen::Matrix3d& sigma = kernel.covariance;
+    mean_rho = kernel.mean[0];
+    mean_phi = kernel.mean[1];
+    mean_theta = kernel.mean[2];
+    phi_deviation = std::sqrt (sigma (1, 1));
+    const double determinant =
+        sigma (1, 1) * sigma (2, 2) - sigma (1, 2) * sigma (1, 2);
+    pp_ = sigma (2, 2) / determinant;
+    pt_ = -sigma (1, 2) / determinant;
+    tt_ = sigma (1, 1) / determinant;
+    rho_per_phi_ = pp_ * sigma (0, 1) + pt_ * sigma (0, 2);
+    rho_per_theta_ = pt_ * sigma (0, 1) + tt_ * sigma (0, 2);
+    rho_variance =
+        sigma (0, 0) - rho_per_phi_ * sigma (0, 1) - rho_per_theta_ * sigma (0, 2);
+    peak = kernel.weight / std::sqrt (8.0 * pi * pi * pi * determinant * rho_variance);
+  }
+
+  /** False where the covariance is not positive definite. */
+  bool
+  isDefined () const
+  {
+    return std::isfinite (peak) && peak > 0.0;
+  }
+
+  /** Squared Mahalanobis distance of a direction, the best rho assumed. */
+  double
+  squaredDistance (const Offset& offset) const
+  {
+    return offset.phi * (pp_ * offset.phi + 2.0 * pt_ * offset.theta) +
+           tt_ * offset.theta * offset.theta;
+  }
+
+  double
+  likeliestTheta (double phi_offset) const
+  {
+    return -pt_ / tt_ * phi_offset;
+  }
+
+  /** How far in theta a squared Mahalanobis distance reaches on one row. */
+  double
+  thetaReach (double squared_distance) const
+  {
+    return std::sqrt (squared_distance / tt_);
+  }
+
+  double
+  likeliestRho (const Offset& offset) const
+  {
+    return mean_rho + rho_per_phi_ * offset.phi + rho_per_theta_ * offset.theta;
+  }
+
+  double mean_rho = 0.0;
+  double mean_phi = 0.0;
+  double mean_theta = 0.0;
+  double phi_deviation = 0.0;
+  /** About the likeliest rho of a direction. */
+  double rho_variance = 0.0;
+  /** The density at the mean. */
+  double peak = 0.0;
+
+private:
   // The inverse of the covariance of phi and theta.
-  double determinant = sigma (1, 1) * sigma (2, 2) - sigma (1, 2) * sigma (1, 2);
-  double pp = sigma (2, 2) / determinant;
-  double pt = -sigma (1, 2) / determinant;
-  double tt = sigma (1, 1) / determinant;
-  // The line of the likeliest rho over phi and theta, and the variance about it.
-  double rho_per_phi = pp * sigma (0, 1) + pt * sigma (0, 2);
-  double rho_per_theta = pt * sigma (0, 1) + tt * sigma (0, 2);
-  double rho_variance =
-      sigma (0, 0) - rho_per_phi * sigma (0, 1) - rho_per_theta * sigma (0, 2);
-  double peak =
-      kernel.weight / std::sqrt (8.0 * pi * pi * pi * determinant * rho_variance);
-  double ratio_change = std::exp (-space.rho_step * space.rho_step / rho_variance);
-  // The votes may meet themselves.
-  bool has_wrapped = false;
+  double pp_ = 0.0;
+  double pt_ = 0.0;
+  double tt_ = 0.0;
+  // The line of the likeliest rho over phi and theta.
+  double rho_per_phi_ = 0.0;
+  double rho_per_theta_ = 0.0;
+};
+
+class VoteCaster {
+public:
+  VoteCaster (const KernelDensity& density, const HoughSpace& space, KernelVotes& votes)
+  : density_ (density)
+  , space_ (space)
+  , votes_ (votes)
+  , ratio_change_ (std::exp (-space.rho_step * space.rho_step / density.rho_variance))
+  {}
 
   void
   castAll ()
   {
-    // Not so where a covariance is not positive definite.
-    if (!(std::isfinite (peak) && peak > 0.0))
-      return;
-    const double step = space.directions.phi_step;
-    const double reach = std::min (std::sqrt (largest_squared_distance) * phi_deviation,
-                                   max_directions * step);
-    const int phi_num = space.directions.phi_num;
+    const double step = space_.directions.phi_step;
+    const double reach =
+        std::min (std::sqrt (largest_squared_distance) * density_.phi_deviation,
+                  max_directions * step);
+    const int phi_num = space_.directions.phi_num;
     const int first =
-        bounded (std::ceil ((mean_phi - reach) / step), -phi_num, 2 * phi_num);
-    const int last =
-        bounded (std::floor ((mean_phi + reach) / step), -phi_num, 2 * phi_num);
+        bounded (std::ceil ((density_.mean_phi - reach) / step), -phi_num, 2 * phi_num);
+    const int last = bounded (
+        std::floor ((density_.mean_phi + reach) / step), -phi_num, 2 * phi_num);
     for (int row = first; row <= last; ++row)
       castRow (row);
     castOwnBin();
-    if (has_wrapped)
+    if (has_wrapped_)
       keepLargestVotes();
   }
 
 private:
-  /** A direction's offset from the kernel's mean. */
-  struct Offset {
-    double phi, theta;
-  };
-
   void
   castRow (int row)
   {
-    const BallDirections& directions = space.directions;
-    const int phi_num = directions.phi_num;
-    const bool beyond_pole = row < 0 || row > phi_num;
-    const int reflected = row < 0 ? -row : beyond_pole ? 2 * phi_num - row : row;
-    const double phi_offset = row * directions.phi_step - mean_phi;
-    const double room = largest_squared_distance -
-                        phi_offset * phi_offset / (phi_deviation * phi_deviation);
+    const BallDirections& directions = space_.directions;
+    const double phi_offset = row * directions.phi_step - density_.mean_phi;
+    const double room =
+        largest_squared_distance -
+        phi_offset * phi_offset / (density_.phi_deviation * density_.phi_deviation);
     if (room < 0.0)
       return;
-    has_wrapped |= beyond_pole;
-    const double middle = likeliestTheta (phi_offset);
+    const bool is_beyond_pole = row < 0 || row > directions.phi_num;
+    if (is_beyond_pole)
+      has_wrapped_ = true;
+    const int reflected = reflectedRow (row);
+    const double middle = density_.likeliestTheta (phi_offset);
     const int patches = directions.patchesOfRow (reflected);
-    if (patches == 1) // All azimuths meet at a pole.
-      return castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
+    if (patches == 1) { // All azimuths meet at a pole.
+      castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
+      return;
+    }
 
-    const double start = mean_theta + (beyond_pole ? pi : 0.0);
+    const double start = density_.mean_theta + (is_beyond_pole ? pi : 0.0);
     const double step = 2.0 * pi / patches;
     const double middle_patch = (start + middle) / step - 0.5;
     const double reach =
-        std::min ({std::sqrt (room / tt) / step, 0.5 * patches, max_directions});
+        std::min ({density_.thetaReach (room) / step, 0.5 * patches, max_directions});
     const int first =
         bounded (std::ceil (middle_patch - reach), -max_patches, max_patches);
     const int last = std::min (
@@ -121,31 +182,44 @@ private:
                {phi_offset, (patch + 0.5) * step - start});
   }
 
+  /** Rows beyond a pole are those of its other side. */
+  int
+  reflectedRow (int row) const
+  {
+    const int last_row = space_.directions.phi_num;
+    if (row < 0)
+      return -row;
+    if (row > last_row)
+      return 2 * last_row - row;
+    return row;
+  }
+
   void
   castRay (std::uint32_t direction, const Offset& offset)
   {
-    const double distance = squaredDistance (offset);
+    const double distance = density_.squaredDistance (offset);
     const double room = std::max (0.0, largest_squared_distance - distance);
-    const double middle = likeliestRho (offset);
-    const double step = space.rho_step;
-    const double reach = std::min (std::sqrt (room * rho_variance), max_bins * step);
-    const int bins = space.rho_num;
+    const double middle = density_.likeliestRho (offset);
+    const double step = space_.rho_step;
+    const double reach =
+        std::min (std::sqrt (room * density_.rho_variance), max_bins * step);
+    const int bins = space_.rho_num;
     const int first = bounded (std::ceil ((middle - reach) / step - 0.5), -bins, bins);
     const int last =
         bounded (std::floor ((middle + reach) / step - 0.5), -bins - 1, bins - 1);
-    const double height = peak * std::exp (-0.5 * distance);
+    const double height = density_.peak * std::exp (-0.5 * distance);
     if (last < first)
       return;
     if (last >= 0) {
       const int from = std::max (first, 0);
-      const double start = space.rhoOf (from) - middle;
+      const double start = space_.rhoOf (from) - middle;
       addRay (direction, from, last + 1, start, step, height);
     }
     if (first < 0) {
-      has_wrapped = true;
+      has_wrapped_ = true;
       const int from = std::min (last, -1);
-      const double start = space.rhoOf (from) - middle;
-      const std::uint32_t opposite = space.directions.opposite (direction);
+      const double start = space_.rhoOf (from) - middle;
+      const std::uint32_t opposite = space_.directions.opposite (direction);
       addRay (opposite, -1 - from, -first, start, -step, height);
     }
   }
@@ -160,42 +234,46 @@ private:
           double step,
           double height)
   {
-    double value = height * std::exp (-0.5 * offset * offset / rho_variance);
-    double ratio = std::exp (-step * (offset + 0.5 * step) / rho_variance);
-    const auto first_value = static_cast<std::uint32_t> (votes.values.size());
-    votes.rays.push_back ({direction, begin, end, first_value});
+    double value = height * std::exp (-0.5 * offset * offset / density_.rho_variance);
+    double ratio = std::exp (-step * (offset + 0.5 * step) / density_.rho_variance);
+    const auto first_value = static_cast<std::uint32_t> (votes_.values.size());
+    votes_.rays.push_back ({direction, begin, end, first_value});
     for (int bin = begin; bin < end; ++bin) {
-      votes.values.push_back (static_cast<float> (value));
+      votes_.values.push_back (static_cast<float> (value));
       value *= ratio;
-      ratio *= ratio_change;
+      ratio *= ratio_change_;
     }
   }
 
   void
   castOwnBin ()
   {
-    const BallDirections& directions = space.directions;
-    const int row = static_cast<int> (std::lround (mean_phi / directions.phi_step));
-    const std::uint32_t direction = directions.at (row, mean_theta);
-    const int bin =
-        std::min (static_cast<int> (mean_rho / space.rho_step), space.rho_num - 1);
-    Offset offset{directions.phiOf (direction) - mean_phi, 0.0};
-    offset.theta =
-        directions.patchesOfRow (row) == 1
-            ? likeliestTheta (offset.phi)
-            : std::remainder (directions.thetaOf (direction) - mean_theta, 2.0 * pi);
-    const double rho_offset = space.rhoOf (bin) - likeliestRho (offset);
-    if (squaredDistance (offset) + rho_offset * rho_offset / rho_variance <=
+    const BallDirections& directions = space_.directions;
+    const int row =
+        static_cast<int> (std::lround (density_.mean_phi / directions.phi_step));
+    const std::uint32_t direction = directions.at (row, density_.mean_theta);
+    const int bin = std::min (static_cast<int> (density_.mean_rho / space_.rho_step),
+                              space_.rho_num - 1);
+    Offset offset;
+    offset.phi = directions.phiOf (direction) - density_.mean_phi;
+    if (directions.patchesOfRow (row) == 1)
+      offset.theta = density_.likeliestTheta (offset.phi);
+    else
+      offset.theta = std::remainder (
+          directions.thetaOf (direction) - density_.mean_theta, 2.0 * pi);
+    const double rho_offset = space_.rhoOf (bin) - density_.likeliestRho (offset);
+    if (density_.squaredDistance (offset) +
+            rho_offset * rho_offset / density_.rho_variance <=
         largest_squared_distance)
       return;
-    const double height = peak * std::exp (-0.5 * largest_squared_distance);
+    const double height = density_.peak * std::exp (-0.5 * largest_squared_distance);
     addRay (direction, bin, bin + 1, 0.0, 0.0, height);
   }
 
   void
   keepLargestVotes ()
   {
-    std::vector<VoteRay>& rays = votes.rays;
+    std::vector<VoteRay>& rays = votes_.rays;
     std::sort (rays.begin(), rays.end(), [] (const VoteRay& a, const VoteRay& b) {
       return std::tie (a.direction, a.first_value) <
              std::tie (b.direction, b.first_value);
@@ -210,31 +288,22 @@ private:
   {
     const int end = std::min (a.end, b.end);
     for (int bin = std::max (a.begin, b.begin); bin < end; ++bin) {
-      float& of_a = votes.values[a.first_value + (bin - a.begin)];
-      float& of_b = votes.values[b.first_value + (bin - b.begin)];
-      (of_a < of_b ? of_a : of_b) = 0.0f;
+      float& of_a = votes_.values[a.first_value + (bin - a.begin)];
+      float& of_b = votes_.values[b.first_value + (bin - b.begin)];
+      if (of_a < of_b)
+        of_a = 0.0f;
+      else
+        of_b = 0.0f;
     }
   }
 
-  /** Squared Mahalanobis distance of a direction, the best rho assumed. */
-  double
-  squaredDistance (const Offset& offset) const
-  {
-    return offset.phi * (pp * offset.phi + 2.0 * pt * offset.theta) +
-           tt * offset.theta * offset.theta;
-  }
-
-  double
-  likeliestTheta (double phi_offset) const
-  {
-    return -pt / tt * phi_offset;
-  }
-
-  double
-  likeliestRho (const Offset& offset) const
-  {
-    return mean_rho + rho_per_phi * offset.phi + rho_per_theta * offset.theta;
-  }
+  const KernelDensity& density_;
+  const HoughSpace& space_;
+  KernelVotes& votes_;
+  /** Of the ratio of neighboring bins, from bin to bin. */
+  const double ratio_change_;
+  /** The votes may meet themselves. */
+  bool has_wrapped_ = false;
 };
 
 } // namespace
@@ -275,7 +344,9 @@ castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& vote
 {
   votes.rays.clear();
   votes.values.clear();
-  VoteCaster{kernel, space, votes}.castAll();
+  const KernelDensity density (kernel);
+  if (density.isDefined())
+    VoteCaster (density, space, votes).castAll();
 }
 
 } // namespace pcl_ops::internal
