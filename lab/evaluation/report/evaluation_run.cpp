@@ -18,6 +18,7 @@
 #include <fstream>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <sstream>
 
@@ -33,8 +34,11 @@ constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
 
 /** Of all points of a cloud, those on found planes, and on thick ones. */
 struct ThicknessSummary {
-  double on_planes = 0.0, on_thick_by_factor = 0.0, on_thick_by_length = 0.0;
-  double rms_largest = 0.0, thick_length = 0.0; // [m]
+  double on_planes = 0.0;
+  double on_thick_by_factor = 0.0;
+  double on_thick_by_length = 0.0;
+  double rms_largest = 0.0;  // [m]
+  double thick_length = 0.0; // [m]
 };
 
 ThicknessSummary
@@ -61,65 +65,100 @@ thicknessSummary (const EvaluationCloud& cloud, const PlaneLabels& labels)
   return summary;
 }
 
-NamedValues
-namedThickness (const ThicknessSummary& summary)
+/** The columns of numbers in results.csv, in order. */
+std::vector<std::string>
+columnsOfNumbers ()
 {
-  return {{"on_planes_share", summary.on_planes},
-          {"thick_factor_share", summary.on_thick_by_factor},
-          {"thick_length_share", summary.on_thick_by_length},
-          {"thick_length", summary.thick_length},
-          {"rms_largest", summary.rms_largest}};
-}
-
-NamedValues
-namedValues (const Metrics& metrics = compareLabels ({}, {}, {}),
-             const DetectorRun& run = {},
-             const ThicknessSummary& thickness = {})
-{
-  NamedValues values{{"points", double (metrics.points)},
-                     {"truth_planes", double (metrics.truth_planes)},
-                     {"result_planes", double (metrics.result_planes)},
-                     {"planes_before_merging", double (run.planes_before_merging)}};
-  // Those of points off planes came later: their column is behind the times.
-  const auto last = metrics.named.end() - 1;
-  values.insert (values.end(), metrics.named.begin(), last);
-  for (const auto& [stage, duration] : detection_stages)
-    values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
-  values.push_back (*last);
-  const NamedValues counts = namedCounts (metrics);
-  values.insert (values.end(), counts.begin(), counts.end());
-  const NamedValues thickness_values = namedThickness (thickness);
-  values.insert (values.end(), thickness_values.begin(), thickness_values.end());
-  return values;
-}
-
-bool
-hasTruth (const EvaluationCloud& cloud)
-{
-  return cloud.truth || cloud.grows_truth;
-}
-
-/** Those that compare with a truth; what is found and what it takes stay. */
-void
-clearMetrics (NamedValues& values)
-{
-  const Metrics nothing = compareLabels ({}, {}, {});
-  std::set<std::string> cleared{"truth_planes"};
-  for (const NamedValues& metrics : {nothing.named, namedCounts (nothing)})
-    for (const auto& named : metrics)
-      cleared.insert (named.first);
-  for (auto& [column, value] : values)
-    if (cleared.count (column) > 0)
-      value = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> columns{"points",
+                                   "truth_planes",
+                                   "result_planes",
+                                   "planes_before_merging",
+                                   "classification_accuracy",
+                                   "segmentation_accuracy",
+                                   "segmentation_accuracy_all"};
+  for (const char* at_iou : {"", "_75"})
+    for (const char* metric : {"precision",
+                               "recall",
+                               "f_score",
+                               "mean_iou",
+                               "panoptic_quality",
+                               "over_segmentation",
+                               "under_segmentation",
+                               "noise",
+                               "missed"})
+      columns.push_back (std::string (metric) + at_iou);
+  for (const auto& stage : detection_stages)
+    columns.push_back (std::string (stage.first) + "_ms");
+  columns.emplace_back ("points_off_planes_called_planes");
+  for (const char* size_class : {"by_points_below_200",
+                                 "by_points_below_500",
+                                 "by_points_below_1000",
+                                 "by_points_below_3000",
+                                 "by_points_below_10000",
+                                 "by_points_from_10000",
+                                 "by_width_below_0.03",
+                                 "by_width_below_0.06",
+                                 "by_width_below_0.12",
+                                 "by_width_below_0.25",
+                                 "by_width_below_1",
+                                 "by_width_from_1"})
+    for (const char* planes : {"planes_", "found_", "found_75_"})
+      columns.push_back (std::string (planes) + size_class);
+  for (const char* thickness : {"on_planes_share",
+                                "thick_factor_share",
+                                "thick_length_share",
+                                "thick_length",
+                                "rms_largest"})
+    columns.emplace_back (thickness);
+  return columns;
 }
 
 std::string
 headerLine ()
 {
   std::string line = "data_set,cloud,truth,configuration,seed";
-  for (const auto& named : namedValues())
-    line += ',' + named.first;
+  for (const std::string& column : columnsOfNumbers())
+    line += ',' + column;
   return line;
+}
+
+/** The numbers of a row by \ref columnsOfNumbers; a column that is missing is NaN. */
+using RowNumbers = std::map<std::string, double>;
+
+/** What compares a result with a truth. */
+void
+addMetrics (const Metrics& metrics, RowNumbers& row)
+{
+  row["truth_planes"] = double (metrics.truth_planes);
+  for (const auto& [name, value] : metrics.named)
+    row[name] = value;
+  for (const auto& [name, count] : namedCounts (metrics))
+    row[name] = count;
+}
+
+/** What a run took, and what it found. */
+void
+addRun (const DetectorRun& run, RowNumbers& row)
+{
+  row["planes_before_merging"] = double (run.planes_before_merging);
+  for (const auto& [stage, duration] : detection_stages)
+    row[std::string (stage) + "_ms"] = run.durations.*duration;
+}
+
+void
+addThickness (const ThicknessSummary& summary, RowNumbers& row)
+{
+  row["on_planes_share"] = summary.on_planes;
+  row["thick_factor_share"] = summary.on_thick_by_factor;
+  row["thick_length_share"] = summary.on_thick_by_length;
+  row["thick_length"] = summary.thick_length;
+  row["rms_largest"] = summary.rms_largest;
+}
+
+bool
+hasTruth (const EvaluationCloud& cloud)
+{
+  return cloud.truth || cloud.grows_truth;
 }
 
 /** A cell of RFC 4180, quoted where it has to be, and a comma. A name's line break
@@ -170,14 +209,20 @@ public:
   }
 
   void
-  add (const std::string& cells, const NamedValues& values)
+  add (const std::string& cells, const RowNumbers& numbers)
   {
     constexpr int digits = 7;
     std::ostringstream line;
     line.precision (digits);
     line << cells;
-    for (const auto& named : values)
-      line << (&named == values.data() ? "" : ",") << named.second;
+    const char* separator = "";
+    for (const std::string& column : columnsOfNumbers()) {
+      const auto number = numbers.find (column);
+      line << separator
+           << (number == numbers.end() ? std::numeric_limits<double>::quiet_NaN()
+                                       : number->second);
+      separator = ",";
+    }
     const std::lock_guard<std::mutex> lock (mutex_);
     const std::uintmax_t size = fs::file_size (file_);
     if (!(stream_ << line.str() + '\n') || !stream_.flush()) {
@@ -248,7 +293,9 @@ struct Evaluation {
   std::string
   truthNameOf (const EvaluationCloud& cloud) const
   {
-    return cloud.truth ? "exact" : cloud.grows_truth ? grownTruth() : "none";
+    if (cloud.truth)
+      return "exact";
+    return cloud.grows_truth ? grownTruth() : "none";
   }
 
   std::string
@@ -272,8 +319,10 @@ struct Evaluation {
       return false;
     };
     const std::vector<Configuration>& all = plan.configurations;
-    if (std::all_of (all.begin(), all.end(), is_there))
-      return count (&EvaluationSummary::clouds);
+    if (std::all_of (all.begin(), all.end(), is_there)) {
+      count (&EvaluationSummary::clouds);
+      return;
+    }
     LoadedCloud cloud{source};
     try {
       inMemory (source.name, fewer_at_a_time, [&] {
@@ -285,8 +334,9 @@ struct Evaluation {
       throw;
     }
     catch (const std::exception& error) {
-      return count (&EvaluationSummary::broken_clouds,
-                    std::string ("left out: ") + error.what());
+      count (&EvaluationSummary::broken_clouds,
+             std::string ("left out: ") + error.what());
+      return;
     }
     saveLabels (cloud, "truth", cloud.truth);
     for (const Configuration& configuration : all)
@@ -312,35 +362,40 @@ struct Evaluation {
     saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
   }
 
-  /** Of a run that was stopped none but how long it took, so that it is not tried
-   * again. */
-  NamedValues
-  valuesOf (const LoadedCloud& cloud, const Configuration& configuration)
+  RowNumbers
+  numbersOf (const LoadedCloud& cloud, const DetectorRun& run) const
   {
     const EvaluationCloud& loaded = cloud.loaded;
+    const Metrics metrics = compareLabels (
+        *loaded.cloud, cloud.truth, run.labels, {loaded.up}, loaded.is_ignored);
+    RowNumbers row;
+    row["points"] = double (metrics.points);
+    row["result_planes"] = double (metrics.result_planes);
+    addRun (run, row);
+    if (hasTruth (loaded))
+      addMetrics (metrics, row);
+    addThickness (thicknessSummary (loaded, run.labels), row);
+    return row;
+  }
+
+  /** Of a run that was stopped none but how long it took, so that it is not tried
+   * again. */
+  RowNumbers
+  runDetector (const LoadedCloud& cloud, const Configuration& configuration)
+  {
     RunSettings settings = plan.settings;
-    settings.up = loaded.up;
-    settings.image = loaded.image;
-    if (const std::optional<DetectorRun> run =
-            runLimited (configuration, loaded.cloud, settings, plan.time_limit)) {
-      saveLabels (cloud, configuration.name, run->labels);
-      NamedValues values = namedValues (
-          compareLabels (
-              *loaded.cloud, cloud.truth, run->labels, {loaded.up}, loaded.is_ignored),
-          *run,
-          thicknessSummary (loaded, run->labels));
-      if (!hasTruth (loaded))
-        clearMetrics (values);
-      return values;
+    settings.up = cloud.loaded.up;
+    settings.image = cloud.loaded.image;
+    const std::optional<DetectorRun> run =
+        runLimited (configuration, cloud.loaded.cloud, settings, plan.time_limit);
+    if (!run) {
+      count (&EvaluationSummary::stopped_runs,
+             configuration.name + " on " + cloud.source.name + ": stopped after " +
+                 std::to_string (plan.time_limit) + " s; more by --time-limit");
+      return {{"detection_ms", 1e3 * plan.time_limit}};
     }
-    count (&EvaluationSummary::stopped_runs,
-           configuration.name + " on " + cloud.source.name + ": stopped after " +
-               std::to_string (plan.time_limit) + " s; more by --time-limit");
-    NamedValues values = namedValues();
-    for (auto& [column, value] : values)
-      value = column == "detection_ms" ? 1e3 * plan.time_limit
-                                       : std::numeric_limits<double>::quiet_NaN();
-    return values;
+    saveLabels (cloud, configuration.name, run->labels);
+    return numbersOf (cloud, *run);
   }
 
   void
@@ -350,18 +405,19 @@ struct Evaluation {
         keyOf (cloud.source, truthNameOf (cloud.loaded), configuration);
     if (results.has (key))
       return;
-    NamedValues values;
+    RowNumbers row;
     try {
-      values = inMemory (configuration.name, fewer_at_a_time, [&] {
-        return valuesOf (cloud, configuration);
+      row = inMemory (configuration.name, fewer_at_a_time, [&] {
+        return runDetector (cloud, configuration);
       });
     }
     catch (const std::exception& error) {
-      return count (&EvaluationSummary::failed_runs,
-                    configuration.name + " failed on " + cloud.source.name + ": " +
-                        error.what());
+      count (&EvaluationSummary::failed_runs,
+             configuration.name + " failed on " + cloud.source.name + ": " +
+                 error.what());
+      return;
     }
-    results.add (key, values);
+    results.add (key, row);
     count (&EvaluationSummary::new_rows);
   }
 };

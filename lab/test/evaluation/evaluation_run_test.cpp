@@ -85,6 +85,32 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
     EXPECT_TRUE (std::regex_search (rows, std::regex (row))) << rows;
 }
 
+TEST_F (EvaluationRunTest, EveryColumnHasANumberWhereTheTruthIsKnown)
+{
+  const auto square_of_points = [] {
+    EvaluationCloud cloud;
+    cloud.cloud.reset (new XyzCloud);
+    for (int i = 0; i < 400; ++i)
+      cloud.cloud->emplace_back (float (i % 20), float (i / 20), 0.0f);
+    cloud.truth = PlaneLabels (400, 1);
+    return cloud;
+  };
+  plan.clouds = {{"squares", "a", square_of_points}};
+  plan.configurations = {labeling ("all-right", 400, calls)};
+  run();
+  EXPECT_FALSE (contains (contentOf (file), "nan")) << contentOf (file);
+}
+
+TEST_F (EvaluationRunTest, EveryMetricHasAColumn)
+{
+  run();
+  const std::string header = contentOf (file).substr (0, contentOf (file).find ('\n'));
+  const Metrics metrics = compareLabels ({}, {}, {});
+  for (const NamedValues& values : {metrics.named, namedCounts (metrics)})
+    for (const auto& named : values)
+      EXPECT_TRUE (contains (header + ',', ',' + named.first + ',')) << named.first;
+}
+
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 {
   run();
