@@ -62,8 +62,9 @@ drawDesk (Random& random)
   addStandingBox (
       desk, {0.5 * (x - drawers) - 0.03, 0, 0}, {drawers, size.y() - 0.1, top - 0.1});
   const Vector3d monitor (random.between (0.45, 0.7), 0.04, 0.36);
-  for (const auto& [height, radius] : {std::pair (0.2, 0.03), {0.015, 0.12}})
-    desk.addPole ({-0.2 * x, -0.15, top}, height, radius);
+  const Vector3d stand (-0.2 * x, -0.15, top);
+  desk.addPole (stand, 0.2, 0.03);
+  desk.addPole (stand, 0.015, 0.12);
   const double tilt = random.angle (0, 12), yaw = random.angle (-25, 25);
   desk.addBox (at ({-0.2 * x, -0.15 + 0.05, top + 0.1 + 0.5 * monitor.z()}) *
                    turnZ (yaw) * turnX (tilt),

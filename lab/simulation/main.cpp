@@ -142,14 +142,15 @@ checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
   const bool has_camera = is_room || options.isOfAny ({"table", "room-kinect"});
   const bool has_rays =
       has_camera || options.isOfAny ({"street", "drive", "street-hills"});
-  for (const auto& [option, is_right] : {std::pair{"width", has_camera},
-                                         {"height", has_camera},
-                                         {"profile", is_room},
-                                         {"organized", has_rays}}) {
+  const auto allow = [&line] (const char* option, bool scene_has_it) {
     line.forbidTogether ("points", option);
-    if (!is_right)
+    if (!scene_has_it)
       line.forbidTogether ("scene", option);
-  }
+  };
+  allow ("width", has_camera);
+  allow ("height", has_camera);
+  allow ("profile", is_room);
+  allow ("organized", has_rays);
 }
 
 void

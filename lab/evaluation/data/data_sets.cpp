@@ -300,17 +300,20 @@ dataSetOf (const std::string& text, const Eigen::Vector3f& up)
   const std::size_t colon = text.find (':');
   const std::string kind = text.substr (0, colon);
   const std::string rest = colon == std::string::npos ? "" : text.substr (colon + 1);
+  const Vector3d unit_up = up.cast<double>().normalized();
   if (!rest.empty()) {
     if (kind == "sunrgbd" || kind == "sunrgbd-raw")
       return sunRgbdDataSet (rest, kind == "sunrgbd-raw");
     if (kind == "simulated")
       return scansDataSet (kind, rest);
     if (kind == "clouds")
-      return cloudsDataSet (rest, up.cast<double>().normalized());
-    for (const auto& [real, truth_field] :
-         {std::pair ("real", "label"), {"real-instances", "instance"}, {"wild", ""}})
-      if (kind == real)
-        return realDataSet (kind, rest, truth_field, up.cast<double>().normalized());
+      return cloudsDataSet (rest, unit_up);
+    if (kind == "real")
+      return realDataSet (kind, rest, "label", unit_up);
+    if (kind == "real-instances")
+      return realDataSet (kind, rest, "instance", unit_up);
+    if (kind == "wild")
+      return realDataSet (kind, rest, "", unit_up);
     for (const Scenes& scenes : all_scenes)
       if (kind == scenes.name)
         return scenesDataSet (scenes, rest);

@@ -110,12 +110,12 @@ void
 addRowsOfPaper (std::vector<Configuration>& all)
 {
   add<Ops> (all, "ops", "presets", {});
-  for (const auto& [name, sampling] : {std::make_pair ("ops-leaves", Sampling::Leaves),
-                                       {"ops-voxels", Sampling::Surfels}}) {
-    Ops::Parameters parameters;
-    parameters.sampling = sampling;
-    add<Ops> (all, name, "sampling", parameters);
-  }
+  Ops::Parameters on_leaves;
+  on_leaves.sampling = Sampling::Leaves;
+  add<Ops> (all, "ops-leaves", "sampling", on_leaves);
+  Ops::Parameters on_voxels;
+  on_voxels.sampling = Sampling::Surfels;
+  add<Ops> (all, "ops-voxels", "sampling", on_voxels);
   auto ops = Ops::Parameters::paper();
   addPieces (all);
   const auto addOps = [&] (const char* prefix, double percent) {

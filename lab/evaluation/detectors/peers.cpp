@@ -25,7 +25,6 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <tuple>
 
 namespace pcl_ops::evaluation {
 
@@ -117,44 +116,70 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
   return values;
 }
 
+namespace {
+
+struct Peer {
+  std::string name;
+  std::string version;
+  Planes (*detect) (const PeerTask& task);
+  bool needs_image = false;
+};
+
+std::vector<Peer>
+allPeers ()
+{
+  const std::string of_pcl = "PCL " PCL_VERSION_PRETTY;
+  std::vector<Peer> peers{{"pcl-sac", of_pcl, planesByPclRansac},
+                          {"pcl-region-growing", of_pcl, planesByPclRegionGrowing},
+                          {"pcl-organized", of_pcl, planesInImage, true},
+                          {"voxel-octree", "", planesInVoxelOctree}};
+#ifdef PCL_OPS_WITH_CGAL
+  const std::string of_cgal = "CGAL " CGAL_VERSION_STR;
+  peers.push_back ({"cgal-ransac", of_cgal, planesByCgalRansac});
+  peers.push_back ({"cgal-region-growing", of_cgal, planesByCgalRegionGrowing});
+#endif
+#ifdef PCL_OPS_WITH_OPEN3D
+  peers.push_back ({"open3d", "Open3D " OPEN3D_VERSION, planesByOpen3d});
+#endif
+  return peers;
+}
+
+DetectorRun
+runPeer (const Peer& peer,
+         ValuesFrom source,
+         const XyzCloud::ConstPtr& cloud,
+         const RunSettings& settings)
+{
+  const PeerValues values = valuesFor (cloud, settings, source);
+  DetectorRun run;
+  timed (run.durations.detection, [&] {
+    const Planes planes =
+        peer.detect ({cloud, settings, values, source, run.durations.normals});
+    run.planes_before_merging = planes.size();
+    run.labels = labelsOf (planes, cloud->size());
+  });
+  return run;
+}
+
+} // namespace
+
 void
 addPeers (std::vector<Configuration>& configurations)
 {
-  const std::string of_pcl = "PCL " PCL_VERSION_PRETTY;
-  const std::tuple<const char*, std::string, DetectAsPeer*> peers[] = {
-      {"pcl-sac", of_pcl, planesByPclRansac},
-      {"pcl-region-growing", of_pcl, planesByPclRegionGrowing},
-      {"pcl-organized", of_pcl, planesInImage},
-      {"voxel-octree", "", planesInVoxelOctree},
-#ifdef PCL_OPS_WITH_CGAL
-      {"cgal-ransac", "CGAL " CGAL_VERSION_STR, planesByCgalRansac},
-      {"cgal-region-growing", "CGAL " CGAL_VERSION_STR, planesByCgalRegionGrowing},
-#endif
-#ifdef PCL_OPS_WITH_OPEN3D
-      {"open3d", "Open3D " OPEN3D_VERSION, planesByOpen3d},
-#endif
-  };
-  for (const auto& [name, version, detect] : peers)
+  for (const Peer& peer : allPeers())
     for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
       const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
-      const auto run = [detect = detect, source] (const auto& cloud,
-                                                  const RunSettings& settings) {
-        const PeerValues values = valuesFor (cloud, settings, source);
-        DetectorRun run;
-        timed (run.durations.detection, [&] {
-          const auto planes =
-              detect ({cloud, settings, values, source, run.durations.normals});
-          run.planes_before_merging = planes.size();
-          run.labels = labelsOf (planes, cloud->size());
-        });
-        return run;
+      Configuration configuration;
+      configuration.name = peer.name + measured;
+      configuration.groups = {"peers" + measured};
+      configuration.run = [peer, source] (const XyzCloud::ConstPtr& cloud,
+                                          const RunSettings& settings) {
+        return runPeer (peer, source, cloud, settings);
       };
-      configurations.push_back ({name + measured,
-                                 {"peers" + measured},
-                                 run,
-                                 true,
-                                 detect == planesInImage,
-                                 version});
+      configuration.is_peer = true;
+      configuration.needs_image = peer.needs_image;
+      configuration.version = peer.version;
+      configurations.push_back (configuration);
     }
 }
 
@@ -162,7 +187,8 @@ Planes
 peelPlanes (const PeerTask& task,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment)
 {
-  constexpr std::size_t max_planes = 40, usual_inliers = 500;
+  constexpr std::size_t max_planes = 40;
+  constexpr std::size_t usual_inliers = 500;
   constexpr double share_left = 0.02;
   const std::size_t min_inliers = task.minPoints (usual_inliers);
   const std::size_t points = task.cloud->size();
@@ -238,7 +264,8 @@ planesInImage (const PeerTask& task)
   // What PCL's demo of it takes.
   const double angle = pcl::deg2rad (2.0);
   constexpr double usual_distance = 0.02; // [m]
-  constexpr float max_depth_change = 0.03f, smoothing = 20.0f;
+  constexpr float max_depth_change = 0.03f;
+  constexpr float smoothing = 20.0f;
   const XyzCloud::Ptr image = inAxesOfCamera (*task.settings.image);
   const Normals::Ptr normals (new Normals);
   timed (task.normals, [&] {
@@ -260,13 +287,18 @@ planesInImage (const PeerTask& task)
               Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
       regions;
   std::vector<pcl::ModelCoefficients> models;
-  Planes planes, of_labels, borders;
+  Planes planes;
+  Planes of_labels;
+  Planes borders;
   pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
   finder.segmentAndRefine (regions, models, planes, labels, of_labels, borders);
   pcl::Indices point_of;
   pcl::index_t points = 0;
-  for (const pcl::PointXYZ& point : *image)
-    point_of.push_back (pcl::isXYZFinite (point) ? points++ : 0);
+  for (const pcl::PointXYZ& point : *image) {
+    point_of.push_back (points);
+    if (pcl::isXYZFinite (point))
+      ++points;
+  }
   for (pcl::PointIndices& plane : planes)
     for (pcl::index_t& i : plane.indices)
       i = point_of[i];

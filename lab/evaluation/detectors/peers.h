@@ -39,20 +39,32 @@ struct PeerTask {
 };
 
 using Planes = std::vector<pcl::PointIndices>;
-using DetectAsPeer = Planes (const PeerTask& task);
 
 /** The loop of PCL's tutorial around SACSegmentation. */
-DetectAsPeer planesByPclRansac;
-DetectAsPeer planesByPclRegionGrowing;
+Planes
+planesByPclRansac (const PeerTask& task);
+
+Planes
+planesByPclRegionGrowing (const PeerTask& task);
+
 /** OrganizedMultiPlaneSegmentation, for images. */
-DetectAsPeer planesInImage;
+Planes
+planesInImage (const PeerTask& task);
+
 /** Efficient RANSAC (Schnabel et al. 2007). */
-DetectAsPeer planesByCgalRansac;
-DetectAsPeer planesByCgalRegionGrowing;
+Planes
+planesByCgalRansac (const PeerTask& task);
+
+Planes
+planesByCgalRegionGrowing (const PeerTask& task);
+
 /** The loop of PCL's tutorial around SegmentPlane. */
-DetectAsPeer planesByOpen3d;
+Planes
+planesByOpen3d (const PeerTask& task);
+
 /** As lidar odometry divides its map. */
-DetectAsPeer planesInVoxelOctree;
+Planes
+planesInVoxelOctree (const PeerTask& task);
 
 /** All of them twice: at the values of their tutorials in the group "peers", and at
  * those of the cloud as NAME-measured in "peers-measured". */
