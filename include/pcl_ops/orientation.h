@@ -6,10 +6,12 @@
 
 #include <pcl_ops/export.h>
 
+#include <cmath>
+
 namespace pcl_ops {
 
 /** \brief 7 degrees [rad]: the paper's tolerance of orientations and of merging. */
-constexpr double paper_angle_tolerance = 0.12217304763960307;
+constexpr double paper_angle_tolerance = 7.0 * (M_PI / 180.0);
 
 /** \brief Against gravity in the optical frame of a level camera: x points to the
  * right, y down, z ahead. */

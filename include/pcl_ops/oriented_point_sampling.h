@@ -5,6 +5,7 @@
 #include <pcl_ops/cloud_view.h>
 #include <pcl_ops/plane_detector.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -97,7 +98,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
      * noise around it. */
     double noise_factor = 2.0;
     /** \brief Largest angle between a surfel and its plane [rad]; 30 degrees. */
-    double angle_threshold = 0.52359877559829882;
+    double angle_threshold = 30.0 * (M_PI / 180.0);
     /** \brief Largest thickness of the surfels planes are looked for among: noise over
      * the spread in the narrow direction, 0 for an exact plane, 1 for a ball. */
     double sure_thickness = 0.24;

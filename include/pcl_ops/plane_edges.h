@@ -9,6 +9,7 @@
 #include <pcl_ops/plane.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ struct PlaneEdgeParameters {
   /** \brief Planes at a smaller angle have no edge, for noise moves their line far, and
    * nor have three of which one is at a smaller angle to the edge of the others a
    * corner [rad]; default 15 degrees. */
-  double min_angle = 0.2617993877991494;
+  double min_angle = 15.0 * (M_PI / 180.0);
 };
 
 /** \brief What is wrong with parameters, as a sentence; empty if nothing is. */

@@ -11,6 +11,7 @@
 #include <pcl_ops/plane_extent.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -27,7 +28,7 @@ struct PlaneFilter {
   std::optional<Eigen::Vector3d> direction;
   /** \brief Largest angle between a normal and \ref direction [rad]; default 10
    * degrees. */
-  double direction_tolerance = 0.17453292519943295;
+  double direction_tolerance = 10.0 * (M_PI / 180.0);
   /** \brief Smallest and largest angle between the plane and the horizontal [rad], of
    * 0 to pi/2. Not given: any. */
   std::optional<std::array<double, 2>> slope;

@@ -7,6 +7,7 @@
 #include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace pcl_ops {
 struct PlaneMatchingParameters {
   /** \brief How far the rotation of the pose is off about any axis, one standard
    * deviation [rad]; default 3 degrees. Errors of up to 20 degrees are corrected. */
-  double rotation_error = 0.05235987755982989;
+  double rotation_error = 3.0 * (M_PI / 180.0);
   /** \brief The same of its translation along any axis [m]. */
   double translation_error = 0.05;
   /** \brief Smallest share of the smaller of two planes over the other, 0 to 1. */
