@@ -31,21 +31,27 @@ wrapped (std::string line,
          std::size_t column,
          std::size_t width)
 {
-  std::string text, word;
-  for (std::istringstream stream (words); stream >> word; line += ' ' + word)
+  std::string text;
+  std::istringstream stream (words);
+  for (std::string word; stream >> word;) {
     if (line.size() >= column && line.size() + 1 + word.size() > width) {
       text += line + "\n";
       line.assign (column - 1, ' ');
     }
+    line += ' ' + word;
+  }
   return text + line + "\n";
 }
 
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
-  std::string before, line = "  " + name;
-  if (line.size() >= column)
-    before = std::exchange (line, "") + "\n";
+  std::string before;
+  std::string line = "  " + name;
+  if (line.size() >= column) {
+    before = line + "\n";
+    line.clear();
+  }
   line.resize (column - 1, ' ');
   // A console goes on in the next line by itself where the last column is taken.
   return before + wrapped (line, meaning, column, help_width - 1);

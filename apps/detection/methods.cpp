@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <sstream>
 #include <type_traits>
 #include <utility>
 
@@ -27,11 +28,43 @@ using OpsParameters = OrientedPointSamplingParameters;
 using FspfParameters = FastSamplingPlaneFilteringParameters;
 using KhtParameters = KernelHoughTransformParameters;
 
+/** \brief How users write a number, where it is not as parameters hold it. */
+enum class Written { AsItIs, InDegrees, ZeroForAutomatic };
+
 struct NumberOption {
   const char* usage;
   Range range;
   const char* help;
+  Written written = Written::AsItIs;
 };
+
+/** \brief What users write for a number of parameters. */
+template <typename Number>
+Number
+toWritten (Number number, const NumberOption& option)
+{
+  if constexpr (std::is_same_v<Number, double>)
+    if (option.written == Written::InDegrees)
+      return toDegrees (number);
+  if constexpr (std::is_same_v<Number, std::optional<double>>)
+    if (option.written == Written::ZeroForAutomatic)
+      return number.value_or (0.0);
+  return number;
+}
+
+/** \brief The reverse of \ref toWritten. */
+template <typename Number>
+Number
+fromWritten (Number number, const NumberOption& option)
+{
+  if constexpr (std::is_same_v<Number, double>)
+    if (option.written == Written::InDegrees)
+      return toRadians (number);
+  if constexpr (std::is_same_v<Number, std::optional<double>>)
+    if (option.written == Written::ZeroForAutomatic && number == 0.0)
+      return std::nullopt;
+  return number;
+}
 
 constexpr double points_of_a_plane = 3;
 
@@ -46,14 +79,11 @@ visitOwn (PlaneDetectorParameters& p, const Visit& visit)
          {"merge-distance M",
           from (0),
           "planes this near are one (--threshold; ops: auto)"});
-  const double usual = toDegrees (p.angle_tolerance);
-  double degrees = usual;
-  visit (degrees,
+  visit (p.angle_tolerance,
          {"angle-tolerance DEG",
           from (0).upTo (90),
-          "largest tilt of horizontal and vertical planes (7)"});
-  if (degrees != usual)
-    p.angle_tolerance = toRadians (degrees);
+          "largest tilt of horizontal and vertical planes (7)",
+          Written::InDegrees});
   visit (p.seed, {"seed S", from (0), "same seed, same result (42)"});
   visit (
       p.threads,
@@ -75,9 +105,11 @@ visitOwn (OpsParameters& p, const Visit& visit)
          {"probability P",
           above (0).below (1),
           "of drawing a point of the largest plane"});
-  double edge = p.surfels.voxel_size.value_or (0.0);
-  visit (edge, {"cell M", from (0), "edge of a voxel; 0: by the number of points"});
-  p.surfels.voxel_size = edge == 0.0 ? std::nullopt : std::make_optional (edge);
+  visit (p.surfels.voxel_size,
+         {"cell M",
+          from (0),
+          "edge of a voxel; 0: by the number of points",
+          Written::ZeroForAutomatic});
 }
 
 template <typename Visit>
@@ -134,9 +166,10 @@ void
 apply (const GivenNumbers& given, Parameters& parameters)
 {
   visitAll (parameters, [&] (auto& number, const NumberOption& option) {
-    using Value = ValueOf<std::decay_t<decltype (number)>>;
-    if (const auto found = given.find (nameOf (option.usage)); found != given.end())
-      number = Value (found->second);
+    using Number = std::decay_t<decltype (number)>;
+    const auto found = given.find (nameOf (option.usage));
+    if (found != given.end())
+      number = fromWritten (Number (ValueOf<Number> (found->second)), option);
   });
 }
 
@@ -214,9 +247,11 @@ hintOnMinInliers (const GivenNumbers& given,
                   Detected& detected)
 {
   // What is few to a room, and what share of its planes: others need no second run.
-  constexpr std::size_t few = 5, least_ratio = 4;
-  const unsigned usual = OpsParameters().min_inliers,
-                 asked = std::exchange (parameters.min_inliers, usual);
+  constexpr std::size_t few = 5;
+  constexpr std::size_t least_ratio = 4;
+  const unsigned usual = OpsParameters().min_inliers;
+  const unsigned asked = parameters.min_inliers;
+  parameters.min_inliers = usual;
   const std::size_t left = detected.planes.size();
   if (given.count ("min-inliers") == 0 || asked <= usual || left > few)
     return;
@@ -259,11 +294,12 @@ reportOf (const std::string& preset, Parameters parameters)
     settings["merging"] = parameters.merging.enabled;
   }
   visitAll (parameters, [&] (const auto& number, const NumberOption& option) {
+    const auto written = toWritten (number, option);
     Settings& setting = settings[keyOf (nameOf (option.usage))];
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype (number)>>)
-      setting = number;
+      setting = written;
     else
-      setting = number ? Settings (*number) : Settings ("auto");
+      setting = written ? Settings (*written) : Settings ("auto");
   });
   return settings;
 }
@@ -350,7 +386,12 @@ presetNotes ()
   std::map<std::string, std::string> notes;
   for (Parameters preset : {Parameters(), Parameters::paper()})
     visitOwn (preset, [&] (const auto& number, const NumberOption& option) {
-      const std::string value = str (boost::format ("%1%") % number);
+      std::ostringstream value_text;
+      if constexpr (std::is_arithmetic_v<std::decay_t<decltype (number)>>)
+        value_text << toWritten (number, option);
+      else
+        value_text << toWritten (number, option).value_or (0.0);
+      const std::string value = value_text.str();
       std::string& note = notes[nameOf (option.usage)];
       if (note.empty())
         note = value;
@@ -454,7 +495,8 @@ hintOnOverlap (const Method& method,
   if (!pair)
     return;
   DetectorOptions merging = options;
-  const double distance = merging.numbers[name] = roundedUp (pair->distance);
+  const double distance = roundedUp (pair->distance);
+  merging.numbers[name] = distance;
   const std::vector<std::uint32_t> labels =
       labelsOf (method.detect (merging, cloud).planes, cloud->size());
   const std::size_t merged = planeWithMostOf (detected.planes[pair->smaller], labels);

@@ -38,10 +38,10 @@ public:
         box.extend (points_[i]);
       boxes_.push_back (box);
     }
-    for (auto& [axis, coordinates] : {std::pair (0, &x_), {1, &y_}, {2, &z_}}) {
-      coordinates->resize (points_.size());
-      for (std::size_t i = 0; i < points_.size(); ++i)
-        (*coordinates)[i] = points_[i][axis];
+    for (const Vector3f& point : points_) {
+      x_.push_back (point.x());
+      y_.push_back (point.y());
+      z_.push_back (point.z());
     }
   }
 

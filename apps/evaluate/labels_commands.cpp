@@ -110,8 +110,10 @@ struct KeptNumbers {
       History& history = histories[confusion.truth.label[overlap.truth]];
       const std::uint32_t number = confusion.result.label[overlap.result];
       const bool keeps_number = history.sightings > 0 && number == history.last;
-      sightings += history.sightings > 0;
-      sightings_kept += keeps_number;
+      if (history.sightings > 0)
+        ++sightings;
+      if (keeps_number)
+        ++sightings_kept;
       ++history.sightings;
       history.last = number;
       history.numbers.insert (number);
@@ -180,23 +182,26 @@ keptIn (const std::string& truth_folder,
 Answer
 answerOf (const KeptNumbers& kept)
 {
-  std::size_t planes = 0, planes_kept = 0; // found in two clouds and more
-  for (const auto& [label, history] : kept.histories)
-    if (history.sightings > 1) {
-      ++planes;
-      planes_kept += history.numbers.size() == 1 ? 1 : 0;
-    }
+  std::size_t planes = 0; // found in two clouds and more
+  std::size_t planes_kept = 0;
+  for (const auto& [label, history] : kept.histories) {
+    if (history.sightings < 2)
+      continue;
+    ++planes;
+    if (history.numbers.size() == 1)
+      ++planes_kept;
+  }
   Answer answer{{"planes", planes},
                 {"planes_kept", planes_kept},
                 {"sightings", kept.sightings},
                 {"sightings_kept", kept.sightings_kept},
                 {"numbers", kept.numbers.size()}};
-  if (!kept.offset_errors.empty())
-    for (const auto& [name, errors] : {std::pair ("offset_errors", kept.offset_errors),
-                                       {"tilt_errors", kept.tilt_errors}}) {
-      answer[std::string (name) + "_median"] = quantile (errors, 0.5);
-      answer[std::string (name) + "_90"] = quantile (errors, 0.9);
-    }
+  if (kept.offset_errors.empty())
+    return answer;
+  answer["offset_errors_median"] = quantile (kept.offset_errors, 0.5);
+  answer["offset_errors_90"] = quantile (kept.offset_errors, 0.9);
+  answer["tilt_errors_median"] = quantile (kept.tilt_errors, 0.5);
+  answer["tilt_errors_90"] = quantile (kept.tilt_errors, 0.9);
   return answer;
 }
 

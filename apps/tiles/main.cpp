@@ -182,15 +182,15 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
     checkWritable (output);
   }
   input_of.emplace (resolvedName (folder.output (planes_file)), "");
-  for (const auto& [option, file] : {std::pair ("--planes", options.planes.file),
-                                     std::pair ("--image", options.planes.image)}) {
+  const auto check_output = [&] (const std::string& option, const std::string& file) {
     if (file.empty())
-      continue;
+      return;
     if (!input_of.emplace (resolvedName (file), "").second)
-      throw UsageError (
-          file, std::string ("is an input or another output; give another ") + option);
+      throw UsageError (file, "is an input or another output; give another " + option);
     checkWritable (file);
-  }
+  };
+  check_output ("--planes", options.planes.file);
+  check_output ("--image", options.planes.image);
 }
 
 std::string
@@ -334,7 +334,7 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
                     : has_own            ? earlier (own)
                                          : makePlan (inputsOf (options), options.plan);
   if (has_own && toText (loadPlan (own)) != toText (plan))
-    throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);
+    throw WorkError (own.name, "is another plan than " + named.name + "; " + own.fix);
   checkClashes (plan, folder, options);
   if (!has_own)
     folder.empty();

@@ -253,7 +253,7 @@ loadPlan (const PlanFile& file)
     Plan plan;
     if (json.value ("format", 1) != format_of_files)
       throw WorkError (file.name,
-                       "is the plan of another version of this program; " + file.mend);
+                       "is the plan of another version of this program; " + file.fix);
     TileGrid& grid = plan.grid;
     json.at ("cell").get_to (grid.edge);
     json.at ("cells_of_tile").get_to (grid.cells_of_tile);
@@ -273,7 +273,7 @@ loadPlan (const PlanFile& file)
   catch (const nlohmann::json::exception&) {
     // said below
   }
-  throw WorkError (file.name, "is no plan; " + file.mend);
+  throw WorkError (file.name, "is no plan; " + file.fix);
 }
 
 void
@@ -284,7 +284,7 @@ checkIsFor (const Plan& plan,
 {
   const auto refuse = [&] (const std::string& reason) {
     throw WorkError (file.name,
-                     "is the plan of another run (" + reason + "); " + file.mend);
+                     "is the plan of another run (" + reason + "); " + file.fix);
   };
   std::size_t known = 0;
   for (const std::string& input : sorted (std::move (inputs))) {

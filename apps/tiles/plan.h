@@ -44,7 +44,7 @@ struct Plan {
 struct PlanFile {
   std::string name;
   /** \brief What to do where it has another one than it should. */
-  std::string mend;
+  std::string fix;
 };
 
 struct PlanOptions {

@@ -243,8 +243,12 @@ ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, doub
   std::map<LatticePlace, Corner> corners;
   for (const auto& [ends, count] : surplus)
     for (int i = 0; i < std::abs (count); ++i) {
-      Corner &first = corners[ends.first], &second = corners[ends.second];
-      count > 0 ? first.next.push_back (&second) : second.next.push_back (&first);
+      Corner& first = corners[ends.first];
+      Corner& second = corners[ends.second];
+      if (count > 0)
+        first.next.push_back (&second);
+      else
+        second.next.push_back (&first);
     }
   for (auto& [place, corner] : corners)
     corner.point = frame.toPlane (

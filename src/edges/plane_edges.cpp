@@ -311,16 +311,23 @@ edgeOf (const Interval& interval,
   return edge;
 }
 
+bool
+isLengthOrNotGiven (const std::optional<double>& length)
+{
+  return !length || (*length >= 0.0 && std::isfinite (*length));
+}
+
 } // namespace
 
 std::string
 validate (const PlaneEdgeParameters& parameters)
 {
-  for (const auto& [name, length] : {std::pair ("reach", parameters.reach),
-                                     {"bridged gap", parameters.max_gap},
-                                     {"smallest length", parameters.min_length}})
-    if (length && !(*length >= 0.0 && std::isfinite (*length)))
-      return std::string ("the ") + name + " must be a length from 0, or not be given";
+  if (!isLengthOrNotGiven (parameters.reach))
+    return "the reach must be a length from 0, or not be given";
+  if (!isLengthOrNotGiven (parameters.max_gap))
+    return "the bridged gap must be a length from 0, or not be given";
+  if (!isLengthOrNotGiven (parameters.min_length))
+    return "the smallest length must be a length from 0, or not be given";
   if (!(parameters.min_angle > 0.0 && parameters.min_angle <= right_angle))
     return "the smallest angle must be above 0 and at most pi/2 (radians)";
   return {};

@@ -34,9 +34,13 @@ depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
 PlanarPoints
 splitOff (PlanarPoints& points, const std::vector<double>& depths, double depth)
 {
-  PlanarPoints off, left;
+  PlanarPoints off;
+  PlanarPoints left;
   for (std::size_t i = 0; i < points.size(); ++i)
-    (depths[i] <= depth ? off : left).push_back (points[i]);
+    if (depths[i] <= depth)
+      off.push_back (points[i]);
+    else
+      left.push_back (points[i]);
   points.swap (left);
   return off;
 }

@@ -76,12 +76,12 @@ validate (const FastSamplingPlaneFilteringParameters& parameters)
     return "the number of local samples must be 3 or more";
   if (!(local.min_inlier_fraction >= 0.0 && local.min_inlier_fraction < 1.0))
     return "the smallest inlier fraction must be 0 or more and below 1";
-  for (const auto& [name, number] : {std::pair ("inliers", local.max_inliers_per_point),
-                                     {"hypotheses", local.max_hypotheses_per_point},
-                                     {"visits", local.max_visits_per_point}})
-    if (!isAboveZero (number))
-      return std::string ("the number of ") + name +
-             " per point to end at must be above 0";
+  if (!isAboveZero (local.max_inliers_per_point))
+    return "the number of inliers per point to end at must be above 0";
+  if (!isAboveZero (local.max_hypotheses_per_point))
+    return "the number of hypotheses per point to end at must be above 0";
+  if (!isAboveZero (local.max_visits_per_point))
+    return "the number of visits per point to end at must be above 0";
   if (!parameters.distance_threshold)
     return "the distance threshold must be a length above 0";
   return validate (static_cast<const PlaneDetectorParameters&> (parameters));
