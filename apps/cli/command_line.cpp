@@ -129,7 +129,7 @@ find (const std::vector<OptionGroup>& groups, const std::string& start)
   std::string names;
   for (const OptionGroup& group : groups)
     for (const Option& option : group.options) {
-      if (option.name == start)
+      if (option.name == start || (!start.empty() && option.old_name == start))
         return option;
       if (option.name.rfind (start, 0) == 0) {
         names += (candidate == nullptr ? "--" : " or --") + option.name;

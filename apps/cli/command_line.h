@@ -126,11 +126,21 @@ struct Option {
   std::string name, placeholder;
   StoreText store;
   std::string meaning = {};
+  /** \brief Another name that is taken, which the help leaves out; empty for none. */
+  std::string old_name = {};
 
-  void
+  Option&
   help (const std::string& text)
   {
     meaning = text;
+    return *this;
+  }
+
+  Option&
+  onceCalled (const std::string& other_name)
+  {
+    old_name = other_name;
+    return *this;
   }
 };
 

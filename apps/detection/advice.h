@@ -70,18 +70,18 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
           bool)
 {
   const double samples = std::floor (parameters.sampling_rate * points.size());
-  if (parameters.sampling == Sampling::Points && samples <= parameters.min_inliers)
+  if (parameters.sampling == Sampling::Points && samples <= parameters.min_samples)
     return str (
         boost::format ("only %1% of %2% points were sampled and a plane needs more "
                        "than --min-inliers %3%: raise --sampling-rate (%4%) or lower "
                        "--min-inliers") %
-        samples % points.size() % parameters.min_inliers % parameters.sampling_rate);
+        samples % points.size() % parameters.min_samples % parameters.sampling_rate);
   const std::optional<double>& threshold = parameters.distance_threshold;
   return str (
       boost::format ("lower --min-inliers (%1%) or raise --sampling-rate (%2%) if the "
                      "planes are small, raise --threshold (%3%) if the points are "
                      "noisy") %
-      parameters.min_inliers % parameters.sampling_rate %
+      parameters.min_samples % parameters.sampling_rate %
       (threshold ? std::to_string (*threshold) : "auto"));
 }
 
@@ -196,14 +196,14 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
   if (share < min_share)
     return "";
   // Surfels need some points, and more of them than of empty voxels around.
-  constexpr double cell_by_spacing = 2.0;
-  const double cell = cell_by_spacing * *spacing,
-               digit = std::pow (10.0, std::floor (std::log10 (cell)));
+  constexpr double size_by_spacing = 2.0;
+  const double size = size_by_spacing * *spacing;
+  const double digit = std::pow (10.0, std::floor (std::log10 (size)));
   return str (
       boost::format ("planes are thick: %1$.0f %% of the points on planes are on "
                      "such as are more than %2% times thicker than their "
-                     "surroundings: give --cell %3%, or more for larger planes") %
-      (100.0 * share) % thick_factor % (digit * std::round (cell / digit)));
+                     "surroundings: give --voxel-size %3%, or more for larger planes") %
+      (100.0 * share) % thick_factor % (digit * std::round (size / digit)));
 }
 
 } // namespace pcl_ops::apps

@@ -36,6 +36,7 @@ struct NumberOption {
   Range range;
   const char* help;
   Written written = Written::AsItIs;
+  const char* old_name = "";
 };
 
 /** \brief What users write for a number of parameters. */
@@ -99,17 +100,18 @@ visitOwn (OpsParameters& p, const Visit& visit)
       p.sampling_rate,
       {"sampling-rate R", above (0).upTo (1), "share of the points that get a normal"});
   visit (p.k, {"k K", from (2), "neighbors of a normal; on surfels the fewest points"});
-  visit (p.min_inliers,
+  visit (p.min_samples,
          {"min-inliers N", from (1), "a plane has more sampled points than this"});
   visit (p.paper_only.probability,
          {"probability P",
           above (0).below (1),
           "of drawing a point of the largest plane"});
   visit (p.surfels.voxel_size,
-         {"cell M",
+         {"voxel-size M",
           from (0),
           "edge of a voxel; 0: by the number of points",
-          Written::ZeroForAutomatic});
+          Written::ZeroForAutomatic,
+          "cell"});
 }
 
 template <typename Visit>
@@ -190,7 +192,8 @@ declare (Parameters parameters,
               [=, &given] (const std::string& text) {
                 given[name] = parseNumber<Value> ("--" + name, text, option.range);
               })
-        .help (option.help + (note == notes.end() ? "" : " (" + note->second + ")"));
+        .help (option.help + (note == notes.end() ? "" : " (" + note->second + ")"))
+        .onceCalled (option.old_name);
   });
 }
 
@@ -199,8 +202,8 @@ declare (Parameters parameters,
 void
 relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters)
 {
-  if (given.count ("cell") > 0 && parameters.sampling == Sampling::Points)
-    throw UsageError ("--cell", "has no meaning to --preset paper; leave it out");
+  if (given.count ("voxel-size") > 0 && parameters.sampling == Sampling::Points)
+    throw UsageError ("--voxel-size", "has no meaning to --preset paper; leave it out");
   // Too many take as long as if there were so many points.
   const int k = parameters.k;
   if (k > OpsParameters().k && std::size_t (k) > points)
@@ -248,15 +251,15 @@ hintOnMinInliers (const GivenNumbers& given,
 {
   // What is few to a room, and what share of its planes: others need no second run.
   constexpr std::size_t few = 5;
-  constexpr std::size_t least_ratio = 4;
-  const unsigned usual = OpsParameters().min_inliers;
-  const unsigned asked = parameters.min_inliers;
-  parameters.min_inliers = usual;
+  constexpr std::size_t min_ratio = 4;
+  const unsigned usual = OpsParameters().min_samples;
+  const unsigned asked = parameters.min_samples;
+  parameters.min_samples = usual;
   const std::size_t left = detected.planes.size();
   if (given.count ("min-inliers") == 0 || asked <= usual || left > few)
     return;
   const std::size_t all = detectPlanes (cloud, parameters, sensorOf (cloud)).size();
-  if (left != all && least_ratio * left <= all)
+  if (left != all && min_ratio * left <= all)
     detected.hints.push_back (
         str (boost::format ("--min-inliers %1% counts samples, not points, and leaves "
                             "%2% of %3% planes: --min-points %1% counts points") %
@@ -315,18 +318,18 @@ void
 reportUsed (const UsedLengths& used, Settings& settings)
 {
   settings["threshold_used"] = numberOrNull (used.distance_threshold);
-  if (settings.contains ("cell"))
-    settings["cell_used"] = numberOrNull (used.voxel_size);
+  if (settings.contains ("voxel_size"))
+    settings["voxel_size_used"] = numberOrNull (used.voxel_size);
 }
 
 /** \brief Says so where the size of voxels is given, which a rate would choose. */
 void
 hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
 {
-  const auto cell = given.find ("cell");
-  if (cell != given.end() && cell->second > 0.0 && given.count ("sampling-rate") > 0)
+  const auto size = given.find ("voxel-size");
+  if (size != given.end() && size->second > 0.0 && given.count ("sampling-rate") > 0)
     detected.hints.push_back (
-        "--sampling-rate has no effect beside --cell, which gives "
+        "--sampling-rate has no effect beside --voxel-size, which gives "
         "the voxels their size: leave one of them out");
 }
 
@@ -370,7 +373,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   detected.advice = adviceFor (parameters, *cloud, detected.planes);
   if constexpr (std::is_same_v<Parameters, OpsParameters>)
     if (parameters.sampling != Sampling::Points &&
-        options.numbers.count ("cell") == 0) {
+        options.numbers.count ("voxel-size") == 0) {
       const std::string hint = hintOnThickPlanes (*cloud, detected.planes);
       if (!hint.empty())
         detected.hints.push_back (hint);

@@ -75,7 +75,7 @@ lengthsOf (const UsedLengths& used)
     if (length)
       lengths += str (boost::format (" %s %.4g") % name % *length);
   };
-  add ("cell", used.voxel_size);
+  add ("voxel-size", used.voxel_size);
   add ("threshold", used.distance_threshold);
   return lengths;
 }

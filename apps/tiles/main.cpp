@@ -79,10 +79,11 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
   line.addArguments ("INPUT", options.inputs, "");
   line.add ("output-dir DIR", options.output_dir).help ("where the outputs go");
-  line.add ("cell M", options.plan.cell, above (0))
-      .help ("edge of a cell (by the density: some 20 points in one)");
+  line.add ("voxel-size M", options.plan.voxel_size, above (0))
+      .help ("edge of a voxel (by the density: some 20 points in one)")
+      .onceCalled ("cell");
   line.add ("tile M", options.plan.tile, above (0))
-      .help ("edge of a tile, rounded to 4 cells (256 cells)");
+      .help ("edge of a tile, rounded to 4 voxels (256 voxels)");
   line.add ("jobs N", options.jobs, from (0).upTo (256))
       .help ("tiles at a time; 0: one for each processor (1)");
   line.add ("plan FILE", options.plan_file)
@@ -198,7 +199,7 @@ textOf (const Plan& plan)
 {
   const std::size_t inputs = plan.inputs.size();
   return str (
-      boost::format ("%d points of %d input%s, cells of %g, about %d tile%s of %g") %
+      boost::format ("%d points of %d input%s, voxels of %g, about %d tile%s of %g") %
       plan.points() % inputs % (inputs == 1 ? "" : "s") % plan.grid.edge %
       plan.likely_tiles % (plan.likely_tiles == 1 ? "" : "s") % plan.grid.edgeOfTile());
 }

@@ -11,7 +11,7 @@
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
-#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/voxel_size.h>
 
 #include <filesystem>
 #include <fstream>
@@ -72,11 +72,11 @@ cellsOfTile (const PlanOptions& options, double cell)
   if (cells < double (TileGrid::halo))
     throw UsageError ("--tile",
                       "is less than " + std::to_string (TileGrid::halo) +
-                          " cells wide; give a larger one or a smaller --cell");
+                          " voxels wide; give a larger one or a smaller --voxel-size");
   if (cells > double (TileGrid::max_cells))
     throw UsageError ("--tile",
                       "is more than " + std::to_string (TileGrid::max_cells) +
-                          " cells wide; give a smaller one or a larger --cell");
+                          " voxels wide; give a smaller one or a larger --voxel-size");
   return static_cast<std::int64_t> (cells);
 }
 
@@ -93,8 +93,8 @@ checkReach (const TileGrid& grid,
       });
   if (double (reached) >= min_reached * double (places.size()))
     return;
-  throw UsageError ("--cell",
-                    str (boost::format ("cells of %g reach %g from zero, and %s has "
+  throw UsageError ("--voxel-size",
+                    str (boost::format ("voxels of %g reach %g from zero, and %s has "
                                         "points farther away; give a larger one") %
                          grid.edge % grid.reach() % file));
 }
@@ -134,7 +134,7 @@ cellEdgeFor (std::vector<Eigen::Vector3d> places,
     edge = unroundedEdgeFor (places, zero, points);
   }
   if (!(edge > 0.0))
-    throw WorkError ("INPUT", "has its points at one place; give --cell");
+    throw WorkError ("INPUT", "has its points at one place; give --voxel-size");
   const double digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);
   return std::round (edge / digit) * digit;
 }
@@ -211,7 +211,8 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   for (const Sample& sample : samples)
     plan.inputs.push_back (sample.input);
   TileGrid& grid = plan.grid;
-  grid.edge = options.cell ? *options.cell : cellEdgeFor (some, usual, plan.points());
+  grid.edge = options.voxel_size ? *options.voxel_size
+                                 : cellEdgeFor (some, usual, plan.points());
   grid.cells_of_tile = cellsOfTile (options, grid.edge);
   for (const Sample& sample : samples)
     checkReach (grid, sample.input.file, sample.some_places);
@@ -304,8 +305,8 @@ checkIsFor (const Plan& plan,
   if (known < plan.inputs.size())
     refuse ("it has " + std::to_string (plan.inputs.size()) + " inputs, not " +
             std::to_string (known));
-  if (options.cell && *options.cell != plan.grid.edge)
-    refuse ("--cell was another one");
+  if (options.voxel_size && *options.voxel_size != plan.grid.edge)
+    refuse ("--voxel-size was another one");
   if (options.tile && cellsOfTile (options, plan.grid.edge) != plan.grid.cells_of_tile)
     refuse ("--tile was another one");
 }

@@ -49,7 +49,7 @@ struct PlanFile {
 
 struct PlanOptions {
   /** \brief Edges [m]; by the density of the points where not given. */
-  std::optional<double> cell, tile;
+  std::optional<double> voxel_size, tile;
 };
 
 /** \brief Looks at the headers of all inputs and at some of their points.

@@ -155,7 +155,7 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   nameOrientations (segments, Eigen::Vector3d::UnitZ(), tolerance);
   turnUp (segments, Eigen::Vector3d::UnitZ());
   Json json = {{"points", plan.points()},
-               {"cell", plan.grid.edge},
+               {"voxel_size", plan.grid.edge},
                {"tile", plan.grid.edgeOfTile()},
                {"tiles", tiles},
                {"planes", Json::array()}};

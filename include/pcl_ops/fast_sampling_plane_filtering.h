@@ -82,7 +82,8 @@ detect (const DetectorInput& input,
  * Without \c setSearchMethod spheres are found in a grid of voxels, several times
  * faster than by a kd-tree, and in another order: other points are drawn from them.
  *
- * Its calls are those of OrientedPointSampling.
+ * Its calls are those that PlaneDetector shares among all detectors; its own parameters
+ * are set by \c setParameters.
  * \ingroup segmentation */
 template <typename PointT>
 class FastSamplingPlaneFiltering
@@ -90,54 +91,6 @@ class FastSamplingPlaneFiltering
 public:
   using Ptr = pcl::shared_ptr<FastSamplingPlaneFiltering<PointT>>;
   using ConstPtr = pcl::shared_ptr<const FastSamplingPlaneFiltering<PointT>>;
-
-  /** \brief r1: radius of the sphere a hypothesis' three points are from [m]. */
-  void
-  setInnerRadius (double radius)
-  {
-    this->parameters_.local.inner_radius = radius;
-  }
-  double
-  getInnerRadius () const
-  {
-    return this->parameters_.local.inner_radius;
-  }
-
-  /** \brief r2: radius of the sphere a hypothesis is tested in, r1 or more [m]. */
-  void
-  setOuterRadius (double radius)
-  {
-    this->parameters_.local.outer_radius = radius;
-  }
-  double
-  getOuterRadius () const
-  {
-    return this->parameters_.local.outer_radius;
-  }
-
-  /** \brief N_loc: points each hypothesis is tested on, 3 or more. */
-  void
-  setLocalSamples (unsigned samples)
-  {
-    this->parameters_.local.local_samples = samples;
-  }
-  unsigned
-  getLocalSamples () const
-  {
-    return this->parameters_.local.local_samples;
-  }
-
-  /** \brief alpha_min: a hypothesis needs more than this share of inliers, 0 to 1. */
-  void
-  setMinInlierFraction (double fraction)
-  {
-    this->parameters_.local.min_inlier_fraction = fraction;
-  }
-  double
-  getMinInlierFraction () const
-  {
-    return this->parameters_.local.min_inlier_fraction;
-  }
 };
 
 } // namespace pcl_ops

@@ -38,9 +38,10 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
     double min_share = 0.001;
   };
 
-  /** \brief Steps of the accumulator from pole to pole. */
+  /** \brief phi_num: steps of the accumulator from pole to pole, 2 .. 1000. */
   int phi_num = 30;
-  /** \brief Steps of the accumulator from its center to the farthest point. */
+  /** \brief rho_num: steps of the accumulator from its center to the farthest point,
+   * 2 .. 10000. */
   int rho_num = 300;
   /** \brief Minimum samples, s_level, s_alpha and s_beta. The published s_level 5 and
    * s_alpha 25 lose the surfaces of noisy clouds: 3 and 15 are the defaults here. */
@@ -80,7 +81,8 @@ detect (const DetectorInput& input, const KernelHoughTransformParameters& parame
  * The defaults fit planes to their clusters, end them where the clusters do and merge
  * them. \c setSearchMethod and \c setSeed change nothing.
  *
- * Its calls are those of OrientedPointSampling.
+ * Its calls are those that PlaneDetector shares among all detectors; its own parameters
+ * are set by \c setParameters.
  * \ingroup segmentation */
 template <typename PointT>
 class KernelHoughTransform
@@ -88,54 +90,6 @@ class KernelHoughTransform
 public:
   using Ptr = pcl::shared_ptr<KernelHoughTransform<PointT>>;
   using ConstPtr = pcl::shared_ptr<const KernelHoughTransform<PointT>>;
-
-  /** \brief phi_num: steps of the accumulator from pole to pole, 2 .. 1000. */
-  void
-  setPhiNum (int number)
-  {
-    this->parameters_.phi_num = number;
-  }
-  int
-  getPhiNum () const
-  {
-    return this->parameters_.phi_num;
-  }
-
-  /** \brief rho_num: steps of the accumulator from its center outwards, 2 .. 10000. */
-  void
-  setRhoNum (int number)
-  {
-    this->parameters_.rho_num = number;
-  }
-  int
-  getRhoNum () const
-  {
-    return this->parameters_.rho_num;
-  }
-
-  /** \brief Minimum samples, s_level, s_alpha and s_beta of the clusters. */
-  void
-  setClusterParameters (const KernelHoughTransformParameters::Clusters& parameters)
-  {
-    this->parameters_.clusters = parameters;
-  }
-  const KernelHoughTransformParameters::Clusters&
-  getClusterParameters () const
-  {
-    return this->parameters_.clusters;
-  }
-
-  /** \brief Whether and how planes are fitted to their clusters. */
-  void
-  setRefitParameters (const KernelHoughTransformParameters::Refit& parameters)
-  {
-    this->parameters_.refit = parameters;
-  }
-  const KernelHoughTransformParameters::Refit&
-  getRefitParameters () const
-  {
-    return this->parameters_.refit;
-  }
 };
 
 } // namespace pcl_ops

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/cloud_view.h>
 #include <pcl_ops/plane_detector.h>
 
 #include <cmath>
@@ -63,15 +62,6 @@ struct PaperParameters {
   bool local_optimization = true;
 };
 
-/** \brief A voxel_size for tiles of a cloud: the edge at which all its points fill
- * about \p wanted_voxels voxels, from their density where they are.
- * \param[in] points some thousand finite ones or more, spread evenly over the cloud;
- * zero is near most of them
- * \param[in] wanted_voxels of the whole cloud
- * \return [m]; 0 for fewer than two different points */
-PCL_OPS_EXPORT double
-voxelSizeFor (const CloudView& points, double wanted_voxels);
-
 /** \brief Parameters of OrientedPointSampling; the defaults are recommended. */
 struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters {
   /** \brief Of the class, for messages. */
@@ -122,8 +112,9 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
    * of a surfel comes from at least half as many points. */
   int k = 30;
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
-   * in any case; of surfels at least as many. */
-  unsigned min_inliers = 20;
+   * in any case; of surfels at least as many. It counts samples, not points: a number
+   * of points is \ref PlaneDetectorParameters::min_points. */
+  unsigned min_samples = 20;
   PaperParameters paper_only;
   Surfels surfels;
 
@@ -191,16 +182,31 @@ public:
     return this->parameters_.k;
   }
 
-  /** \brief theta_N: a plane needs more inliers than this among the samples. */
+  /** \brief theta_N: a plane needs more inliers than this among the samples. It counts
+   * samples, not points: for a number of points call setMinPoints(). */
   void
-  setMinInliers (unsigned min_inliers)
+  setMinSamples (unsigned min_samples)
   {
-    this->parameters_.min_inliers = min_inliers;
+    this->parameters_.min_samples = min_samples;
   }
+  unsigned
+  getMinSamples () const
+  {
+    return this->parameters_.min_samples;
+  }
+
+  /** \deprecated Call setMinSamples(), which this forwards to: it counts samples, while
+   * the inliers of other classes of PCL are points. */
+  void
+  setMinInliers (unsigned min_samples)
+  {
+    setMinSamples (min_samples);
+  }
+  /** \deprecated Call getMinSamples(). */
   unsigned
   getMinInliers () const
   {
-    return this->parameters_.min_inliers;
+    return getMinSamples();
   }
 
   /** \brief p: probability that RANSAC draws an inlier of the largest plane, above 0

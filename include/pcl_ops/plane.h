@@ -121,11 +121,6 @@ meanSquaredDistance (const Moments& moments, const Plane& plane)
 
 } // namespace detail
 
-// The library's own code knows these names without their namespace.
-namespace internal {
-using namespace detail;
-}
-
 /** \brief A least squares plane with what its fit says about the points. */
 struct PlaneFit {
   Plane plane;
@@ -213,17 +208,18 @@ struct PlaneCovariance {
   Eigen::Matrix3d matrix;
 };
 
-/** \brief Covariance of the parameters of a plane, from the moments of its inliers and
- * their noise.
+/** \brief Covariance of the parameters of a plane whose inliers err independently of
+ * each other, from their moments and noise. For depth cameras call \ref
+ * planeCovariance.
  *
  * The normal equations of heights over the plane, A with a row (s, t, 1) for each
  * inlier: matrix = v (A^T A)^-1 with the residual variance v = rms^2 n / (n - 3). It is
  * right for noise along the normal that is independent from point to point; in images
- * of depth cameras neighbors err alike, and errors are some 7 times larger: give the
- * cloud, too.
+ * of depth cameras neighbors err alike, and errors are some 7 times larger than it
+ * says.
  * \return nothing for fewer than four inliers, for a line or all equal ones */
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
-planeCovariance (const PlaneSegment& plane);
+independentPlaneCovariance (const PlaneSegment& plane);
 
 /** \brief Covariance of the parameters of a plane where neighboring points err alike or
  * the noise grows with the depth, as in images of depth cameras.

@@ -15,6 +15,7 @@
 #include <pcl_ops/stage_durations.h>
 #include <pcl_ops/used_lengths.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -110,9 +111,11 @@ public:
     return success;
   }
 
-  /** \brief The largest plane alone, in the order of pcl::SACSegmentation. */
+  /** \brief The largest plane alone.
+   * \param[out] inliers ascending indices into the input cloud
+   * \param[out] coefficients a b c d of that plane */
   bool
-  segment (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
+  segmentLargest (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
   {
     std::vector<pcl::ModelCoefficients> models;
     std::vector<pcl::PointIndices> clusters;
@@ -122,6 +125,14 @@ public:
     if (success)
       inliers.header = coefficients.header = header();
     return success;
+  }
+
+  /** \brief The largest plane alone, in the order of pcl::SACSegmentation: what
+   * segmentLargest() does. */
+  bool
+  segment (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
+  {
+    return segmentLargest (inliers, coefficients);
   }
 
   /** \brief Where each plane ends, as pcl::OrganizedMultiPlaneSegmentation says it.
@@ -172,6 +183,19 @@ public:
   getDistanceThreshold () const
   {
     return parameters_.distance_threshold.value_or (0.0);
+  }
+
+  /** \brief A plane with fewer points (inliers) than this is not returned, and its
+   * points are on no plane; 0, the default: no limit. */
+  void
+  setMinPoints (std::size_t min_points)
+  {
+    parameters_.min_points = min_points;
+  }
+  std::size_t
+  getMinPoints () const
+  {
+    return parameters_.min_points;
   }
 
   /** \brief Direction against gravity; any length but 0. */

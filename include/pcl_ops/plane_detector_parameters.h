@@ -8,6 +8,7 @@
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane_merging.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,9 @@ struct PlaneDetectorParameters {
    * only OPS but for Sampling::Points allows: it follows the noise of the cloud,
    * whatever its unit. */
   std::optional<double> distance_threshold = 0.05;
+  /** \brief A plane with fewer points (inliers) than this is not returned, and its
+   * points are on no plane; 0: no limit. */
+  std::size_t min_points = 0;
   /** \brief Direction against gravity in the frame of the input cloud, any length but
    * 0. It only names the orientation of a plane; detection does not depend on it,
    * except where planes are looked for per orientation (Strategy::DivideThenDetect). */

@@ -42,9 +42,9 @@ struct PlaneMatches {
  *
  * Two planes are one if their equations agree and they overlap. Equations agree if what
  * differs, two slopes and a height, lies within three standard deviations of what the
- * pose and both fits may be off; for a fit, that is \ref planeCovariance without its
- * division by the number of points, as neighboring points err alike. Where a plane ends
- * is known by its moments, as the rectangle that has the same.
+ * pose and both fits may be off; for a fit, that is \ref independentPlaneCovariance
+ * without its division by the number of points, as neighboring points err alike. Where
+ * a plane ends is known by its moments, as the rectangle that has the same.
  *
  * The larger planes correct the pose first, each by an update of an iterated Kalman
  * filter; then all pairs are looked at with the pose that came of it, the best first:

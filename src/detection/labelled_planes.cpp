@@ -121,4 +121,13 @@ toSegments (const Points& points,
   return segments;
 }
 
+void
+dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes)
+{
+  const auto isSmall = [=] (const PlaneSegment& plane) {
+    return plane.inliers.size() < min_points;
+  };
+  planes.erase (std::remove_if (planes.begin(), planes.end(), isSmall), planes.end());
+}
+
 } // namespace pcl_ops::internal

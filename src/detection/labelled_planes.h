@@ -51,6 +51,10 @@ toSegments (const Points& points,
             const LabelledPlanes& found,
             const Eigen::Vector3d& viewpoint);
 
+/** \brief Takes planes with fewer inliers than this out. */
+void
+dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
+
 /** \brief What all detectors begin and end with: the finite points, equal ones as one
  * where they would decide, and the planes among them in the frame of the input cloud.
  * \param[in] detect (points, durations) -> LabelledPlanes
@@ -72,6 +76,7 @@ detectInFinitePoints (const DetectorInput& input,
   if (!points.copies.empty())
     addCopies (points, planes);
   found.planes = toSegments (points, planes, input.viewpoint);
+  dropSmallPlanes (parameters.min_points, found.planes);
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
   // A cloud that says 0 0 0 says nothing, unless it was seen from there.

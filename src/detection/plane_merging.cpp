@@ -8,6 +8,7 @@
 #include <utility>
 
 namespace pcl_ops {
+using namespace detail;
 using namespace internal;
 namespace {
 

@@ -45,7 +45,7 @@ blocksOf (const CloudView& cloud,
 } // namespace
 
 std::optional<PlaneCovariance>
-planeCovariance (const PlaneSegment& plane)
+independentPlaneCovariance (const PlaneSegment& plane)
 {
   const double n = plane.moments.count;
   if (n < 4.0 || !fitPlane (plane.moments))
@@ -67,7 +67,7 @@ std::optional<PlaneCovariance>
 planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
 {
   internal::checkInliers (cloud, plane);
-  std::optional<PlaneCovariance> covariance = planeCovariance (plane);
+  std::optional<PlaneCovariance> covariance = independentPlaneCovariance (plane);
   if (!covariance)
     return std::nullopt;
   const double n = plane.moments.count;

@@ -12,7 +12,12 @@
 #include <cstdint>
 #include <vector>
 
+namespace pcl_ops::detail {}
+
 namespace pcl_ops::internal {
+
+// What the public headers need of the library, too, has its names here.
+using namespace detail;
 
 /** \brief Positions in space as a structure of arrays, in single precision. */
 struct Coordinates {

@@ -17,7 +17,7 @@ extractPlanes (const Points& points,
 {
   constexpr unsigned fewest = 2; // more than two: three samples make a plane
   RansacParameters ransac = parameters;
-  ransac.min_inliers = std::max (fewest, parameters.min_inliers);
+  ransac.min_samples = std::max (fewest, parameters.min_samples);
   RandomGenerator generator (parameters.seed);
   const PaperParameters& paper = parameters.paper_only;
   const bool on_all_points =

@@ -314,7 +314,7 @@ spread (const Rounds& rounds,
       cloud,
       surfels,
       {max_thickness,
-       rounds.sizes.leaves_factor * leaves_per_inlier * parameters.min_inliers,
+       rounds.sizes.leaves_factor * leaves_per_inlier * parameters.min_samples,
        noises_of_a_leaf,
        parameters.surfels.angle_threshold},
       planes);

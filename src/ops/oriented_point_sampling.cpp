@@ -55,7 +55,7 @@ OrientedPointSamplingParameters::paper()
   parameters.k = 30;
   parameters.paper_only.normal_sigma.reset();
   parameters.distance_threshold = 0.05;
-  parameters.min_inliers = 20;
+  parameters.min_samples = 20;
   parameters.paper_only.probability = 0.99;
   parameters.paper_only.strategy = PaperParameters::Strategy::DivideThenDetect;
   parameters.paper_only.verification = PaperParameters::Verification::Samples;

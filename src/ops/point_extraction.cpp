@@ -104,7 +104,7 @@ onePointRansac (const Candidates& candidates,
                 RandomGenerator& generator)
 {
   const auto& [samples, left, remaining] = candidates;
-  if (left.size() <= parameters.min_inliers)
+  if (left.size() <= parameters.min_samples)
     return std::nullopt;
   const auto draws_for = [&] (std::size_t inliers, std::size_t among) {
     return requiredDraws (parameters.paper_only.probability,
@@ -114,7 +114,7 @@ onePointRansac (const Candidates& candidates,
   const Coordinates& voters = remaining ? *remaining : own;
   std::optional<Plane> best;
   // No plane smaller than theta_N is worth a draw: that ends a round without any.
-  std::size_t most = parameters.min_inliers;
+  std::size_t most = parameters.min_samples;
   std::size_t n_iter = draws_for (most, left.size());
   for (std::size_t iter = 0; iter < n_iter; ++iter) {
     const std::uint32_t drawn =
@@ -124,7 +124,7 @@ onePointRansac (const Candidates& candidates,
     const std::size_t votes = countWithinDistance (voters, hypothesis, theta_h);
     if (votes <= most ||
         selectWithinDistance (samples, left, hypothesis, theta_h).size() <=
-            parameters.min_inliers)
+            parameters.min_samples)
       continue;
     best = hypothesis;
     most = votes;

@@ -163,7 +163,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
       continue;
     const SurfelPatch patch = spread.from (seed);
     spread.is_open[seed] = 0;
-    if (patch.voxels.size() < parameters.min_inliers)
+    if (patch.voxels.size() < parameters.min_samples)
       continue;
     const std::optional<PlaneFit> fit = fitPlane (patch.moments);
     if (!fit)

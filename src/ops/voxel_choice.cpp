@@ -6,6 +6,7 @@
 #include "geometry/principal_axes.h"
 #include "voxels/voxel_size.h"
 #include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/voxel_size.h>
 
 #include <algorithm>
 #include <cmath>

@@ -88,9 +88,10 @@ defineSegment (py::module_& module)
             return Eigen::Map<const Inliers> (p.inliers.data(), size);
           })
       .def_property_readonly ("axes", &axesOf)
-      .def_property_readonly (
-          "covariance",
-          [] (const PlaneSegment& p) { return matrixOf (planeCovariance (p)); })
+      .def_property_readonly ("independent_covariance",
+                              [] (const PlaneSegment& p) {
+                                return matrixOf (independentPlaneCovariance (p));
+                              })
       .def_property_readonly ("_moments", [] (const PlaneSegment& p) {
         const auto& [origin, count, sum, products] = p.moments;
         return std::make_tuple (origin, count, sum, products);
@@ -391,7 +392,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("pieces", &pieces);
   module.def ("extent", &extent);
   module.def ("concave_extent", &concaveExtent);
-  module.def ("correlated_covariance",
+  module.def ("covariance",
               [] (const PointRows& inliers,
                   const Eigen::Vector3d& origin,
                   const PlaneSegment& plane) {

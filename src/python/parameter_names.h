@@ -60,6 +60,7 @@ inline const auto visit_named = [] (PlaneDetectorParameters& p, const auto& visi
 /** \brief What all detectors have behind their own. */
 inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& visit) {
   visit ("distance_threshold", p.distance_threshold);
+  visit ("min_points", p.min_points);
   visit ("seed", p.seed);
   visit ("threads", p.threads);
   visit ("merging_enabled", p.merging.enabled);
@@ -84,7 +85,7 @@ inline const Overloaded visit_parameters = {
       visit ("sampling", p.sampling);
       visit ("sampling_rate", p.sampling_rate);
       visit ("k", p.k);
-      visit ("min_inliers", p.min_inliers);
+      visit ("min_samples", p.min_samples);
       visit ("normal_sigma", p.paper_only.normal_sigma);
       visit ("probability", p.paper_only.probability);
       visit ("strategy", p.paper_only.strategy);

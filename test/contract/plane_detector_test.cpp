@@ -101,6 +101,10 @@ expectRefused (Detector& detector, const std::string& message)
   EXPECT_FALSE (detector.segment (planes));
   EXPECT_FALSE (detector.extract (clusters));
   EXPECT_FALSE (detector.segment (of_largest, largest));
+  EXPECT_TRUE (of_largest.indices.empty() && largest.values.empty());
+  of_largest.indices = {1, 2, 3};
+  largest.values = {1, 2, 3, 4};
+  EXPECT_FALSE (detector.segmentLargest (of_largest, largest));
   EXPECT_FALSE (detector.segment (regions));
   EXPECT_TRUE (coefficients.empty() && inliers.empty() && planes.empty());
   EXPECT_TRUE (clusters.empty() && regions.empty());
@@ -201,6 +205,35 @@ TYPED_TEST (PlaneDetector, GivesTheSamePlanesByEveryOverload)
   ASSERT_TRUE (this->detector.segment (of_largest, largest)); // as SACSegmentation
   EXPECT_EQ (of_largest.indices, planes.at (0).inliers);
   EXPECT_EQ (largest.values, coefficients[0].values);
+  pcl::PointIndices by_name;
+  pcl::ModelCoefficients by_its_name;
+  ASSERT_TRUE (this->detector.segmentLargest (by_name, by_its_name));
+  EXPECT_EQ (by_name.indices, of_largest.indices);
+  EXPECT_EQ (by_its_name.values, largest.values);
+  EXPECT_EQ (by_name.header.frame_id, "camera");
+}
+
+TYPED_TEST (PlaneDetector, ReturnsNoPlaneWithFewerPointsThanTheMinimum)
+{
+  const auto all = inliersOf (this->detector);
+  ASSERT_GE (all.size(), 3u);
+  const std::size_t size = all[1].size();
+  ASSERT_GT (size, all.back().size());
+  for (const std::size_t min_points : {size, size + 1}) {
+    this->detector.setMinPoints (min_points);
+    std::vector<pcl::Indices> large;
+    for (const pcl::Indices& inliers : all)
+      if (inliers.size() >= min_points)
+        large.push_back (inliers);
+    EXPECT_EQ (inliersOf (this->detector), large) << min_points;
+  }
+}
+
+TYPED_TEST (PlaneDetector, CallsItSuccessWhereEveryPlaneHasFewerPointsThanTheMinimum)
+{
+  EXPECT_EQ (this->detector.getMinPoints(), 0u);
+  this->detector.setMinPoints (this->room.cloud->size() + 1);
+  EXPECT_TRUE (planesOf (this->detector).empty());
 }
 
 TYPED_TEST (PlaneDetector, GivesPlanarRegionsWithHullsAsContours)

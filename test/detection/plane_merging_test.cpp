@@ -68,9 +68,12 @@ TEST (AreCoplanar, ByTheAngleAndBothDistancesWhateverTheSignOfTheNormals)
   for (const auto& [plane, fit, are_one] : rows) {
     PlaneFit flipped = fit;
     flipped.plane = {-fit.plane.normal, -fit.plane.offset};
-    EXPECT_EQ (areCoplanar (floor, fit, 7_deg, 5_cm), are_one) << plane;
-    EXPECT_EQ (areCoplanar (fit, floor, 7_deg, 5_cm), are_one) << plane;
-    EXPECT_EQ (areCoplanar (floor, flipped, 7_deg, 5_cm), are_one) << plane;
+    EXPECT_EQ (pcl_ops::detail::areCoplanar (floor, fit, 7_deg, 5_cm), are_one)
+        << plane;
+    EXPECT_EQ (pcl_ops::detail::areCoplanar (fit, floor, 7_deg, 5_cm), are_one)
+        << plane;
+    EXPECT_EQ (pcl_ops::detail::areCoplanar (floor, flipped, 7_deg, 5_cm), are_one)
+        << plane;
   }
 }
 
@@ -109,7 +112,8 @@ TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
   // A piece of a wall 10 m away: its noise tilts it by 2 degrees, 35 cm there.
   const Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
   const Moments piece = noisySquare ({10, 0, 0}, 1_cm, 30_cm, 2_deg);
-  EXPECT_FALSE (areCoplanar (*fitPlane (wall), *fitPlane (piece), 7_deg, 5_cm));
+  EXPECT_FALSE (
+      pcl_ops::detail::areCoplanar (*fitPlane (wall), *fitPlane (piece), 7_deg, 5_cm));
   EXPECT_EQ (mergePlanes ({wall, piece}, byNoise (1.5)).fits.size(), 1u);
 }
 
@@ -146,7 +150,8 @@ TEST (Merge, GoesOnUntilNoPairPassesTheTest)
   EXPECT_LT (merged.fits.size(), planes.size());
   for (std::size_t i = 0; i < merged.fits.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      EXPECT_FALSE (areCoplanar (merged.fits[i], merged.fits[j], 7_deg, 5_cm));
+      EXPECT_FALSE (
+          pcl_ops::detail::areCoplanar (merged.fits[i], merged.fits[j], 7_deg, 5_cm));
 }
 
 TEST (Merge, LeavesPlanesAloneWhereDisabled)

@@ -55,7 +55,7 @@ TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
   EXPECT_GT (planes.size(), 3u);
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      EXPECT_FALSE (areCoplanar (
+      EXPECT_FALSE (pcl_ops::detail::areCoplanar (
           *fitPlane (planes[i].moments), *fitPlane (planes[j].moments), 7_deg, 5_cm));
 }
 
@@ -116,18 +116,4 @@ TEST (Degenerate, RadiiTooLargeForTheThresholdEndInTime)
   fspf.setDistanceThreshold (1_mm);
   EXPECT_TRUE (planesOf (fspf).empty());
   EXPECT_LT (fspf.getStageDurations().detection, 5000.0) << "[ms]";
-}
-
-TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
-{
-  Fspf fspf;
-  fspf.setInnerRadius (0.11);
-  fspf.setOuterRadius (0.33);
-  fspf.setLocalSamples (55);
-  fspf.setMinInlierFraction (0.66);
-  EXPECT_EQ (fspf.getParameters().local.inner_radius, 0.11);
-  EXPECT_EQ (fspf.getInnerRadius(), 0.11);
-  EXPECT_EQ (fspf.getOuterRadius(), 0.33);
-  EXPECT_EQ (fspf.getLocalSamples(), 55u);
-  EXPECT_EQ (fspf.getMinInlierFraction(), 0.66);
 }

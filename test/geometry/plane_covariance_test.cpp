@@ -59,7 +59,7 @@ TEST (PlaneCovariance, SaysHowFarFitsOfManyAndOfFewPointsAreOff)
     double squared_distance = 0.0;
     for (int i = 0; i < draws; ++i) {
       const PlaneSegment plane = fittedTo (drawBoard (points, noise, generator));
-      const auto covariance = planeCovariance (plane);
+      const auto covariance = independentPlaneCovariance (plane);
       const Eigen::Vector3d errors = errorsOf (plane, *covariance);
       const Eigen::Matrix3d& matrix = covariance->matrix;
       squared_errors += errors.cwiseAbs2().cwiseQuotient (matrix.diagonal()) / draws;
@@ -78,7 +78,7 @@ TEST (PlaneCovariance, IsThatOfHeightsAboutTheAxes)
   for (const double x : {2.0, -2.0})
     for (const double y : {1.0, -1.0})
       plane.moments.add (x, y, 0.05 * x * y);
-  const auto covariance = planeCovariance (plane);
+  const auto covariance = independentPlaneCovariance (plane);
   const PlaneFrame frame (plane.centroid, plane.normal);
   EXPECT_EQ (frame.directionInSpace ({1, 0}), covariance->axes.col (0));
   EXPECT_EQ (frame.directionInSpace ({0, 1}), covariance->axes.col (1));
@@ -101,7 +101,7 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
                                 copy * 1_mm * board.first.normalized()));
   const auto covarianceIn = [] (const Cloud& cloud) {
     const PlaneSegment plane = fittedTo (cloud);
-    return std::make_pair (planeCovariance (plane)->matrix,
+    return std::make_pair (independentPlaneCovariance (plane)->matrix,
                            planeCovariance (cloud, plane)->matrix);
   };
   const auto [independent, correlated] = covarianceIn (once);
@@ -132,5 +132,5 @@ TEST (PlaneCovariance, IsNoneWithoutAPlane)
   for (const double x : {0.0, 1.0, 2.0})
     residual_free.moments.add (x, x * x, 0.0);
   for (const PlaneSegment& plane : {empty, line, residual_free})
-    EXPECT_FALSE (planeCovariance (plane)) << plane.moments.count;
+    EXPECT_FALSE (independentPlaneCovariance (plane)) << plane.moments.count;
 }

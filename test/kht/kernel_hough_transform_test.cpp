@@ -112,13 +112,12 @@ TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
 {
   const LabelledScene scene = box();
   for (const Parameters& parameters : {Parameters(), published (30, 300)}) {
-    MergingParameters merging;
-    merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
+    Parameters merging = parameters;
+    merging.merging.enabled = true;
+    merging.merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
     Detector kht;
     kht.setInputCloud (scene.cloud);
-    kht.setClusterParameters (parameters.clusters);
-    kht.setRefitParameters (parameters.refit);
-    kht.setMergingParameters (merging);
+    kht.setParameters (merging);
     const std::size_t planes = ::planesOf (kht).size();
     EXPECT_LT (planes, kht.getNumberOfPlanesBeforeMerging());
     EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
@@ -149,19 +148,4 @@ TEST (KernelHoughTransform, GrowsPlanesOverPlacesWithoutACluster)
   parameters.clusters.min_samples = 400; // which no node of the sparse part has
   EXPECT_GT (planesOf (scene, parameters).at (0).inliers.size(),
              97_percent * scene.cloud->size());
-}
-
-TEST (KernelHoughTransform, HasSettersThatWriteIntoTheParametersAndGetters)
-{
-  Parameters parameters = published (31, 301);
-  parameters.refit.enabled = true;
-  Detector kht;
-  kht.setPhiNum (parameters.phi_num);
-  kht.setRhoNum (parameters.rho_num);
-  kht.setClusterParameters (parameters.clusters);
-  kht.setRefitParameters (parameters.refit);
-  EXPECT_EQ (kht.getPhiNum(), 31);
-  EXPECT_EQ (kht.getParameters().rho_num, kht.getRhoNum());
-  EXPECT_EQ (kht.getClusterParameters().first_level, 3);
-  EXPECT_EQ (kht.getRefitParameters().enabled, parameters.refit.enabled);
 }

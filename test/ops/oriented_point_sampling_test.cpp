@@ -88,10 +88,10 @@ TEST (Strategy, TwoDetectsPerGroupOfSamples)
   EXPECT_TRUE (isNear (planes[1], scene.surfaces[1], 1e-5, 1e-5));
 }
 
-TEST (MinInliers, OfZeroStillAsksForThreeSamples)
+TEST (MinSamples, OfZeroStillAsksForThreeSamples)
 {
   auto parameters = OrientedPointSamplingParameters::paper();
-  parameters.min_inliers = 0;
+  parameters.min_samples = 0;
   OrientedSamples samples;
   samples.add ({0, 0, 0}, Eigen::Vector3d::UnitZ());
   samples.add ({1, 0, 0}, Eigen::Vector3d::UnitZ());
@@ -111,7 +111,7 @@ TEST (Verification, CountsOnAllPointsWhereToldTo)
   for (int i = 0; i < 1000; ++i)
     points.add (static_cast<float> (i % 7), static_cast<float> (i % 5), i < 40 ? 0 : 1);
   auto parameters = OrientedPointSamplingParameters::paper();
-  parameters.min_inliers = 10;
+  parameters.min_samples = 10;
   const auto height_of_first = [&] {
     return -extractPlanes (points, samples, parameters).at (0).offset;
   };
@@ -127,7 +127,8 @@ TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
   ops.setParameters (OrientedPointSamplingParameters::paper());
   ops.setSamplingRate (0.2);
   ops.setKSearch (17);
-  ops.setMinInliers (33);
+  ops.setMinSamples (33);
+  ops.setMinPoints (500);
   ops.setProbability (0.9);
   ops.setDistanceThreshold (0.07);
   ops.setUpAxis (Eigen::Vector3f (1, 2, 3));
@@ -138,7 +139,8 @@ TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
   ops.setSearchMethod (search);
   EXPECT_EQ (ops.getSamplingRate(), 0.2);
   EXPECT_EQ (ops.getKSearch(), 17);
-  EXPECT_EQ (ops.getMinInliers(), 33u);
+  EXPECT_EQ (ops.getMinSamples(), 33u);
+  EXPECT_EQ (ops.getMinPoints(), 500u);
   EXPECT_EQ (ops.getProbability(), 0.9);
   EXPECT_EQ (ops.getDistanceThreshold(), 0.07);
   EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (1, 2, 3));
@@ -149,4 +151,12 @@ TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
   EXPECT_EQ (ops.getSearchMethod(), search);
   EXPECT_EQ (ops.getParameters().k, 17);
   EXPECT_EQ (ops.getParameters().paper_only.strategy, Strategy::DivideThenDetect);
+}
+
+TEST (Setters, HaveTheNameOfTheInliersForTheMinimumOfSamples)
+{
+  Ops ops;
+  ops.setMinInliers (44);
+  EXPECT_EQ (ops.getMinSamples(), 44u);
+  EXPECT_EQ (ops.getMinInliers(), 44u);
 }

@@ -141,10 +141,10 @@ TEST (OnePointRansac, WantsMoreCandidatesThanThetaNWhateverItVerifiesOn)
   Coordinates all = samples;
   RansacParameters parameters = withinFiveCentimeters();
   for (Coordinates* const verified : {static_cast<Coordinates*> (nullptr), &all})
-    for (const std::size_t min_inliers : {9, 10}) {
-      parameters.min_inliers = min_inliers;
+    for (const std::size_t min_samples : {9, 10}) {
+      parameters.min_samples = min_samples;
       EXPECT_EQ (ransac ({samples, upTo (10), verified}, parameters).has_value(),
-                 min_inliers < 10);
+                 min_samples < 10);
     }
 }
 

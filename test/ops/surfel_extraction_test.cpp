@@ -120,9 +120,9 @@ TEST (VoxelExtraction, AsksForThetaNConnectedVoxels)
 {
   const VoxelGrid grid = gridOf ({tile});
   Parameters parameters;
-  parameters.min_inliers = grid.size();
+  parameters.min_samples = grid.size();
   EXPECT_EQ (planesOf (grid, parameters).size(), 1u);
-  parameters.min_inliers = grid.size() + 1;
+  parameters.min_samples = grid.size() + 1;
   EXPECT_EQ (planesOf (grid, parameters).size(), 0u);
 }
 
@@ -131,9 +131,9 @@ TEST (VoxelExtraction, LeavesAnIslandOfFewerThanThetaNVoxels)
   // 25 voxels a meter beyond the end of the ground, in its plane.
   const VoxelGrid grid = gridOf ({ground, tile});
   Parameters parameters;
-  parameters.min_inliers = 25;
+  parameters.min_samples = 25;
   EXPECT_EQ (planesOf (grid, parameters).size(), 2u) << "not connected";
-  parameters.min_inliers = 26;
+  parameters.min_samples = 26;
   EXPECT_EQ (voxelsOn (no_plane, planesOf (grid, parameters)), 25u);
 }
 
@@ -213,7 +213,7 @@ TEST (VoxelExtraction, RefitsAPlaneOnItsWay)
     surfel.plane.normal = leaning (3_deg);
   });
   Parameters parameters;
-  parameters.min_inliers = 400;
+  parameters.min_samples = 400;
   const BoundedPlanes planes = planesAmong (grid, surfels, parameters);
   ASSERT_EQ (planes.size(), 1u);
   EXPECT_EQ (voxelsOn (0, planes), 400u);

@@ -27,23 +27,23 @@ class Planes(unittest.TestCase):
         np.testing.assert_allclose(floor.normal, (0, 0, 1), atol=0.01)
         np.testing.assert_allclose(below[0].normal, (0, 0, -1), atol=0.01)
 
-    def test_covariance_is_that_of_heights_over_the_axes(self):
+    def test_independent_covariance_is_that_of_heights_over_the_axes(self):
         for plane in planes:
             local = points[plane.inliers] - plane.centroid
             rows = np.column_stack([local @ plane.axes.T, np.ones(len(local))])
             variance = plane.rms**2 * len(local) / (len(local) - 3)
             expected = variance * np.linalg.inv(rows.T @ rows)
-            np.testing.assert_allclose(plane.covariance, expected, rtol=1e-3, atol=1e-15)
+            np.testing.assert_allclose(plane.independent_covariance, expected, rtol=1e-3, atol=1e-15)
             np.testing.assert_allclose(np.cross(*plane.axes), plane.normal, atol=1e-12)
 
-    def test_correlated_covariance_knows_noise_that_neighbors_share(self):
+    def test_covariance_knows_noise_that_neighbors_share(self):
         rng = np.random.default_rng(1)
         places = np.mgrid[0:100, 0:100].reshape(2, -1) * 0.02 + 1e6
         for width, least, most in ((1, 0.5, 10.0), (10, 50.0, 1000.0)):
             noise = rng.normal(0.0, 0.01, (100 // width, 100 // width)).repeat(width, 0)
             noisy = np.column_stack([*places, noise.repeat(width, 1).ravel()])
             plane = pcl_ops.segment(noisy)[1][0]
-            ratio = np.diag(plane.correlated_covariance) / np.diag(plane.covariance)
+            ratio = np.diag(plane.covariance) / np.diag(plane.independent_covariance)
             self.assertTrue((ratio > least).all() and (ratio < most).all(), ratio)
 
     def test_come_with_the_lengths_that_were_used(self):
@@ -323,7 +323,7 @@ class OtherFrames(unittest.TestCase):
             self.assertEqual(tracked.plane.hull.tolist(), tracked.hull.tolist())
             self.assertGreater(tracked.plane.area, 0.9 * plane.area)
             self.assertGreaterEqual(tracked.plane.length, tracked.plane.width)
-            self.assertEqual(tracked.plane.covariance.shape, (3, 3))
+            self.assertEqual(tracked.plane.independent_covariance.shape, (3, 3))
             np.testing.assert_allclose(np.ptp(tracked.hull, 0), np.ptp(plane.hull, 0), atol=0.5)
 
     def test_tracker_forgets(self):

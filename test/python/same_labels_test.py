@@ -52,7 +52,7 @@ class SameLabels(unittest.TestCase):
                    for method in ("ops", "fspf", "kht") for preset in ("default", "paper")]
         for options, arguments in (
             *presets,
-            ("--sampling-rate 0.01 --min-inliers 40", {"sampling_rate": 0.01, "min_inliers": 40}),
+            ("--sampling-rate 0.01 --min-inliers 40", {"sampling_rate": 0.01, "min_samples": 40}),
             ("--method kht --threshold 0.03", {"method": "kht", "distance_threshold": 0.03}),
             ("--preset paper --seed 7", {"preset": "paper", "seed": 7}),
             ("--up 0,1,0", {"up": (0, 1, 0)}),

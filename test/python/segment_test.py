@@ -57,6 +57,12 @@ class Arrays(unittest.TestCase):
                     np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
 
 
+    def test_planes_with_fewer_points_than_the_minimum_are_left_out(self):
+        smallest = len(planes) - 1
+        found, large = pcl_ops.segment(points, min_points=len(planes[smallest].inliers) + 1)
+        self.assertEqual(len(large), smallest)
+        np.testing.assert_array_equal(found, np.where(labels == smallest, -1, labels))
+
     def test_a_fourth_number_of_each_point_is_not_looked_at(self):
         with_intensity = np.column_stack([points, np.full(len(points), 0.5, np.float32)])
         np.testing.assert_array_equal(pcl_ops.segment(with_intensity)[0], labels)

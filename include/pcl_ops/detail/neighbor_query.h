@@ -45,8 +45,3 @@ findNeighbors (const internal::BoxTree* tree,
                std::vector<float>& squared_distances);
 
 } // namespace pcl_ops::detail
-
-// The library's own code knows these names without their namespace.
-namespace pcl_ops::internal {
-using namespace detail;
-}

@@ -51,14 +51,17 @@ class Plane(_pcl_ops.Segment):
         "inliers", "(n,), read-only: rows of the array that are on the plane, ascending.")
     axes: NDArray[np.float64] = _part("axes", """(2, 3): unit vectors u and v in the plane,
         u x v = normal, those of covariance. They depend on the normal alone.""")
-    covariance: Optional[NDArray[np.float64]] = _part("covariance", """(3, 3): covariance of the
-        errors of (tilt along u [rad], tilt along v [rad], offset). With errors (a, b, c) the
-        surface has the height c + a s + b t over the plane at centroid + s u + t v. Right for
-        noise that is independent from point to point. None for fewer than four inliers.""")
-    correlated_covariance: Optional[NDArray[np.float64]] = property(
-        lambda plane: _pcl_ops.correlated_covariance(*plane._own_points(), plane),
-        doc="""(3, 3): the same where neighboring points err alike, as in images of depth
-        cameras, from the array as it is. None for inliers in fewer than four of its 64 blocks.""")
+    covariance: Optional[NDArray[np.float64]] = property(
+        lambda plane: _pcl_ops.covariance(*plane._own_points(), plane),
+        doc="""(3, 3): covariance of the errors of (tilt along u [rad], tilt along v [rad],
+        offset). With errors (a, b, c) the surface has the height c + a s + b t over the plane at
+        centroid + s u + t v. Right where neighboring points err alike, too, as in images of
+        depth cameras; from the array as it is. None for inliers in fewer than four of the 64
+        blocks the plane is divided into.""")
+    independent_covariance: Optional[NDArray[np.float64]] = _part(
+        "independent_covariance", """(3, 3): the same for noise that is independent from point to
+        point, by the moments alone; far too small for depth cameras. None for fewer than four
+        inliers.""")
     hull: NDArray[np.float64] = _part_of_extent(0, """(m, 3): corners of the convex outline, on the
         plane, counter-clockwise seen from the side the normal points to, the first not
         repeated.""")
@@ -329,7 +332,7 @@ class TrackedPlane(NamedTuple):
     """From 1, in the order of appearance."""
     plane: Plane
     """In the common frame, without inliers; hull, area, length and width are those of hull
-    below, covariance is that of the last frames, correlated_covariance is None."""
+    below, independent_covariance is that of the last frames, covariance is None."""
     last_seen: int
     """The last frame it was seen in, from 0."""
     first_seen: int

@@ -56,8 +56,8 @@ def segment(
         as lies_on.
     piece_gap: widest gap within a piece, in spacings of the points around it.
     parameters: see pcl_ops.parameters(method), with the values of the preset.
-        distance_threshold, up=(x, y, z), angle_tolerance, seed and threads (0: all) are
-        those of all methods. up="camera" is camera_up(); up="auto" is what the planes tell
+        distance_threshold, min_points, up=(x, y, z), angle_tolerance, seed and threads
+        (0: all) are those of all methods. up="camera" is camera_up(); up="auto" is what the planes tell
         (estimate_up_axis), with planes.up and planes.up_confidence.
 
     Returns (labels, planes): an int32 array of shape (N,), or (H, W), with the position in

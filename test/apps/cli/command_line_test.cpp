@@ -57,6 +57,17 @@ TEST (CommandLine, TakesOneDashTwoDashesEqualsAndTheStartOfAName)
   }
 }
 
+TEST (CommandLine, TakesTheNameAnOptionOnceHadAndCountsBothAsOne)
+{
+  double size = 0.0;
+  CommandLine line ("detect", "Detects.", "1.2.3");
+  line.add ("voxel-size M", size, above (0)).help ("edge").onceCalled ("cell");
+  EXPECT_TRUE (parse (line, {"--cell", "0.5"}));
+  EXPECT_EQ (size, 0.5);
+  EXPECT_TRUE (line.isGiven ("voxel-size"));
+  EXPECT_EQ (line.help (true).find ("cell"), std::string::npos);
+}
+
 TEST (CommandLine, TakesNegativeNumbersAndTheCameraForUp)
 {
   EXPECT_EQ (Detector ({"a", "--up", "-1,0,-0.5"}).up, Eigen::Vector3f (-1, 0, -0.5));

@@ -31,7 +31,7 @@ TEST (Advice, NamesAVoxelSizeWhereAHillIsAPlane)
   const std::string hint =
       hintOn ([] (double x, double y) { return std::sin (x) * std::cos (y); });
   EXPECT_NE (hint.find ("100 % of the points on planes"), std::string::npos) << hint;
-  EXPECT_NE (hint.find ("--cell 0.1"), std::string::npos) << hint;
+  EXPECT_NE (hint.find ("--voxel-size 0.1"), std::string::npos) << hint;
 }
 
 TEST (Advice, IsSilentOnAFloorThatBendsALittle)
