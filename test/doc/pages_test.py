@@ -46,6 +46,21 @@ METHODS = {"pcl_ops": "ops", "pcl_ops, as in the paper": "ops-3-30", "3D-KHT": "
 OURS = ("ops", "ops-3-30", "kht", "fspf")
 # Pages with such tables, and how many.
 COMPARISONS = {README: 1, SOURCES / "src/doc/accuracy.md": 4}
+# Sentences of README with figures: a pattern with a group for each, and the table's cell it is.
+LOOP, GROWING = "PCL `SACSegmentation` loop", "CGAL region growing"
+CLAIMS = [
+    (r"a million points take (\S+) s in simulated rooms \(the loop .* takes (\S+) s\) and "
+     r"(\S+) s in simulated scans of a 64-beam lidar \((\S+) s\)",
+     [("rooms", "pcl_ops", "s"), ("rooms", LOOP, "s"), ("64 beams", "pcl_ops", "s"),
+      ("64 beams", LOOP, "s")]),
+    (r"In a room of ScanNet labeled by people F is (\S+) \((\S+) for CGAL's region growing\), "
+     r"in an office of NavVis (\S+) \((\S+)\)",
+     [("ScanNet", "pcl_ops", "F 0.5"), ("ScanNet", GROWING, "F 0.5"),
+      ("NavVis", "pcl_ops", "F 0.5"), ("NavVis", GROWING, "F 0.5")])]
+# What else is a figure of accuracy or time: a decimal fraction, a percentage, a time.
+FIGURE = re.compile(r"(?<![\w.])(?:\d*\.\d+|\d[\d,]*(?= ?(?:%|ms|s|seconds|minutes)\b| %))")
+# The overlap that F is counted at.
+DEFINITIONS = {"0.5"}
 
 
 def compared():
@@ -90,6 +105,18 @@ def expected_row(header, label, table):
                 raise AssertionError(f"{column}: {row}")
         cells.append(expected_cell(rows, ["s"] if unit else measures_of(header[0])))
     return [label, *cells]
+
+
+def prose_of(page):
+    """What a page says in sentences, one line: no code, tables and targets of links."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    lines = [line for line in text.splitlines() if not line.startswith(("|", "#", "!"))]
+    text = re.sub(r"\]\([^)]*\)", "]", " ".join(lines))
+    return re.sub(r"\s+", " ", text)
+
+
+def without_code(text):
+    return re.sub(r"`[^`]*`", "", text)
 
 
 def fill_tables(page):
@@ -177,6 +204,50 @@ class Pages(unittest.TestCase):
             for header, _, *rows in found:
                 for row in rows:
                     self.assertEqual(row, expected_row(header, row[0], table), page.name)
+
+    def test_figures_in_sentences_of_readme_are_those_of_the_csv(self):
+        table, text = compared(), prose_of(README)
+        for pattern, cells in CLAIMS:
+            found = re.search(pattern, text)
+            self.assertIsNotNone(found, pattern)
+            expected = []
+            for data_set, label, measure in cells:
+                names = METHODS[label], METHODS[label] + "-measured"
+                rows = [table[DATA_SETS[data_set], name] for name in names
+                        if (DATA_SETS[data_set], name) in table]
+                expected.append(expected_cell(rows, [measure]))
+            self.assertEqual(list(found.groups()), expected, pattern)
+
+    def test_readme_has_no_other_figures_in_sentences(self):
+        text = prose_of(README)
+        for pattern, _ in CLAIMS:
+            text = re.sub(pattern, "", text)
+        others = set(FIGURE.findall(without_code(text))) - DEFINITIONS
+        self.assertEqual(others, set(), "these need a cell of a CSV, and a line in CLAIMS")
+
+    def test_scenes_with_faults_have_the_f_scores_of_the_csv(self):
+        with open(SOURCES / "src/doc/accuracy.csv", newline="", encoding="utf-8") as stream:
+            stored = {row["set"]: row for row in csv.DictReader(stream)}
+        page = (SOURCES / "src/doc/accuracy.md").read_text()
+        rows = re.findall(r"^\| `([a-z-]+):1-(\d+)` \| [\d.]+/([\d.]+)/([\d.]+) \|", page,
+                          re.MULTILINE)
+        compared_rows = 0
+        for name, clouds, *scores in rows:
+            row = stored[name]
+            if clouds == row["clouds"]:
+                expected = [f"{float(row[measure]):.2f}" for measure in ("f_score", "f_score_75")]
+                self.assertEqual(scores, expected, name)
+                compared_rows += 1
+        self.assertGreaterEqual(compared_rows, 5)
+
+    def test_the_drawing_of_the_stages_has_the_functions_of_the_source(self):
+        drawing = (SOURCES / "src/doc/images/stages.svg").read_text()
+        source = (SOURCES / "src/ops/detect_on_leaves.cpp").read_text()
+        main_function = source[source.index("LabelledPlanes\ndetectOnLeaves"):]
+        names = ", ".join(re.findall(r'class="title">(.*?)<', drawing)).split(", ")
+        self.assertGreater(len(names), 10)
+        for name in names:
+            self.assertIn(f"{name} (", main_function, name)
 
     def test_accuracy_says_where_others_are_ahead(self):
         page = (SOURCES / "src/doc/accuracy.md").read_text()
