@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
+#include <pcl_ops/plane_kinds.h>
 #include <pcl_ops/up_axis.h>
 
 #include <cstdint>
@@ -40,6 +41,8 @@ struct DetectorOptions {
 struct Detected {
   /** \brief By falling size, in the frame of the cloud. */
   std::vector<PlaneSegment> planes;
+  /** \brief What each is among all that were found; empty where nobody asked. */
+  std::vector<PlaneKind> kinds;
   /** \brief Where \ref planes are pieces: for each the position of the plane it lies on
    * in \ref whole_planes, which have no inliers; else empty. */
   std::vector<std::size_t> lies_on;

@@ -208,16 +208,17 @@ columnsOf (const Json& plane)
              &centroid = plane.at ("centroid"), &normal = plane.at ("normal"),
              &extent = plane.at ("extent");
   std::vector<std::pair<std::string, Json>> columns = {
-      {"id", plane.at ("id")},         {"orientation", plane.at ("orientation")},
-      {"points", plane.at ("points")}, {"a", coefficients.at (0)},
-      {"b", coefficients.at (1)},      {"c", coefficients.at (2)},
-      {"d", coefficients.at (3)},      {"centroid_x", centroid.at (0)},
-      {"centroid_y", centroid.at (1)}, {"centroid_z", centroid.at (2)},
-      {"normal_x", normal.at (0)},     {"normal_y", normal.at (1)},
-      {"normal_z", normal.at (2)},     {"rms", plane.at ("rms")},
-      {"area", plane.at ("area")},     {"length", extent.at ("length")},
-      {"width", extent.at ("width")},  {"slope", plane.at ("slope")},
-      {"aspect", plane.at ("aspect")}, {"height", plane.at ("height")}};
+      {"id", plane.at ("id")},          {"orientation", plane.at ("orientation")},
+      {"kind", plane.at ("kind")},      {"points", plane.at ("points")},
+      {"a", coefficients.at (0)},       {"b", coefficients.at (1)},
+      {"c", coefficients.at (2)},       {"d", coefficients.at (3)},
+      {"centroid_x", centroid.at (0)},  {"centroid_y", centroid.at (1)},
+      {"centroid_z", centroid.at (2)},  {"normal_x", normal.at (0)},
+      {"normal_y", normal.at (1)},      {"normal_z", normal.at (2)},
+      {"rms", plane.at ("rms")},        {"area", plane.at ("area")},
+      {"length", extent.at ("length")}, {"width", extent.at ("width")},
+      {"slope", plane.at ("slope")},    {"aspect", plane.at ("aspect")},
+      {"height", plane.at ("height")}};
   // Of a piece: the plane it lies on.
   if (plane.contains ("plane"))
     columns.insert (columns.begin() + 1, {"plane", plane.at ("plane")});
@@ -280,7 +281,7 @@ toCsv (const Json& planes, const MapOptions& options)
 {
   std::string csv;
   // A list without planes has the columns of a plane, too.
-  const Json any_plane = planes.empty() ? planeObject (0, {}, {}) : planes.front();
+  const Json any_plane = planes.empty() ? planeObject (0, {}, {}, {}) : planes.front();
   for (const auto& [name, value] : columnsOf (any_plane))
     csv += name + ",";
   csv += "wkt\n";
@@ -298,23 +299,18 @@ toCsv (const Json& planes, const MapOptions& options)
 std::string
 toGeoJson (const Json& planes, const MapOptions& options)
 {
-  std::string text = "{\"type\":\"FeatureCollection\",";
-  if (!options.crs.empty())
-    text += R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::)" +
-            options.crs.substr (prefix_of_crs.size()) + "\"}},";
-  text += "\"features\":[";
+  std::vector<std::string> features;
   const int decimals = decimalsFor (planes);
   for (const Json& plane : planes) {
     Json properties;
     for (const auto& [name, value] : columnsOf (plane))
       properties[name.rfind ("normal_", 0) == 0 ? "n" + name.substr (7) : name] = value;
-    text +=
-        (&plane == &planes.front() ? "\n" : ",\n") +
-        std::string ("{\"type\":\"Feature\",\"id\":") + plane.at ("id").dump() +
+    features.push_back (
+        "{\"type\":\"Feature\",\"id\":" + plane.at ("id").dump() +
         ",\"geometry\":" + toGeoJsonGeometry (outlineOf (plane, options), decimals) +
-        ",\"properties\":" + properties.dump() + "}";
+        ",\"properties\":" + properties.dump() + "}");
   }
-  return text + "\n]}\n";
+  return featureCollection (features, options.crs);
 }
 
 /** \brief Where a plane goes down; null where it has no such direction. */
@@ -338,6 +334,19 @@ jsonText (const Json& json)
 {
   constexpr int indent = 2;
   return json.dump (indent) + "\n";
+}
+
+std::string
+featureCollection (const std::vector<std::string>& features, const std::string& crs)
+{
+  std::string text = "{\"type\":\"FeatureCollection\",";
+  if (!crs.empty())
+    text += R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::)" +
+            crs.substr (prefix_of_crs.size()) + "\"}},";
+  text += "\"features\":[";
+  for (const std::string& feature : features)
+    text += (&feature == &features.front() ? "\n" : ",\n") + feature;
+  return text + "\n]}\n";
 }
 
 std::optional<Orientation>
@@ -382,6 +391,7 @@ Json
 planeObject (std::size_t id,
              const PlaneSegment& segment,
              const PlaneExtent& extent,
+             PlaneKind kind,
              const Eigen::Vector3d& up,
              const Polygons& parts)
 {
@@ -389,6 +399,7 @@ planeObject (std::size_t id,
   Json object;
   object["id"] = id;
   object["orientation"] = toString (segment.orientation);
+  object["kind"] = toString (kind);
   object["points"] = static_cast<std::size_t> (segment.moments.count);
   object["coefficients"] = {
       plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset};
@@ -440,10 +451,17 @@ declareMap (CommandLine& line, MapOptions& options)
 }
 
 void
-checkMap (const CommandLine& line, const std::string& planes)
+checkMap (const CommandLine& line,
+          const std::string& planes,
+          const std::vector<std::string>& maps)
 {
   const std::string extension = extensionOf (planes);
-  if (line.isGiven ("crs") && extension != ".geojson")
+  const bool has_map =
+      extension == ".geojson" ||
+      std::any_of (maps.begin(), maps.end(), [] (const std::string& map) {
+        return extensionOf (map) == ".geojson";
+      });
+  if (line.isGiven ("crs") && !has_map)
     throw UsageError ("--crs", "is about --planes FILE.geojson; give one");
   if (line.isGiven ("simplify") && extension != ".geojson" && extension != ".csv")
     throw UsageError ("--simplify",

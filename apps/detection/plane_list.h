@@ -9,6 +9,7 @@
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
+#include <pcl_ops/plane_kinds.h>
 
 #include <cstddef>
 #include <optional>
@@ -49,6 +50,11 @@ class CommandLine;
 std::string
 jsonText (const nlohmann::ordered_json& json);
 
+/** \brief A FeatureCollection of GeoJSON (RFC 7946), one feature a line.
+ * \param[in] crs "EPSG:N", the reference system; empty: not named */
+std::string
+featureCollection (const std::vector<std::string>& features, const std::string& crs);
+
 std::optional<Orientation>
 orientationCalled (const std::string& name);
 
@@ -68,12 +74,14 @@ turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scan
  * plane goes down, clockwise from north, which is y [degree], 0 to 360, or null for a
  * level plane, and where z is not up; the height that of the centroid along the up axis
  * [m].
+ * \param[in] kind among all planes of the cloud
  * \param[in] up unit vector against gravity, in the frame of the plane
  * \param[in] parts those beside that of the extent's hull */
 nlohmann::ordered_json
 planeObject (std::size_t id,
              const PlaneSegment& segment,
              const PlaneExtent& extent,
+             PlaneKind kind,
              const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(),
              const Polygons& parts = {});
 
@@ -92,9 +100,12 @@ struct MapOptions {
 void
 declareMap (CommandLine& line, MapOptions& options);
 
-/** \throws UsageError if an option was given that has no meaning to a file so called */
+/** \param[in] maps other files that may name a reference system
+ * \throws UsageError if an option was given that has no meaning to files so called */
 void
-checkMap (const CommandLine& line, const std::string& planes);
+checkMap (const CommandLine& line,
+          const std::string& planes,
+          const std::vector<std::string>& maps = {});
 
 /** \brief The text of a list of planes as the name of a file asks for: .json as it is;
  * .csv with the outline as the last column; .geojson with numbers as properties, as

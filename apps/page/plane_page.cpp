@@ -21,7 +21,8 @@ planesOf (const PlanePage& page, const Eigen::Vector3d& up)
 {
   Json planes = Json::array();
   for (std::size_t i = 0; i < page.planes.size(); ++i) {
-    Json plane = planeObject (page.ids[i], page.planes[i], page.extents[i], up);
+    Json plane =
+        planeObject (page.ids[i], page.planes[i], page.extents[i], page.kinds[i], up);
     plane["color"] = webColor (colorOfLabel (page.ids[i]));
     planes.push_back (plane);
   }

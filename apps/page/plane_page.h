@@ -7,6 +7,7 @@
 #include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
+#include <pcl_ops/plane_kinds.h>
 
 #include <cstdint>
 #include <string>
@@ -18,10 +19,11 @@ namespace pcl_ops::apps {
 struct PlanePage {
   std::string title;
   const ShiftedCloud& shifted;
-  /** \brief In the file's frame, each with its extent and its id, which it has its
-   * color by. */
+  /** \brief In the file's frame, each with its extent, its kind and its id, which it
+   * has its color by. */
   const std::vector<PlaneSegment>& planes;
   const std::vector<PlaneExtent>& extents;
+  const std::vector<PlaneKind>& kinds;
   const std::vector<std::uint32_t>& ids;
   Eigen::Vector3f up;
 };

@@ -282,6 +282,11 @@ function pointAt(x, y) {
   return found;
 }
 
+// Of planes that are nothing in a building their orientation, which is no other either.
+function nameOf(plane) {
+  return plane.kind && plane.kind !== 'other' ? plane.kind : plane.orientation;
+}
+
 function answer({i, point}) {
   const plane = planes[i], place = add(point, middle), at = place.map(x => x.toFixed(decimals)).join(', ');
   if (!plane)
@@ -289,7 +294,7 @@ function answer({i, point}) {
   // Places are known to half a step of their lattice.
   const distance = dot(plane.normal, add(place, plane.centroid, -1));
   const error = dot(plane.normal.map(Math.abs), groups[i].step) / 2;
-  return `plane ${plane.id}, ${plane.orientation}, at ${at}, distance to the plane ${short(distance, 3)} \u00b1 ${short(error, 1)}`;
+  return `plane ${plane.id}, ${nameOf(plane)}, at ${at}, distance to the plane ${short(distance, 3)} \u00b1 ${short(error, 1)}`;
 }
 
 function choose(found) {
@@ -370,7 +375,7 @@ function rowOf(plane, i) {
   box.onchange = () => { groups[i].isOn = box.checked; redraw(); };
   swatch.style.background = plane.color;
   row.insertCell().append(box);
-  row.insertCell().append(swatch, `${plane.id} ${plane.orientation}`);
+  row.insertCell().append(swatch, `${plane.id} ${nameOf(plane)}`);
   for (const text of [groups[i].all, short(plane.area, 3), short(plane.rms, 2), plane.slope.toFixed(1)])
     row.insertCell().append(text);
   row.onclick = () => look(add(plane.centroid, middle, -1), plane.normal, Math.max(2 * Math.sqrt(plane.area), radius / 50));

@@ -138,6 +138,16 @@ extentInFile (const ShiftedCloud& shifted,
   return extentOf (outlineOf (points, hull), points, in_file);
 }
 
+/** \brief What planes are, by their convex outlines in the file's frame. */
+std::vector<PlaneKind>
+kindsOf (const ShiftedCloud& shifted, const Detected& detected)
+{
+  std::vector<PlaneExtent> extents;
+  for (const PlaneSegment& plane : detected.planes)
+    extents.push_back (extentInFile (shifted, plane, "convex"));
+  return planeKinds (detected.planes, extents, detected.up.cast<double>());
+}
+
 /** \brief Why so few points are on planes, with the fix. What is wrong with a cloud
  * comes before what might be wrong with parameters. */
 std::string
@@ -181,6 +191,7 @@ segmentCloud (const SegmentOptions& options,
   turnToScanners (report.detected.planes, cloud.scans);
   if (!report.detected.advice.empty())
     report.detected.advice = likeliestCause (shifted, report);
+  report.detected.kinds = kindsOf (shifted, report.detected);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);

@@ -428,6 +428,7 @@ saveOutputs (const SegmentOptions& options,
                     shifted,
                     planes,
                     report.extents,
+                    report.detected.kinds,
                     report.ids,
                     report.detected.up});
   if (!outputs.mesh.empty())

@@ -24,10 +24,12 @@ void
 printPlanes (const Report& report, std::ostream& stream)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
+  const std::vector<PlaneKind>& kinds = report.detected.kinds;
   constexpr std::size_t max_rows = 20;
   const std::vector<std::uint32_t> lies_on = report.planesOfPieces();
   stream << "  id" << (lies_on.empty() ? "" : " plane")
-         << "  orientation   points      %       rms         a         b         c"
+         << "  orientation  kind       points      %       rms         a         b     "
+            "    c"
             "         d\n";
   std::size_t rest = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -39,15 +41,16 @@ printPlanes (const Report& report, std::ostream& stream)
     stream << boost::format ("%4d") % report.ids[i];
     if (!lies_on.empty())
       stream << boost::format (" %5d") % lies_on[i];
-    stream << boost::format ("  %-10s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
-                  toString (planes[i].orientation) % size %
+    stream << boost::format (
+                  "  %-10s  %-7s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
+                  toString (planes[i].orientation) % toString (kinds[i]) % size %
                   share (size, report.points) % planes[i].rms() % normal.x() %
                   normal.y() % normal.z() % offset;
   }
   if (planes.size() > max_rows)
     stream << "      and " << planes.size() - max_rows
            << " smaller ones: --planes FILE.json has them all\n";
-  stream << boost::format ("      no plane   %9d %6.1f\n") % rest %
+  stream << boost::format ("      no plane            %9d %6.1f\n") % rest %
                 share (rest, report.points);
 }
 
@@ -152,8 +155,8 @@ toJson (const Report& report)
   const Eigen::Vector3d up = detected.up.cast<double>().normalized();
   const std::vector<std::uint32_t> lies_on = report.planesOfPieces();
   for (std::size_t i = 0; i < detected.planes.size(); ++i) {
-    auto& object = json["planes"].emplace_back (
-        planeObject (report.ids[i], detected.planes[i], report.extents[i], up));
+    auto& object = json["planes"].emplace_back (planeObject (
+        report.ids[i], detected.planes[i], report.extents[i], detected.kinds[i], up));
     if (!lies_on.empty())
       object["plane"] = lies_on[i];
   }

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <tuple>
 
 namespace fs = std::filesystem;
 
@@ -66,10 +67,13 @@ Json
 toObject (const Plan& plan,
           std::size_t id,
           const JoinedPlane& plane,
-          const PlaneSegment& segment)
+          const PlaneSegment& segment,
+          const PlaneExtent& extent,
+          const Polygons& others,
+          PlaneKind kind)
 {
-  const auto [extent, others] = extentOf (plan, segment, plane);
-  Json object = planeObject (id, segment, extent, Eigen::Vector3d::UnitZ(), others);
+  Json object =
+      planeObject (id, segment, extent, kind, Eigen::Vector3d::UnitZ(), others);
   const Moments& moments = segment.moments;
   object["moments"] = {{"origin", moments.origin},
                        {"count", moments.count},
@@ -159,8 +163,15 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
                {"tile", plan.grid.edgeOfTile()},
                {"tiles", tiles},
                {"planes", Json::array()}};
+  std::vector<PlaneExtent> extents (planes.size());
+  std::vector<Polygons> others (planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i)
-    json["planes"].push_back (toObject (plan, i + 1, planes[i], segments[i]));
+    std::tie (extents[i], others[i]) = extentOf (plan, segments[i], planes[i]);
+  const std::vector<PlaneKind> kinds =
+      planeKinds (segments, extents, Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    json["planes"].push_back (toObject (
+        plan, i + 1, planes[i], segments[i], extents[i], others[i], kinds[i]));
   return jsonText (json);
 }
 

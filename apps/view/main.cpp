@@ -266,7 +266,13 @@ savePage (const ViewOptions& options, const ShiftedCloud& shifted)
   }
   const std::string title = std::filesystem::path (options.input).filename().string();
   savePlanePage (options.page,
-                 {title, shifted, planes, extents, ids, found.detected.up});
+                 {title,
+                  shifted,
+                  planes,
+                  extents,
+                  planeKinds (planes, extents, found.detected.up.cast<double>()),
+                  ids,
+                  found.detected.up});
 }
 
 void

@@ -7,6 +7,7 @@
 #include <metrics/metrics.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
+#include <pcl_ops/plane_kinds.h>
 #include <pcl_ops/plane_pieces.h>
 #include <pcl_ops/plane_tracker.h>
 #include <pcl_ops/surface/concave_hull.h>
@@ -257,6 +258,30 @@ filter (const py::list& planes, const PlaneFilter& filter)
   return py::make_tuple (kept, dictOf (by_name));
 }
 
+/** \brief By what Python's Plane knows of the outline of each, in the same frame.
+ * \return their names */
+std::vector<std::string>
+kinds (const py::list& planes, const Eigen::Vector3d& up, double meter)
+{
+  const auto segments = planes.cast<PlaneSegments>();
+  std::vector<PlaneExtent> extents;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const PlaneFrame frame (segments[i].centroid, segments[i].normal);
+    const auto corners =
+        planes[i].attr ("hull").cast<Eigen::Matrix<double, Eigen::Dynamic, 3>>();
+    PlanarPoints hull;
+    for (Eigen::Index corner = 0; corner < corners.rows(); ++corner)
+      hull.push_back (frame.toPlane (corners.row (corner).transpose()));
+    // Of a plane without area the centroid stands for its points.
+    const PlanarPoints points = hull.empty() ? PlanarPoints{{0.0, 0.0}} : hull;
+    extents.push_back (extentOf ({hull}, points, frame));
+  }
+  std::vector<std::string> names;
+  for (const PlaneKind kind : planeKinds (segments, extents, up, meter))
+    names.emplace_back (toString (kind));
+  return names;
+}
+
 std::pair<Labels, Eigen::Matrix4d>
 match (const PlaneSegments& previous,
        const PlaneSegments& current,
@@ -401,6 +426,7 @@ PYBIND11_MODULE (_pcl_ops, module)
               });
   module.def ("merge", &merge);
   module.def ("filter", &filter);
+  module.def ("kinds", &kinds);
   module.def ("match", &match);
   module.def ("up_axis", &upAxis);
   module.def ("edges", &edges);

@@ -95,6 +95,18 @@ class Planes(unittest.TestCase):
         self.assertEqual(list(columns), list(row))
         self.assertEqual(pcl_ops.FoundPlanes().as_dict(), {name: [] for name in row})
 
+    def test_have_kinds_by_all_planes_of_the_cloud(self):
+        self.assertEqual([plane.kind for plane in planes], ["floor", "wall", "wall"])
+        self.assertEqual(floor.as_dict()["kind"], "floor")
+        self.assertEqual(pickle.loads(pickle.dumps(wall)).kind, "wall")
+        self.assertEqual(pcl_ops.plane_kinds(planes, up=(0, 0, 2)), ["floor", "wall", "wall"])
+        self.assertEqual(pcl_ops.plane_kinds(planes, meter=100.0), ["floor", "other", "other"],
+                         "of a room of centimeters")
+        self.assertEqual(pcl_ops.plane_kinds([]), [])
+        for wrong, name in (({"meter": 0}, "meter"), ({"up": (0, 0, 0)}, "up")):
+            with self.assertRaisesRegex(ValueError, "^" + name):
+                pcl_ops.plane_kinds(planes, **wrong)
+
     def test_inliers_are_read_only_and_outlive_their_plane(self):
         inliers = pcl_ops.segment(points)[1][0].inliers
         np.testing.assert_array_equal(inliers, floor.inliers)

@@ -109,7 +109,7 @@ class SameLabels(unittest.TestCase):
     def assertSameRow(self, row, expected):
         self.assertEqual(list(row), list(expected))
         for name, value in row.items():
-            if name in ("orientation", "id", "points"):
+            if name in ("orientation", "kind", "id", "points"):
                 self.assertEqual(value, expected[name])
             else:
                 # An aspect of 359.9999 is one of 0.

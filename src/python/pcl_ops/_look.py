@@ -24,7 +24,7 @@ def _color(number: int) -> str:
 
 def _described(number: int, plane: Plane, up: NDArray[np.float64]) -> Dict[str, Any]:
     slope = np.degrees(np.arccos(min(abs(float(plane.normal @ up)), 1.0)))
-    return {"id": number, "orientation": plane.orientation, "rms": plane.rms, "area": plane.area,
+    return {"id": number, "orientation": plane.orientation, "kind": plane.kind, "rms": plane.rms, "area": plane.area,
             "slope": slope, "normal": plane.normal.tolist(), "centroid": plane.centroid.tolist(),
             "hull": plane.hull.tolist(), "holes": [], "color": _color(number)}
 

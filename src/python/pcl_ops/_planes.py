@@ -24,9 +24,11 @@ def _part_of_extent(position: int, doc: str) -> Any:
     return property(lambda plane: plane._extent()[position], doc=doc)
 
 
+Kind = Literal["floor", "ceiling", "wall", "slab", "roof", "ramp", "table", "other"]
+
 # Of the programs' tables of planes.
 TABLE_COLUMNS = (
-    "orientation", "points", "a", "b", "c", "d", "centroid_x", "centroid_y", "centroid_z",
+    "orientation", "kind", "points", "a", "b", "c", "d", "centroid_x", "centroid_y", "centroid_z",
     "normal_x", "normal_y", "normal_z", "rms", "area", "length", "width", "slope", "aspect",
     "height")
 
@@ -74,6 +76,16 @@ class Plane(_pcl_ops.Segment):
         """Of a piece: the number of the plane it lies on, by falling size from 0."""
         return self._lies_on
 
+    @property
+    def kind(self) -> Kind:
+        """What it is in a building, by plane_kinds of the planes it was found with and their
+        up, which name them all when one is first asked."""
+        if self._kind is None:
+            planes, up = self._named_with
+            for plane, kind in zip(planes, plane_kinds(planes, up)):
+                plane._kind = kind
+        return self._kind
+
     def concave_outline(self, alpha: float = 0.0) -> Tuple[List[NDArray[np.float64]], float]:
         """The concave outline with its holes, as doors and windows, and its area without them.
 
@@ -116,7 +128,7 @@ class Plane(_pcl_ops.Segment):
         slope = float(np.degrees(np.arctan2(across, abs(along))))
         aspect = float(np.degrees(np.arctan2(x, y))) % 360.0 if has_aspect else None
         return dict(zip(TABLE_COLUMNS, (
-            self.orientation, len(self.inliers), *self.coefficients.tolist(),
+            self.orientation, self.kind, len(self.inliers), *self.coefficients.tolist(),
             *self.centroid.tolist(), *self.normal.tolist(), self.rms, self.area, self.length,
             self.width, slope, aspect, float(self.centroid @ axis))))
 
@@ -126,6 +138,9 @@ class Plane(_pcl_ops.Segment):
         self._points = points
         self._known_extent = None
         self._lies_on: Optional[int] = None
+        self._kind: Optional[Kind] = None
+        # The planes it is named among, and up.
+        self._named_with: Tuple[List["Plane"], Vector] = [self], (0.0, 0.0, 1.0)
 
     def __repr__(self) -> str:
         return (f"<pcl_ops.Plane: {self.orientation}, {len(self.inliers)} points, "
@@ -133,7 +148,7 @@ class Plane(_pcl_ops.Segment):
 
     def __reduce__(self) -> Any:
         return _plane, (self._points, self.centroid, self.normal, self.orientation, *self._moments,
-                        self.inliers), {"_lies_on": self._lies_on}
+                        self.inliers), {"_lies_on": self._lies_on, "_kind": self.kind}
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
         if self._known_extent is None:  # it takes longer than finding the plane
@@ -206,6 +221,32 @@ def plane_list(name: str, planes: Any) -> List[Plane]:
     return listed
 
 
+def name_together(planes: List[Plane], up: Vector) -> None:
+    """Has the kind of each told by all of them."""
+    for plane in planes:
+        plane._kind, plane._named_with = None, (planes, up)
+
+
+def plane_kinds(
+    planes: Planes, up: Vector = (0.0, 0.0, 1.0), meter: float = 1.0
+) -> List[Kind]:
+    """What planes are in a building, by their heights, sizes, slopes and what is around them.
+
+    planes: all Plane of a cloud, with normals towards the sensor.
+    up: vector against gravity.
+    meter: the length of a meter in the unit of the planes.
+
+    Returns for each "floor", "ceiling", "wall", "slab", "roof", "ramp", "table" or "other".
+    """
+    listed = plane_list("planes", planes)
+    axis = place("up", up)
+    if not axis.any():
+        raise ValueError("up: has no direction")
+    if not (isinstance(meter, (int, float)) and 0.0 < meter < np.inf):
+        raise ValueError(f"meter: has to be a length above 0, not {meter!r:.80}")
+    return _pcl_ops.kinds(listed, axis, meter)
+
+
 @named_parameters("merge_planes")
 def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels]:
     """Merge coplanar planes until no pair passes the test.
@@ -228,7 +269,9 @@ def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels
                          "segment")
     segments, merged_into = _pcl_ops.merge(
         planes, with_given(_pcl_ops.merge_planes(), parameters))
-    return [Plane(one, points) for one in segments], np.array(merged_into, np.int32)
+    merged = [Plane(one, points) for one in segments]
+    name_together(merged, parameters.get("up", (0.0, 0.0, 1.0)))
+    return merged, np.array(merged_into, np.int32)
 
 
 @named_parameters("filter_planes")

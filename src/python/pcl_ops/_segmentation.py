@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from . import _pcl_ops
 from ._arguments import Points, Vector, named_parameters, parameters_of, place, plane_numbers
 from ._arguments import points_array, single_precision, with_given
-from ._planes import FoundPlanes, Labels, Plane
+from ._planes import FoundPlanes, Labels, Plane, name_together
 
 Method = Literal["ops", "fspf", "kht"]
 Preset = Literal["default", "paper"]
@@ -90,6 +90,7 @@ def segment(
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
     planes.up = parameters_of(given)["up"][0]
     planes.up_confidence = found_up and found_up[1]
+    name_together(planes, planes.up)
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
         labels[plane.inliers] = number

@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
+#include "geometry/angles.h"
+#include "kinds/heights.h"
+#include "kinds/stories.h"
+#include <pcl_ops/plane_kinds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal;
+using Eigen::Vector3d;
+
+/** \brief A plane as the rules see it, in meters. */
+struct PlaneShape {
+  Orientation orientation;
+  Vector3d normal, center, long_axis, short_axis;
+  double length, width, area;
+  /** \brief Between the plane and the horizontal [rad]. */
+  double slope;
+  /** \brief Heights of the middle and of the lowest and highest corner. */
+  double middle, low, high;
+  bool faces_down;
+
+  /** \brief Of a vertical plane: its level side. */
+  double
+  span () const
+  {
+    const double rise = high - low;
+    return rise > 0.0 ? area / rise : length;
+  }
+};
+
+PlaneShape
+shapeOf (const PlaneSegment& plane,
+         const PlaneExtent& extent,
+         const Vector3d& up,
+         double meter)
+{
+  PlaneShape shape{plane.orientation,
+                   plane.normal,
+                   extent.center / meter,
+                   extent.long_axis,
+                   extent.short_axis,
+                   extent.length / meter,
+                   extent.width / meter,
+                   extent.area / (meter * meter),
+                   slopeOf (plane.normal, up),
+                   plane.centroid.dot (up) / meter,
+                   0.0,
+                   0.0,
+                   plane.normal.dot (up) < 0.0};
+  shape.low = shape.high = shape.middle;
+  for (const Vector3d& corner : extent.hull) {
+    const double height = corner.dot (up) / meter;
+    shape.low = std::min (shape.low, height);
+    shape.high = std::max (shape.high, height);
+  }
+  return shape;
+}
+
+std::vector<Story>
+storiesOf (const std::vector<PlaneShape>& shapes)
+{
+  constexpr double smallest = 0.3; // that says how far down the scene reaches [m^2]
+  std::vector<LevelPlane> level;
+  double lowest = shapes.empty() ? 0.0 : shapes.front().low;
+  for (const PlaneShape& shape : shapes) {
+    if (shape.orientation == Orientation::Horizontal)
+      level.push_back ({shape.middle, shape.area, shape.faces_down});
+    if (shape.area >= smallest)
+      lowest = std::min (lowest, shape.low);
+  }
+  return internal::storiesOf (levelsOf (std::move (level)), lowest);
+}
+
+bool
+isInRectangle (const PlaneShape& shape, const Vector3d& point)
+{
+  const Vector3d off = point - shape.center;
+  return std::abs (off.dot (shape.long_axis)) <= 0.5 * shape.length &&
+         std::abs (off.dot (shape.short_axis)) <= 0.5 * shape.width;
+}
+
+/** \brief Whether most of a vertical plane stands close before a larger one that faces
+ * the same way, as the front of a cupboard before a wall. */
+bool
+standsBefore (const PlaneShape& front, const PlaneShape& wall)
+{
+  constexpr double least_cosine = 0.9;            // some 25 degrees
+  constexpr double nearest = 0.1, farthest = 1.0; // relief of a wall, furniture [m]
+  constexpr int steps = 4;                        // of samples from the middle
+  const double cosine = front.normal.dot (wall.normal);
+  if (cosine < least_cosine || wall.area <= front.area || wall.high < front.high)
+    return false;
+  int before = 0, all = 0;
+  for (int i = -steps; i <= steps; ++i)
+    for (int j = -steps; j <= steps; ++j) {
+      const Vector3d sample = front.center +
+                              0.4 * front.length * i / steps * front.long_axis +
+                              0.4 * front.width * j / steps * front.short_axis;
+      const double distance = wall.normal.dot (sample - wall.center);
+      const bool is_before =
+          distance >= nearest && distance <= farthest && isInRectangle (wall, sample);
+      before += is_before ? 1 : 0;
+      ++all;
+    }
+  return 2 * before > all;
+}
+
+bool
+isWall (const PlaneShape& shape,
+        const std::vector<PlaneShape>& shapes,
+        const std::vector<Story>& stories)
+{
+  constexpr double smallest_at_ceiling = 0.5, smallest = 1.0; // [m]
+  constexpr double lowest_wall = 1.3;                         // [m]
+  const double rise = shape.high - shape.low;
+  for (const Story& story : stories)
+    if (story.ceiling && rise >= smallest_at_ceiling &&
+        shape.high >= *story.ceiling - gap_above_wall &&
+        shape.low <= *story.ceiling - smallest_at_ceiling)
+      return true;
+  if (rise < lowest_wall || shape.span() < smallest)
+    return false;
+  return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& other) {
+    return other.orientation == Orientation::Vertical && standsBefore (shape, other);
+  });
+}
+
+/** \brief Whether a floor above others has no wall that rises from it. */
+bool
+isRoofAt (double height, const std::vector<PlaneShape>& shapes)
+{
+  return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& shape) {
+    return shape.orientation == Orientation::Vertical && shape.low <= height + step &&
+           shape.high >= height + headroom;
+  });
+}
+
+bool
+isCeiling (const PlaneShape& shape, const Story& story)
+{
+  constexpr double smallest_part = 0.3, smallest_alone = 1.0; // [m^2]
+  constexpr double smallest_high = 0.1, high = 2.3; // above cupboards [m^2], [m]
+  const double rise = shape.middle - story.floor;
+  if (rise < headroom)
+    return false;
+  if (!story.ceiling)
+    return shape.faces_down &&
+           shape.area >= (rise < high ? smallest_alone : smallest_high);
+  const double below = *story.ceiling - shape.middle;
+  return shape.area >= smallest_part &&
+         below <= (shape.faces_down ? drop_of_ceiling : same_level);
+}
+
+bool
+isTable (const PlaneShape& shape, double rise)
+{
+  constexpr double lowest = 0.3, highest = 1.3;   // [m]
+  constexpr double smallest = 0.1, largest = 6.0; // [m^2]
+  constexpr double narrowest = 0.2;               // [m]
+  return !shape.faces_down && rise >= lowest && rise <= highest &&
+         shape.area >= smallest && shape.area <= largest && shape.width >= narrowest;
+}
+
+bool
+isRamp (const PlaneShape& shape, const Story& story)
+{
+  constexpr double flattest = 2.5 * pi / 180.0, steepest = 35.0 * pi / 180.0;
+  constexpr double smallest = 0.5;                      // [m^2]
+  constexpr double least_rise = 0.15, most_below = 0.2; // [m]
+  return !shape.faces_down && shape.slope >= flattest && shape.slope <= steepest &&
+         shape.area >= smallest && shape.high - shape.low >= least_rise &&
+         std::abs (shape.low - story.floor) <= most_below;
+}
+
+bool
+isSlopingRoof (const PlaneShape& shape, const Story& story)
+{
+  constexpr double smallest = 2.0; // [m^2]
+  return shape.area >= smallest && shape.middle - story.floor >= headroom &&
+         (!story.ceiling || shape.high >= *story.ceiling - gap_above_wall);
+}
+
+PlaneKind
+levelKind (const PlaneShape& shape,
+           const std::vector<PlaneShape>& shapes,
+           const std::vector<Story>& stories)
+{
+  constexpr double smallest_step = 1.0, smallest_slab = 2.0; // [m^2]
+  constexpr double same_floor = 0.1;                         // [m]
+  const Story& story = storyAt (stories, shape.middle);
+  const double rise = shape.middle - story.floor;
+  if (rise < same_floor || (rise < step && shape.area >= smallest_step)) {
+    const bool is_upper = &story != &stories.front();
+    return is_upper && isRoofAt (story.floor, shapes) ? PlaneKind::Roof
+                                                      : PlaneKind::Floor;
+  }
+  if (isCeiling (shape, story))
+    return PlaneKind::Ceiling;
+  if (isRamp (shape, story))
+    return PlaneKind::Ramp;
+  if (isTable (shape, rise))
+    return PlaneKind::Table;
+  if (rise < step || shape.area < smallest_slab)
+    return PlaneKind::Other;
+  const bool is_outdoors = rise >= headroom && !story.ceiling && !shape.faces_down;
+  return is_outdoors ? PlaneKind::Roof : PlaneKind::Slab;
+}
+
+PlaneKind
+kindOf (const PlaneShape& shape,
+        const std::vector<PlaneShape>& shapes,
+        const std::vector<Story>& stories)
+{
+  if (shape.orientation == Orientation::Horizontal)
+    return levelKind (shape, shapes, stories);
+  if (shape.orientation == Orientation::Vertical)
+    return isWall (shape, shapes, stories) ? PlaneKind::Wall : PlaneKind::Other;
+  const Story& story = storyAt (stories, shape.low);
+  if (isRamp (shape, story))
+    return PlaneKind::Ramp;
+  return isSlopingRoof (shape, story) ? PlaneKind::Roof : PlaneKind::Other;
+}
+
+/** \brief Whether a vertical plane is a part of another one, in its plane. */
+bool
+continues (const PlaneShape& part, const PlaneShape& wall)
+{
+  constexpr double least_cosine = 0.985; // 10 degrees
+  constexpr double farthest = 0.1;       // from the plane of the wall [m]
+  return part.normal.dot (wall.normal) >= least_cosine &&
+         std::abs (wall.normal.dot (part.center - wall.center)) <= farthest;
+}
+
+/** \brief Parts of walls that are too small to be told by themselves. */
+void
+nameParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
+{
+  const std::vector<PlaneKind> before = kinds;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (std::size_t j = 0; j < shapes.size(); ++j)
+      if (shapes[i].orientation == Orientation::Vertical &&
+          before[j] == PlaneKind::Wall && continues (shapes[i], shapes[j]))
+        kinds[i] = PlaneKind::Wall;
+}
+
+} // namespace
+
+const char*
+toString (PlaneKind kind)
+{
+  switch (kind) {
+  case PlaneKind::Floor:
+    return "floor";
+  case PlaneKind::Ceiling:
+    return "ceiling";
+  case PlaneKind::Wall:
+    return "wall";
+  case PlaneKind::Slab:
+    return "slab";
+  case PlaneKind::Roof:
+    return "roof";
+  case PlaneKind::Ramp:
+    return "ramp";
+  case PlaneKind::Table:
+    return "table";
+  case PlaneKind::Other:
+    break;
+  }
+  return "other";
+}
+
+std::vector<PlaneKind>
+planeKinds (const std::vector<PlaneSegment>& planes,
+            const std::vector<PlaneExtent>& extents,
+            const Eigen::Vector3d& up,
+            double meter)
+{
+  if (planes.size() != extents.size())
+    throw std::invalid_argument ("each plane has to have its extent");
+  if (!up.allFinite() || up.isZero (0.0))
+    throw std::invalid_argument ("the up axis must be a direction");
+  if (!(meter > 0.0 && std::isfinite (meter)))
+    throw std::invalid_argument ("a meter must be a length above 0");
+  const Vector3d axis = up.normalized();
+  std::vector<PlaneShape> shapes;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    shapes.push_back (shapeOf (planes[i], extents[i], axis, meter));
+  const std::vector<Story> stories = storiesOf (shapes);
+  std::vector<PlaneKind> kinds;
+  for (const PlaneShape& shape : shapes)
+    kinds.push_back (kindOf (shape, shapes, stories));
+  nameParts (shapes, kinds);
+  return kinds;
+}
+
+} // namespace pcl_ops

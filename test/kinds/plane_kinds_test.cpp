@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/orientation.h>
+#include <pcl_ops/plane_kinds.h>
+
+#include <stdexcept>
+
+using Eigen::Vector3d;
+using namespace pcl_ops;
+
+namespace {
+
+/** \brief Rectangles as planes that a sensor saw, z up. */
+struct Rectangles {
+  Vector3d sensor = {2.0, 1.5, 1.2};
+  std::vector<PlaneSegment> planes = {};
+  std::vector<PlaneExtent> extents = {};
+
+  Rectangles&
+  add (const Vector3d& corner, const Vector3d& first, const Vector3d& second)
+  {
+    const Surface surface{corner, first, second};
+    PlaneSegment plane;
+    plane.centroid = surface.centre();
+    plane.normal = surface.normal();
+    if (plane.normal.dot (sensor - plane.centroid) < 0.0)
+      plane.normal = -plane.normal;
+    plane.orientation =
+        orientationOf (plane.normal, Vector3d::UnitZ(), paper_angle_tolerance);
+    PlaneExtent extent;
+    extent.hull = {corner, corner + first, corner + first + second, corner + second};
+    extent.center = surface.centre();
+    const bool is_first_longer = first.norm() >= second.norm();
+    extent.long_axis = (is_first_longer ? first : second).normalized();
+    extent.short_axis = (is_first_longer ? second : first).normalized();
+    extent.length = std::max (first.norm(), second.norm());
+    extent.width = std::min (first.norm(), second.norm());
+    extent.area = surface.area();
+    planes.push_back (plane);
+    extents.push_back (extent);
+    return *this;
+  }
+
+  Rectangles&
+  level (double height, double width, double depth, double x = 0.0, double y = 0.0)
+  {
+    return add ({x, y, height}, {width, 0, 0}, {0, depth, 0});
+  }
+
+  std::vector<std::string>
+  kinds () const
+  {
+    std::vector<std::string> names;
+    for (const PlaneKind kind : planeKinds (planes, extents, Vector3d::UnitZ()))
+      names.emplace_back (toString (kind));
+    return names;
+  }
+
+  std::string
+  lastKind () const
+  {
+    return kinds().back();
+  }
+};
+
+/** \brief A room of 4 m x 3 m x 2.5 m seen from within: floor, ceiling, four walls. */
+Rectangles
+shell ()
+{
+  Rectangles shell;
+  shell.level (0.0, 4_m, 3_m).level (2.5, 4_m, 3_m);
+  for (const double y : {0.0, 3.0})
+    shell.add ({0, y, 0}, {4, 0, 0}, {0, 0, 2.5});
+  for (const double x : {0.0, 4.0})
+    shell.add ({x, 0, 0}, {0, 3, 0}, {0, 0, 2.5});
+  return shell;
+}
+
+using Names = std::vector<std::string>;
+
+} // namespace
+
+TEST (PlaneKinds, OfARoomAreFloorCeilingAndWalls)
+{
+  EXPECT_EQ (shell().kinds(),
+             (Names{"floor", "ceiling", "wall", "wall", "wall", "wall"}));
+}
+
+TEST (PlaneKinds, AreTheSameInFeetAndForATiltedUpAxis)
+{
+  Rectangles room = shell();
+  const Eigen::Quaterniond turn (
+      Eigen::AngleAxisd (1.0, Vector3d (1, 2, 3).normalized()));
+  constexpr double feet = 1.0 / 0.3048;
+  for (PlaneSegment& plane : room.planes) {
+    plane.centroid = feet * (turn * plane.centroid);
+    plane.normal = turn * plane.normal;
+  }
+  for (PlaneExtent& extent : room.extents) {
+    for (Vector3d& corner : extent.hull)
+      corner = feet * (turn * corner);
+    extent.center = feet * (turn * extent.center);
+    extent.long_axis = turn * extent.long_axis;
+    extent.short_axis = turn * extent.short_axis;
+    extent.length *= feet;
+    extent.width *= feet;
+    extent.area *= feet * feet;
+  }
+  EXPECT_EQ (planeKinds (room.planes, room.extents, turn * Vector3d (0, 0, 5), feet),
+             planeKinds (shell().planes, shell().extents, Vector3d::UnitZ()));
+}
+
+TEST (PlaneKinds, OfATopAtTheHeightOfTablesIsATable)
+{
+  EXPECT_EQ (shell().level (0.72, 1.4, 0.8, 1.0, 1.0).lastKind(), "table");
+  EXPECT_EQ (shell().level (0.45, 0.4, 0.4, 1.0, 1.0).lastKind(), "table") << "a seat";
+  EXPECT_EQ (shell().level (0.15, 0.8, 0.8, 1.0, 1.0).lastKind(), "other") << "too low";
+  EXPECT_EQ (shell().level (1.6, 1.4, 0.8, 1.0, 1.0).lastKind(), "other") << "a shelf";
+}
+
+TEST (PlaneKinds, OfTheFrontOfACupboardIsNoWall)
+{
+  Rectangles room = shell();
+  room.add ({1, 0.4, 0}, {1.2, 0, 0}, {0, 0, 1.8});
+  EXPECT_EQ (room.lastKind(), "other") << "0.4 m before a wall";
+  Rectangles built_in = shell();
+  built_in.add ({1, 0.4, 0}, {1.2, 0, 0}, {0, 0, 2.5});
+  EXPECT_EQ (built_in.lastKind(), "wall") << "it reaches the ceiling";
+}
+
+TEST (PlaneKinds, OfASidewayBoardIsNoWall)
+{
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 0.4, 0}, {0, 0, 1.8}).lastKind(), "other");
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 1.4, 0}, {0, 0, 0.9}).lastKind(), "other");
+}
+
+TEST (PlaneKinds, OfARoomWhoseCeilingIsOutOfSightAreFloorAndWalls)
+{
+  Rectangles image;
+  image.level (0.0, 4_m, 3_m).add ({0, 3, 0.1}, {4, 0, 0}, {0, 0, 1.9});
+  EXPECT_EQ (image.kinds(), (Names{"floor", "wall"}));
+}
+
+TEST (PlaneKinds, OfASmallPartOfAWallIsThatOfTheWall)
+{
+  EXPECT_EQ (shell().add ({4.02, 1, 0.4}, {0, 0.3, 0}, {0, 0, 0.3}).lastKind(), "wall");
+}
+
+TEST (PlaneKinds, OfTwoStoriesAreTwoFloorsAndTwoCeilings)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 1e3}; // all normals point up: where scans are from is not known
+  for (const double floor : {0.0, 2.8}) {
+    house.level (floor, 6_m, 5_m).level (floor + 2.5, 6_m, 5_m);
+    house.add ({0, 0, floor}, {6, 0, 0}, {0, 0, 2.5});
+  }
+  EXPECT_EQ (house.kinds(),
+             (Names{"floor", "ceiling", "wall", "floor", "ceiling", "wall"}));
+}
+
+TEST (PlaneKinds, OfAHouseFromAboveAreGroundWallsAndRoof)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 1e3};
+  house.level (0.0, 60_m, 40_m, -20.0, -20.0);
+  house.add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5}).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
+  house.level (5.0, 6_m, 6_m, 20.0, 0.0); // the flat roof of another one
+  EXPECT_EQ (house.kinds(), (Names{"floor", "wall", "roof", "roof"}));
+}
+
+TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
+{
+  EXPECT_EQ (shell().add ({1, 1, 0}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "ramp");
+  EXPECT_EQ (shell().add ({1, 1, 0.5}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "other")
+      << "a desk that is tilted";
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0.5, 0, 1.0}, {0, 1.2, 0}).lastKind(), "other")
+      << "a board that leans";
+}
+
+TEST (PlaneKinds, OfAGalleryIsASlab)
+{
+  Rectangles hall;
+  hall.level (0.0, 9_m, 9_m).level (1.5, 4_m, 3_m).level (6.0, 9_m, 9_m);
+  EXPECT_EQ (hall.kinds(), (Names{"floor", "slab", "ceiling"}));
+}
+
+TEST (PlaneKinds, OfNoPlanesAreNone)
+{
+  EXPECT_TRUE (planeKinds ({}, {}, Vector3d::UnitZ()).empty());
+}
+
+TEST (PlaneKinds, RefuseWhatHasNoMeaning)
+{
+  const Rectangles room = shell();
+  const Vector3d up = Vector3d::UnitZ();
+  EXPECT_THROW (planeKinds (room.planes, {}, up), std::invalid_argument);
+  EXPECT_THROW (planeKinds (room.planes, room.extents, {0, 0, 0}),
+                std::invalid_argument);
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up, 0.0), std::invalid_argument);
+}
