@@ -51,8 +51,9 @@ const OutputOption output_options[] = {
     {"planes", &Outputs::planes, {".json", ".csv", ".geojson"}},
     {"image", &Outputs::image, {".png"}},
     {"view", &Outputs::view, {".html"}},
-    {"mesh", &Outputs::mesh, {".ply", ".vtk"}},
-    {"edges", &Outputs::edges, {".ply", ".vtk", ".json"}},
+    {"mesh", &Outputs::mesh, {".ply", ".vtk", ".obj"}},
+    {"edges", &Outputs::edges, {".ply", ".vtk", ".json", ".dxf", ".geojson"}},
+    {"plan", &Outputs::plan, {".dxf", ".svg", ".geojson"}},
     {"rest", &Outputs::rest, {".pcd", ".ply"}},
     {"planes-dir", &Outputs::planes_dir, {}}};
 
@@ -88,9 +89,14 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
       .help ("add each point's signed distance to its plane");
   line.add ("piece-gap R", options.of_pieces.max_gap, from (1))
       .help ("widest gap in one of --pieces, in spacings of its points (8)");
-  line.add ("mesh FILE", outputs.mesh).help ("write the hulls as a .ply or .vtk mesh");
+  line.add ("mesh FILE", outputs.mesh)
+      .help ("write the hulls as a mesh: .ply, .vtk or .obj");
   line.add ("edges FILE", outputs.edges)
-      .help ("write where planes meet: .ply, .vtk or .json");
+      .help ("write where planes meet: .ply, .vtk, .json, .dxf or .geojson");
+  line.add ("plan FILE", outputs.plan)
+      .help ("write a floor plan, walls, openings, rooms: .dxf, .svg, .geojson");
+  line.add ("plan-height M", options.of_plan.cut_height, from (-1000).upTo (1000))
+      .help ("where --plan cuts the walls, over the lowest floor (1.2)");
   line.add ("rest FILE", outputs.rest)
       .help ("write the points on no plane: .pcd or .ply");
   line.add ("planes-dir DIR", outputs.planes_dir)
@@ -153,6 +159,7 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
   const std::tuple<std::string, bool, std::string> rows[] = {
       {"hull", has_hulls, "--planes, --view, --mesh and --min-area; give one"},
       {"piece-gap", options.pieces, "--pieces; give it, too"},
+      {"plan-height", !outputs.plan.empty(), "--plan; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
       {"calib", !options.track.poses.empty(), "--poses; give it, too"},
       {"rotation-error", is_tracked, "--track; give it, too"},
@@ -326,7 +333,8 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
                       "concave is not in this build, which was made without PCL's "
                       "surface module; give convex");
   finishChoice (line, options.choice);
-  checkMap (line, options.outputs.planes);
+  checkMap (
+      line, options.outputs.planes, {options.outputs.edges, options.outputs.plan});
   checkAreAbout (line, options);
   checkOutputs (options);
   if (options.isBatch())

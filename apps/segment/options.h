@@ -5,6 +5,7 @@
 #include <detection/methods.h>
 #include <detection/plane_choice.h>
 #include <detection/plane_list.h>
+#include <pcl_ops/floor_plan.h>
 #include <pcl_ops/plane_matching.h>
 #include <pcl_ops/plane_pieces.h>
 
@@ -23,6 +24,8 @@ struct Outputs {
   std::string view;
   std::string mesh;
   std::string edges;
+  /** \brief A floor plan. */
+  std::string plan;
   std::string rest;
   std::string planes_dir;
 
@@ -55,6 +58,7 @@ struct SegmentOptions {
    * widest gap within one. */
   bool pieces = false;
   PlanePiecesParameters of_pieces;
+  FloorPlanParameters of_plan;
   PlaneChoice choice;
   MapOptions map;
   DetectorOptions detector;

@@ -6,6 +6,8 @@
 
 #include "report.h"
 #include <cli/errors.h>
+#include <drawing/edge_drawing.h>
+#include <drawing/plan_drawing.h>
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <numbers/angles.h>
@@ -146,6 +148,23 @@ writePly (const PolyData& data, std::ostream& stream)
       stream << data.cells[i].size() << ' ' << data.cells[i] << '\n';
 }
 
+/** \brief A Wavefront mesh; vertices have their colors after the place, as MeshLab,
+ * Blender and Open3D read them. */
+void
+writeObj (const PolyData& data, std::ostream& stream)
+{
+  stream << "# outlines of planes\n";
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+    stream << "v " << data.points[i].format (in_a_row) << ' '
+           << (data.colors[i].getRGBVector3i().cast<float>() / 255.0f).format (in_a_row)
+           << '\n';
+  for (pcl::Indices cell : data.cells) {
+    for (pcl::index_t& corner : cell)
+      ++corner;
+    stream << "f " << cell << '\n';
+  }
+}
+
 /** \brief Cells of a kind, after how many they are and how many numbers they take. */
 void
 writeSection (const char* kind,
@@ -182,8 +201,8 @@ writeVtk (const PolyData& data, std::ostream& stream)
     stream << (color.getRGBVector3i().cast<float>() / 255.0f).format (in_a_row) << '\n';
 }
 
-/** \brief Writes an ASCII file: a .ply in the file's frame, or a .vtk moved by the pose
- * of the sensor, as pcl_viewer moves clouds by it, but no mesh. */
+/** \brief Writes an ASCII file: a .ply or .obj in the file's frame, or a .vtk moved by
+ * the pose of the sensor, as pcl_viewer moves clouds by it, but no mesh. */
 void
 savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
 {
@@ -199,7 +218,12 @@ savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
     stream.imbue (std::locale::classic());
     stream.precision (data.is_double ? std::numeric_limits<double>::max_digits10
                                      : std::numeric_limits<float>::max_digits10);
-    is_vtk ? writeVtk (data, stream) : writePly (data, stream);
+    if (is_vtk)
+      writeVtk (data, stream);
+    else if (extensionOf (file) == ".obj")
+      writeObj (data, stream);
+    else
+      writePly (data, stream);
   });
 }
 
@@ -377,7 +401,8 @@ void
 saveEdges (const std::string& file,
            const FileCloud& cloud,
            const ShiftedCloud& shifted,
-           const Report& report)
+           const Report& report,
+           const std::string& crs)
 {
   PlaneEdges edges =
       findPlaneEdges (*shifted.cloud, report.detected.planes, {}, shifted.shift);
@@ -388,9 +413,37 @@ saveEdges (const std::string& file,
   };
   number (edges.edges);
   number (edges.corners);
-  if (extensionOf (file) == ".json")
+  const std::string extension = extensionOf (file);
+  if (extension == ".json")
     return writeTextFile (file, toJson (edges));
+  if (extension == ".dxf")
+    return writeTextFile (file, toDxf (drawingOf (edges)));
+  if (extension == ".geojson")
+    return writeTextFile (file, edgesToGeoJson (edges, crs));
   savePolyData (file, cloud, toLines (edges));
+}
+
+void
+savePlan (const SegmentOptions& options,
+          const std::string& file,
+          const ShiftedCloud& shifted,
+          const Report& report)
+{
+  const Detected& detected = report.detected;
+  const FloorPlan plan = findFloorPlan (*shifted.cloud,
+                                        detected.planes,
+                                        detected.kinds,
+                                        detected.up.cast<double>(),
+                                        options.of_plan,
+                                        shifted.shift);
+  const std::string extension = extensionOf (file);
+  if (extension == ".geojson")
+    return writeTextFile (file, planToGeoJson (plan, report.ids, options.map.crs));
+  const Drawing drawing = drawingOf (plan);
+  writeTextFile (file,
+                 extension == ".svg"
+                     ? toSvg (drawing, fs::path (report.input).filename().string())
+                     : toDxf (drawing));
 }
 
 } // namespace
@@ -434,7 +487,9 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.mesh.empty())
     saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0));
   if (!outputs.edges.empty())
-    saveEdges (outputs.edges, cloud, shifted, report);
+    saveEdges (outputs.edges, cloud, shifted, report, options.map.crs);
+  if (!outputs.plan.empty())
+    savePlan (options, outputs.plan, shifted, report);
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Dense>
 
+#include "extent/intervals.h"
 #include "geometry/angles.h"
 #include "geometry/inliers.h"
 #include "geometry/planar_area.h"
@@ -20,27 +21,6 @@ namespace {
 
 using namespace internal;
 using Eigen::Vector3d;
-
-struct Interval {
-  double from, to;
-};
-
-using Intervals = std::vector<Interval>;
-
-/** \brief Intervals from place to place, ascending; a gap that is larger than \p
- * max_gap begins another. */
-Intervals
-intervalsOf (std::vector<double> places, double max_gap)
-{
-  std::sort (places.begin(), places.end());
-  Intervals intervals;
-  for (const double place : places) {
-    if (intervals.empty() || place - intervals.back().to > max_gap)
-      intervals.push_back ({place, place});
-    intervals.back().to = place;
-  }
-  return intervals;
-}
 
 /** \brief What two ascending lists have in common, but for what is shorter. */
 Intervals

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <detection/plane_list.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief The name of a layer, its color in CAD (1 red, 3 green, 5 blue, 7 black or
+ * white, 8 gray) and in browsers, and how wide its lines are on paper [mm]. */
+struct Layer {
+  std::string name;
+  int number_of_color;
+  std::string web_color;
+  double width;
+};
+
+/** \brief Corners joined by straight lines. */
+struct DrawnLine {
+  std::string layer;
+  Ring corners;
+  bool is_closed = false;
+};
+
+struct DrawnText {
+  std::string layer;
+  /** \brief Its middle. */
+  Eigen::Vector3d at;
+  /** \brief In UTF-8, one line. */
+  std::string text;
+  /** \brief Of capital letters [m]. */
+  double height;
+};
+
+/** \brief In meters. */
+struct Drawing {
+  std::vector<Layer> layers;
+  std::vector<DrawnLine> lines;
+  std::vector<DrawnText> texts;
+};
+
+/** \brief As ASCII DXF of AutoCAD 2000 (AC1015), which all programs read, in meters
+ * ($INSUNITS 6): LINE, LWPOLYLINE where all is at height 0, else POLYLINE in space, and
+ * TEXT. */
+std::string
+toDxf (const Drawing& drawing);
+
+/** \brief As SVG on paper from above, at the largest of the usual scales at which it
+ * fits on A3, with a bar of the scale. */
+std::string
+toSvg (const Drawing& drawing, const std::string& title);
+
+} // namespace pcl_ops::apps

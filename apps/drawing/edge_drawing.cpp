@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edge_drawing.h"
+
+#include <numbers/angles.h>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json
+featureOf (const PlaneEdge& edge)
+{
+  // GDAL's formats have no lists.
+  return {
+      {"type", "Feature"},
+      {"geometry",
+       {{"type", "LineString"}, {"coordinates", Json::array ({edge.from, edge.to})}}},
+      {"properties",
+       {{"plane1", edge.planes[0]},
+        {"plane2", edge.planes[1]},
+        {"length", edge.length()},
+        {"angle", toDegrees (edge.angle)}}}};
+}
+
+Json
+featureOf (const PlaneCorner& corner)
+{
+  return {{"type", "Feature"},
+          {"geometry", {{"type", "Point"}, {"coordinates", corner.position}}},
+          {"properties",
+           {{"plane1", corner.planes[0]},
+            {"plane2", corner.planes[1]},
+            {"plane3", corner.planes[2]}}}};
+}
+
+} // namespace
+
+Drawing
+drawingOf (const PlaneEdges& edges)
+{
+  const char* const layer = "EDGE";
+  Drawing drawing;
+  drawing.layers = {{layer, 7, "#000000", 0.25}};
+  for (const PlaneEdge& edge : edges.edges)
+    drawing.lines.push_back ({layer, {edge.from, edge.to}});
+  return drawing;
+}
+
+std::string
+edgesToGeoJson (const PlaneEdges& edges, const std::string& crs)
+{
+  std::vector<std::string> features;
+  for (const PlaneEdge& edge : edges.edges)
+    features.push_back (featureOf (edge).dump());
+  for (const PlaneCorner& corner : edges.corners)
+    features.push_back (featureOf (corner).dump());
+  return featureCollection (features, crs);
+}
+
+} // namespace pcl_ops::apps

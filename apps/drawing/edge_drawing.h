@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "drawing.h"
+#include <pcl_ops/plane_edges.h>
+
+namespace pcl_ops::apps {
+
+/** \brief Edges in space, on a layer EDGE. */
+Drawing
+drawingOf (const PlaneEdges& edges);
+
+/** \brief Edges as lines, then corners as points, in space.
+ * \param[in] edges numbered as labels are
+ * \param[in] crs "EPSG:N" or empty */
+std::string
+edgesToGeoJson (const PlaneEdges& edges, const std::string& crs);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_drawing.h"
+
+#include <boost/format.hpp>
+
+#include <cmath>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char *wall_layer = "WALL", *opening_layer = "OPENING",
+                     *room_layer = "ROOM", *text_layer = "TEXT";
+
+constexpr double millimeters_of_meter = 1000.0;
+
+Eigen::Vector3d
+inSpace (const Eigen::Vector2d& place)
+{
+  return {place.x(), place.y(), 0.0};
+}
+
+std::optional<double>
+heightOf (const PlanRoom& room)
+{
+  if (!room.floor || !room.ceiling)
+    return {};
+  return *room.ceiling - *room.floor;
+}
+
+/** \brief Area, and below it the height, that fit into the room. */
+void
+addTexts (const PlanRoom& room, Drawing& drawing)
+{
+  constexpr double largest = 0.2, share_of_width = 0.06; // [m]
+  const double size = std::min (largest, share_of_width * std::sqrt (room.area));
+  std::vector<std::string> lines = {str (boost::format ("%.2f m\u00b2") % room.area)};
+  constexpr double closed = 0.95; // of the outline
+  if (room.enclosed < closed)
+    lines.front() += ", open";
+  if (const std::optional<double> height = heightOf (room))
+    lines.push_back (str (boost::format ("h = %.2f m") % *height));
+  constexpr double line_spacing = 1.8;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double down =
+        (static_cast<double> (i) - 0.5 * static_cast<double> (lines.size() - 1)) *
+        line_spacing * size;
+    drawing.texts.push_back ({text_layer,
+                              inSpace (room.middle - Eigen::Vector2d (0.0, down)),
+                              lines[i],
+                              size});
+  }
+}
+
+/** \brief To the millimeter, as plans are; a place that is rounded to zero has no sign.
+ */
+double
+rounded (double length)
+{
+  return std::round (millimeters_of_meter * length) / millimeters_of_meter + 0.0;
+}
+
+Json
+toCoordinates (const Eigen::Vector2d& place)
+{
+  return {rounded (place.x()), rounded (place.y())};
+}
+
+Json
+toFeature (const char* type, Json coordinates, Json properties)
+{
+  return {{"type", "Feature"},
+          {"geometry", {{"type", type}, {"coordinates", std::move (coordinates)}}},
+          {"properties", std::move (properties)}};
+}
+
+Json
+lengthOrNull (const std::optional<double>& length)
+{
+  return length ? Json (rounded (*length)) : Json();
+}
+
+Json
+wallFeature (const PlanWall& wall,
+             std::size_t number,
+             const std::vector<std::uint32_t>& ids)
+{
+  Json lines = Json::array();
+  for (const auto& [from, to] : wall.solidParts())
+    lines.push_back ({toCoordinates (from), toCoordinates (to)});
+  std::string planes;
+  for (const std::size_t plane : wall.planes)
+    planes += (planes.empty() ? "" : " ") + std::to_string (ids[plane]);
+  return toFeature ("MultiLineString",
+                    std::move (lines),
+                    {{"layer", wall_layer},
+                     {"wall", number},
+                     {"length", rounded (wall.length())},
+                     {"thickness", lengthOrNull (wall.thickness)},
+                     {"planes", planes}});
+}
+
+Json
+openingFeature (const PlanOpening& opening, std::size_t wall)
+{
+  return toFeature ("LineString",
+                    {toCoordinates (opening.from), toCoordinates (opening.to)},
+                    {{"layer", opening_layer},
+                     {"wall", wall},
+                     {"length", rounded (opening.width())},
+                     {"sill", lengthOrNull (opening.sill)},
+                     {"head", lengthOrNull (opening.head)}});
+}
+
+Json
+roomFeature (const PlanRoom& room, std::size_t number)
+{
+  constexpr double per_area = 100.0;
+  Json rings = Json::array();
+  for (const PlanarPoints& ring : room.rings) {
+    Json corners = Json::array();
+    for (const Eigen::Vector2d& corner : ring)
+      corners.push_back (toCoordinates (corner));
+    corners.push_back (toCoordinates (ring.front()));
+    rings.push_back (std::move (corners));
+  }
+  return toFeature ("Polygon",
+                    std::move (rings),
+                    {{"layer", room_layer},
+                     {"room", number},
+                     {"area", std::round (per_area * room.area) / per_area},
+                     {"enclosed", std::round (per_area * room.enclosed) / per_area},
+                     {"floor", lengthOrNull (room.floor)},
+                     {"ceiling", lengthOrNull (room.ceiling)},
+                     {"height", lengthOrNull (heightOf (room))}});
+}
+
+} // namespace
+
+Drawing
+drawingOf (const FloorPlan& plan)
+{
+  Drawing drawing;
+  drawing.layers = {{room_layer, 3, "#7a9a7a", 0.13},
+                    {wall_layer, 7, "#000000", 0.5},
+                    {opening_layer, 5, "#3060c0", 0.18},
+                    {text_layer, 8, "#404040", 0.18}};
+  for (const PlanRoom& room : plan.rooms) {
+    for (const PlanarPoints& ring : room.rings) {
+      DrawnLine outline{room_layer, {}, true};
+      for (const Eigen::Vector2d& corner : ring)
+        outline.corners.push_back (inSpace (corner));
+      drawing.lines.push_back (std::move (outline));
+    }
+    addTexts (room, drawing);
+  }
+  for (const PlanWall& wall : plan.walls) {
+    for (const auto& [from, to] : wall.solidParts())
+      drawing.lines.push_back ({wall_layer, {inSpace (from), inSpace (to)}});
+    for (const PlanOpening& opening : wall.openings)
+      drawing.lines.push_back (
+          {opening_layer, {inSpace (opening.from), inSpace (opening.to)}});
+  }
+  return drawing;
+}
+
+std::string
+planToGeoJson (const FloorPlan& plan,
+               const std::vector<std::uint32_t>& ids,
+               const std::string& crs)
+{
+  std::vector<std::string> features;
+  for (std::size_t i = 0; i < plan.walls.size(); ++i) {
+    features.push_back (wallFeature (plan.walls[i], i + 1, ids).dump());
+    for (const PlanOpening& opening : plan.walls[i].openings)
+      features.push_back (openingFeature (opening, i + 1).dump());
+  }
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i)
+    features.push_back (roomFeature (plan.rooms[i], i + 1).dump());
+  return featureCollection (features, crs);
+}
+
+} // namespace pcl_ops::apps

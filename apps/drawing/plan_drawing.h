@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "drawing.h"
+#include <pcl_ops/floor_plan.h>
+
+#include <cstdint>
+
+namespace pcl_ops::apps {
+
+/** \brief A plan with layers WALL, OPENING, ROOM and TEXT: parts of walls, their gaps,
+ * outlines of rooms, area and height of each room. */
+Drawing
+drawingOf (const FloorPlan& plan);
+
+/** \brief A plan as a map: walls (lines between their openings), openings (lines) and
+ * rooms (polygons), told apart by the property "layer".
+ * \param[in] ids of the planes
+ * \param[in] crs "EPSG:N" or empty */
+std::string
+planToGeoJson (const FloorPlan& plan,
+               const std::vector<std::uint32_t>& ids,
+               const std::string& crs);
+
+} // namespace pcl_ops::apps

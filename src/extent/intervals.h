@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief A part of a line, by places along it [m]. */
+struct Interval {
+  double from, to;
+
+  double
+  length () const
+  {
+    return to - from;
+  }
+};
+
+/** \brief Ascending, none touching another. */
+using Intervals = std::vector<Interval>;
+
+/** \brief Intervals from place to place, ascending; a gap that is larger than \p
+ * max_gap begins another. */
+inline Intervals
+intervalsOf (std::vector<double> places, double max_gap)
+{
+  std::sort (places.begin(), places.end());
+  Intervals intervals;
+  for (const double place : places) {
+    if (intervals.empty() || place - intervals.back().to > max_gap)
+      intervals.push_back ({place, place});
+    intervals.back().to = place;
+  }
+  return intervals;
+}
+
+/** \brief Those of both lists as one, with gaps up to \p max_gap closed. */
+inline Intervals
+unionOf (Intervals intervals, const Intervals& others, double max_gap)
+{
+  intervals.insert (intervals.end(), others.begin(), others.end());
+  std::sort (intervals.begin(),
+             intervals.end(),
+             [] (const Interval& a, const Interval& b) { return a.from < b.from; });
+  Intervals all;
+  for (const Interval& interval : intervals)
+    if (all.empty() || interval.from - all.back().to > max_gap)
+      all.push_back (interval);
+    else
+      all.back().to = std::max (all.back().to, interval.to);
+  return all;
+}
+
+/** \brief How much of an interval the others cover [m]. */
+inline double
+lengthWithin (const Interval& interval, const Intervals& others)
+{
+  double length = 0.0;
+  for (const Interval& other : others)
+    length += std::max (
+        0.0, std::min (interval.to, other.to) - std::max (interval.from, other.from));
+  return length;
+}
+
+} // namespace pcl_ops::internal

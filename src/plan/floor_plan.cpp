@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
+#include "geometry/inliers.h"
+#include "plan/plan_rooms.h"
+#include "plan/plan_walls.h"
+#include "plan/wall_faces.h"
+#include <pcl_ops/floor_plan.h>
+#include <pcl_ops/plane_detector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal;
+using Eigen::Vector3d;
+
+/** \brief Finite points of a cloud in the frame of the plan, but for the shift. */
+class PlanCloud {
+public:
+  PlanCloud (const CloudView& cloud, const Eigen::Matrix3d& to_plan)
+  : cloud_ (cloud), to_plan_ (to_plan)
+  {}
+
+  void
+  add (std::size_t i, PlanPoints& points) const
+  {
+    const float* const point = cloud_[i];
+    const Vector3d place (point[0], point[1], point[2]);
+    if (place.allFinite())
+      points.push_back (to_plan_ * place);
+  }
+
+  PlanPoints
+  pointsOf (const PlaneSegment& plane) const
+  {
+    PlanPoints points;
+    points.reserve (plane.inliers.size());
+    for (const pcl::index_t i : plane.inliers)
+      add (static_cast<std::size_t> (i), points);
+    return points;
+  }
+
+  PlanPoints
+  pointsAt (double height) const
+  {
+    constexpr double half_band = 0.1; // [m]
+    PlanPoints points, one;
+    for (std::size_t i = 0; i < cloud_.size; ++i) {
+      one.clear();
+      add (i, one);
+      if (!one.empty() && std::abs (one.front().z() - height) <= half_band)
+        points.push_back (one.front());
+    }
+    return points;
+  }
+
+private:
+  const CloudView& cloud_;
+  Eigen::Matrix3d to_plan_;
+};
+
+/** \brief Turns up to z the shortest way: x and y stay where up is z. */
+Eigen::Matrix3d
+turnUpright (const Vector3d& up)
+{
+  const Vector3d axis = up.normalized();
+  if (axis == Vector3d::UnitZ())
+    return Eigen::Matrix3d::Identity();
+  return Eigen::Quaterniond::FromTwoVectors (axis, Vector3d::UnitZ())
+      .toRotationMatrix();
+}
+
+/** \brief Planes with their kinds and their points in the frame of the plan. */
+struct Seen {
+  PlaneKind kind;
+  Vector3d normal;
+  PlanPoints points;
+  double height;
+};
+
+std::vector<Seen>
+seenPlanes (const PlanCloud& cloud,
+            const std::vector<PlaneSegment>& planes,
+            const std::vector<PlaneKind>& kinds,
+            const Eigen::Matrix3d& to_plan)
+{
+  std::vector<Seen> all;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    Seen seen{kinds[i], to_plan * planes[i].normal, cloud.pointsOf (planes[i]), 0.0};
+    for (const Vector3d& point : seen.points)
+      seen.height += point.z() / static_cast<double> (seen.points.size());
+    all.push_back (std::move (seen));
+  }
+  return all;
+}
+
+/** \brief The height of the lowest floor that is no small part; without one that of the
+ * lowest point of a wall. */
+double
+lowestFloor (const std::vector<Seen>& planes)
+{
+  constexpr double least_share = 0.2; // of the points of the largest
+  std::size_t largest = 0;
+  double lowest_point = 0.0;
+  bool has_wall = false;
+  for (const Seen& plane : planes) {
+    if (plane.kind == PlaneKind::Floor)
+      largest = std::max (largest, plane.points.size());
+    if (plane.kind == PlaneKind::Wall)
+      for (const Vector3d& point : plane.points) {
+        lowest_point = has_wall ? std::min (lowest_point, point.z()) : point.z();
+        has_wall = true;
+      }
+  }
+  double lowest = lowest_point;
+  bool has_floor = false;
+  for (const Seen& plane : planes)
+    if (plane.kind == PlaneKind::Floor &&
+        static_cast<double> (plane.points.size()) >=
+            least_share * static_cast<double> (largest)) {
+      lowest = has_floor ? std::min (lowest, plane.height) : plane.height;
+      has_floor = true;
+    }
+  return lowest;
+}
+
+/** \brief The floor that is next below the cut. */
+double
+floorBelow (const std::vector<Seen>& planes, double height, double lowest)
+{
+  double floor = lowest;
+  for (const Seen& plane : planes)
+    if (plane.kind == PlaneKind::Floor && plane.height < height)
+      floor = std::max (floor, plane.height);
+  // Parts of one floor are not at one height.
+  constexpr double step = 0.3; // [m]
+  return floor - lowest < step ? lowest : floor;
+}
+
+void
+append (PlanPoints& points, const PlanPoints& others)
+{
+  points.insert (points.end(), others.begin(), others.end());
+}
+
+/** \brief What covers the rooms at a cut: roofs where there are some and no ceilings,
+ * as the ground lies around a house; else floors and ceilings. */
+Cover
+coverAt (const std::vector<Seen>& planes, double floor, double height)
+{
+  constexpr double step = 0.6, highest = 6.0; // below the floor, over the cut [m]
+  Cover cover;
+  PlanPoints roofs, level;
+  for (const Seen& plane : planes) {
+    const bool is_above = plane.height > height && plane.height < height + highest;
+    const bool is_below = plane.height <= height && plane.height > floor - step;
+    if (plane.kind == PlaneKind::Roof && plane.height > height)
+      append (roofs, plane.points);
+    if (plane.kind == PlaneKind::Ceiling && is_above)
+      append (cover.ceiling, plane.points);
+    if (plane.kind == PlaneKind::Floor && is_below)
+      append (cover.floor, plane.points);
+    const bool is_level = plane.kind == PlaneKind::Table ||
+                          plane.kind == PlaneKind::Slab ||
+                          plane.kind == PlaneKind::Ramp;
+    if (is_level && is_below)
+      append (level, plane.points);
+  }
+  if (!roofs.empty() && cover.ceiling.empty()) {
+    cover.points = std::move (roofs);
+    return cover;
+  }
+  for (const PlanPoints* part : {&cover.floor, &cover.ceiling, &level})
+    append (cover.points, *part);
+  return cover;
+}
+
+/** \brief Tells by the points at the height of the cut: something before most of a gap
+ * hides it, unless as much is seen through it. */
+IsHidden
+hiddenBy (PlanPoints points)
+{
+  return [points = std::move (points)] (const PlanLine& line, const Interval& gap) {
+    constexpr double nearest = 0.05, farthest = 0.8; // from the wall [m]
+    constexpr double edge = 0.1;                     // of a bin [m]
+    const std::size_t bins = static_cast<std::size_t> (gap.length() / edge) + 1;
+    std::vector<char> before (bins, 0), behind (bins, 0);
+    for (const Vector3d& point : points) {
+      const double distance = line.distance (point.head<2>());
+      const double place = line.place (point.head<2>());
+      if (std::abs (distance) < nearest || std::abs (distance) > farthest ||
+          place < gap.from || place > gap.to)
+        continue;
+      const auto bin = static_cast<std::size_t> ((place - gap.from) / edge);
+      (distance > 0.0 ? before : behind)[bin] = 1;
+    }
+    const auto hidden = std::count (before.begin(), before.end(), 1);
+    const auto through = std::count (behind.begin(), behind.end(), 1);
+    const auto half = static_cast<std::ptrdiff_t> (bins) / 2;
+    return hidden > half && through <= half;
+  };
+}
+
+/** \brief Moves what was found from the frame of the cloud to that of the planes. */
+void
+moveBy (const Vector3d& shift, FloorPlan& plan)
+{
+  const Eigen::Vector2d level = shift.head<2>();
+  plan.floor += shift.z();
+  plan.height += shift.z();
+  for (PlanWall& wall : plan.walls) {
+    wall.from += level;
+    wall.to += level;
+    for (PlanOpening& opening : wall.openings) {
+      opening.from += level;
+      opening.to += level;
+    }
+  }
+  for (PlanRoom& room : plan.rooms) {
+    room.middle += level;
+    for (PlanarPoints& ring : room.rings)
+      for (Eigen::Vector2d& corner : ring)
+        corner += level;
+    for (std::optional<double>* height : {&room.floor, &room.ceiling})
+      if (*height)
+        **height += shift.z();
+  }
+}
+
+void
+checkInput (const CloudView& cloud,
+            const std::vector<PlaneSegment>& planes,
+            const std::vector<PlaneKind>& kinds,
+            const Vector3d& up,
+            const FloorPlanParameters& parameters)
+{
+  detail::throwOn (validate (parameters));
+  if (planes.size() != kinds.size())
+    throw std::invalid_argument ("each plane has to have its kind");
+  if (!up.allFinite() || up.isZero (0.0))
+    throw std::invalid_argument ("the up axis must be a direction");
+  for (const PlaneSegment& plane : planes)
+    checkInliers (cloud, plane);
+}
+
+} // namespace
+
+std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>
+PlanWall::solidParts() const
+{
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> parts;
+  Eigen::Vector2d begin = from;
+  const auto add = [&] (const Eigen::Vector2d& end) {
+    constexpr double shortest = 1e-3; // [m]
+    if ((end - begin).norm() > shortest)
+      parts.emplace_back (begin, end);
+  };
+  for (const PlanOpening& opening : openings) {
+    add (opening.from);
+    begin = opening.to;
+  }
+  add (to);
+  return parts;
+}
+
+std::string
+validate (const FloorPlanParameters& parameters)
+{
+  const auto is_length = [] (double length) {
+    return length > 0.0 && std::isfinite (length);
+  };
+  if (!std::isfinite (parameters.cut_height))
+    return "the height of the cut must be a number";
+  if (!is_length (parameters.min_opening) || !is_length (parameters.max_opening) ||
+      parameters.min_opening > parameters.max_opening)
+    return "openings must have lengths above 0, the largest not below the smallest";
+  if (!is_length (parameters.max_snap))
+    return "how far ends of walls are moved must be a length above 0";
+  if (!is_length (parameters.min_room))
+    return "the smallest room must have an area above 0";
+  return {};
+}
+
+FloorPlan
+findFloorPlan (const CloudView& cloud,
+               const std::vector<PlaneSegment>& planes,
+               const std::vector<PlaneKind>& kinds,
+               const Eigen::Vector3d& up,
+               const FloorPlanParameters& parameters,
+               const Eigen::Vector3d& shift)
+{
+  checkInput (cloud, planes, kinds, up, parameters);
+  FloorPlan plan;
+  plan.to_plan = turnUpright (up);
+  const PlanCloud points (cloud, plan.to_plan);
+  const std::vector<Seen> seen = seenPlanes (points, planes, kinds, plan.to_plan);
+  const double lowest = lowestFloor (seen);
+  plan.height = lowest + parameters.cut_height;
+  plan.floor = floorBelow (seen, plan.height, lowest);
+  std::vector<WallFace> faces;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i].kind == PlaneKind::Wall && !seen[i].points.empty())
+      faces.push_back (faceOf (seen[i].normal, seen[i].points, i, plan.height));
+  faces = withoutRecesses (joinFaces (std::move (faces)));
+  std::vector<WallSpan> spans = spansOf (faces, parameters);
+  addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
+  plan.walls = toWalls (faces, spans, plan.floor, plan.height);
+  plan.rooms = roomsOf (
+      faces, spans, coverAt (seen, plan.floor, plan.height), parameters.min_room);
+  moveBy (plan.to_plan * shift, plan);
+  return plan;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/floor_plan.h>
+
+#include <stdexcept>
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using namespace pcl_ops;
+
+namespace {
+
+/** \brief Grids of points on level and upright rectangles, each a plane with a kind. */
+struct Building {
+  pcl::PointCloud<pcl::PointXYZ> cloud = {};
+  std::vector<PlaneSegment> planes = {};
+  std::vector<PlaneKind> kinds = {};
+
+  Building&
+  add (PlaneKind kind, const Vector3d& normal, const std::vector<Vector3d>& points)
+  {
+    pcl::Indices inliers;
+    for (const Vector3d& point : points) {
+      inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+      cloud.push_back (toPoint (point));
+    }
+    planes.push_back (planeOfPoints (cloud, inliers, normal));
+    kinds.push_back (kind);
+    return *this;
+  }
+
+  Building&
+  level (PlaneKind kind, double height, const Vector2d& low, const Vector2d& high)
+  {
+    std::vector<Vector3d> points;
+    for (double x = low.x() + 0.025; x < high.x(); x += 5_cm)
+      for (double y = low.y() + 0.025; y < high.y(); y += 5_cm)
+        points.emplace_back (x, y, height);
+    return add (
+        kind, Vector3d (0.0, 0.0, kind == PlaneKind::Ceiling ? -1.0 : 1.0), points);
+  }
+
+  /** \brief A wall of 2.5 m with its front to the left of the way; without points in
+   * openings, which are given as begin, end, sill and head. */
+  Building&
+  wall (const Vector2d& from,
+        const Vector2d& to,
+        const std::vector<Eigen::Vector4d>& openings = {})
+  {
+    const Vector2d along = (to - from).normalized();
+    std::vector<Vector3d> points;
+    for (double s = 0.025; s < (to - from).norm(); s += 5_cm)
+      for (double z = 0.025; z < 2.5; z += 5_cm)
+        if (std::none_of (openings.begin(), openings.end(), [&] (const auto& hole) {
+              return s > hole[0] && s < hole[1] && z > hole[2] && z < hole[3];
+            }))
+          points.emplace_back (from.x() + s * along.x(), from.y() + s * along.y(), z);
+    return add (PlaneKind::Wall, {-along.y(), along.x(), 0.0}, points);
+  }
+
+  FloorPlan
+  plan (const FloorPlanParameters& parameters = {}) const
+  {
+    return findFloorPlan (cloud, planes, kinds, Vector3d::UnitZ(), parameters);
+  }
+};
+
+const Eigen::Vector4d door (1.0, 1.9, 0.0, 2.05), window (1.0, 2.5, 0.9, 2.1);
+
+/** \brief Floor, ceiling and four walls from (0, 0) to (4, 3), the first with a door.
+ */
+Building
+roomOf4By3 ()
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  room.level (PlaneKind::Ceiling, 2.5, {0, 0}, {4, 3});
+  room.wall ({0, 0}, {4, 0}, {door}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  return room;
+}
+
+double
+sumOfLengths (const FloorPlan& plan)
+{
+  double sum = 0.0;
+  for (const PlanWall& wall : plan.walls)
+    sum += wall.length();
+  return sum;
+}
+
+std::size_t
+openingsOf (const FloorPlan& plan)
+{
+  std::size_t number = 0;
+  for (const PlanWall& wall : plan.walls)
+    number += wall.openings.size();
+  return number;
+}
+
+} // namespace
+
+TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
+{
+  const FloorPlan plan = roomOf4By3().plan();
+  ASSERT_EQ (plan.walls.size(), 4u);
+  EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_mm) << "from corner to corner";
+  ASSERT_EQ (openingsOf (plan), 1u);
+  const PlanOpening& gap = plan.walls[0].openings.at (0);
+  EXPECT_NEAR (gap.width(), 0.9_m, 6_cm);
+  EXPECT_NEAR (gap.from.x(), 1_m, 3_cm);
+  EXPECT_FALSE (gap.sill) << "a door";
+  EXPECT_NEAR (gap.head.value_or (0.0), 2.05, 6_cm);
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_EQ (plan.rooms[0].rings.at (0).size(), 4u);
+  EXPECT_NEAR (*plan.rooms[0].ceiling - *plan.rooms[0].floor, 2.5_m, 1_mm);
+  EXPECT_NEAR (plan.height, 1.2_m, 1_mm);
+}
+
+TEST (FloorPlan, OfAWallWithAWindowSaysWhereItsSillAndHeadAre)
+{
+  Building house = roomOf4By3();
+  house.wall ({0, 9}, {4, 9}, {window});
+  const FloorPlan plan = house.plan();
+  const PlanOpening& gap = plan.walls.at (4).openings.at (0);
+  EXPECT_NEAR (gap.width(), 1.5_m, 6_cm);
+  EXPECT_NEAR (gap.sill.value_or (0.0), 0.9_m, 6_cm);
+  EXPECT_NEAR (gap.head.value_or (0.0), 2.1_m, 6_cm);
+}
+
+TEST (FloorPlan, HasPartsOfWallsBetweenOpenings)
+{
+  const auto parts = roomOf4By3().plan().walls.at (0).solidParts();
+  ASSERT_EQ (parts.size(), 2u);
+  EXPECT_NEAR (parts[0].second.x(), 1_m, 3_cm);
+  EXPECT_NEAR (parts[1].first.x(), 1.9_m, 3_cm);
+  EXPECT_NEAR (parts[1].second.x(), 4_m, 1_mm);
+}
+
+TEST (FloorPlan, HasNoOpeningWhereTheCutPassesOverIt)
+{
+  FloorPlanParameters high;
+  high.cut_height = 2.3_m;
+  EXPECT_EQ (openingsOf (roomOf4By3().plan (high)), 0u);
+}
+
+TEST (FloorPlan, HasNoOpeningBehindFurniture)
+{
+  Building furnished = roomOf4By3();
+  std::vector<Vector3d> front;
+  for (double x = 0.9_m; x < 2.0; x += 5_cm)
+    for (double z = 0.0; z < 2.0; z += 5_cm)
+      front.emplace_back (x, 0.4, z);
+  furnished.add (PlaneKind::Other, Vector3d::UnitY(), front);
+  EXPECT_EQ (openingsOf (furnished.plan()), 0u);
+}
+
+TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
+{
+  Building closed = roomOf4By3();
+  closed.wall ({1.0, -0.1}, {1.9, -0.1}); // the leaf of the door
+  const FloorPlan plan = closed.plan();
+  EXPECT_EQ (plan.walls.size(), 4u);
+  EXPECT_EQ (openingsOf (plan), 1u);
+}
+
+TEST (FloorPlan, DrawsEndsOfWallsToTheCornersBetween)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  // Furniture hides the last 20 cm of each.
+  room.wall ({0.2, 0}, {3.8, 0}).wall ({4, 0.2}, {4, 2.8});
+  room.wall ({3.8, 3}, {0.2, 3}).wall ({0, 2.8}, {0, 0.2});
+  const FloorPlan plan = room.plan();
+  EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_mm);
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+}
+
+TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
+{
+  Building flat;
+  for (const double x : {0.0, 4.1}) {
+    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
+    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
+  }
+  flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
+  flat.wall ({4, 0}, {4, 3}, {door}).wall ({4.1, 3}, {4.1, 0}, {{1.1, 2.0, 0.0, 2.05}});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].area, 12.0, 0.01);
+  EXPECT_EQ (openingsOf (plan), 2u) << "one of each side";
+  std::size_t thick = 0;
+  for (const PlanWall& wall : plan.walls)
+    if (wall.thickness) {
+      EXPECT_NEAR (*wall.thickness, 10_cm, 1_mm);
+      ++thick;
+    }
+  EXPECT_EQ (thick, 2u);
+}
+
+TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 2})
+      .level (PlaneKind::Floor, 0.0, {0, 2}, {2, 4});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 2}).wall ({4, 2}, {2, 2});
+  room.wall ({2, 2}, {2, 4}).wall ({2, 4}, {0, 4}).wall ({0, 4}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_EQ (plan.rooms[0].rings.at (0).size(), 6u);
+}
+
+TEST (FloorPlan, OfARoomAroundAShaftHasAHole)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {6, 2})
+      .level (PlaneKind::Floor, 0.0, {0, 4}, {6, 6});
+  room.level (PlaneKind::Floor, 0.0, {0, 2}, {2, 4})
+      .level (PlaneKind::Floor, 0.0, {4, 2}, {6, 4});
+  room.wall ({0, 0}, {6, 0})
+      .wall ({6, 0}, {6, 6})
+      .wall ({6, 6}, {0, 6})
+      .wall ({0, 6}, {0, 0});
+  room.wall ({2, 4}, {4, 4})
+      .wall ({4, 4}, {4, 2})
+      .wall ({4, 2}, {2, 2})
+      .wall ({2, 2}, {2, 4});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_EQ (plan.rooms[0].rings.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 32.0, 0.01);
+}
+
+TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
+{
+  const Building building = roomOf4By3();
+  const Vector3d shift (500'000, 5'400'000, 100);
+  std::vector<PlaneSegment> moved = building.planes;
+  for (PlaneSegment& plane : moved)
+    plane.moveBy (shift);
+  const FloorPlan far_off = findFloorPlan (
+      building.cloud, moved, building.kinds, Vector3d::UnitZ(), {}, shift);
+  EXPECT_NEAR (far_off.rooms.at (0).area, 12.0, 0.01);
+  EXPECT_NEAR (*far_off.rooms.at (0).floor, 100.0, 1_mm);
+  EXPECT_NEAR (far_off.walls.at (1).from.x(), 500'004.0, 1_mm);
+
+  Building turned = building; // y down, z ahead, as cameras have it
+  for (pcl::PointXYZ& point : turned.cloud)
+    point = toPoint ({point.x, -point.z, point.y});
+  for (PlaneSegment& plane : turned.planes)
+    plane.normal = {plane.normal.x(), -plane.normal.z(), plane.normal.y()};
+  const FloorPlan in_camera =
+      findFloorPlan (turned.cloud, turned.planes, turned.kinds, -Vector3d::UnitY());
+  EXPECT_NEAR (in_camera.rooms.at (0).area, 12.0, 0.01);
+  EXPECT_EQ (openingsOf (in_camera), 1u);
+}
+
+TEST (FloorPlan, OfNothingIsEmpty)
+{
+  const FloorPlan plan = Building().plan();
+  EXPECT_TRUE (plan.walls.empty());
+  EXPECT_TRUE (plan.rooms.empty());
+}
+
+TEST (FloorPlan, RefusesWhatHasNoMeaning)
+{
+  const Building building = roomOf4By3();
+  FloorPlanParameters wrong;
+  wrong.min_opening = -1.0;
+  EXPECT_THROW (building.plan (wrong), std::invalid_argument);
+  const Vector3d up = Vector3d::UnitZ();
+  EXPECT_THROW (findFloorPlan (building.cloud, building.planes, {}, up),
+                std::invalid_argument);
+  EXPECT_THROW (
+      findFloorPlan (building.cloud, building.planes, building.kinds, {0, 0, 0}),
+      std::invalid_argument);
+  EXPECT_THROW (findFloorPlan (Building().cloud, building.planes, building.kinds, up),
+                std::invalid_argument);
+}
