@@ -473,8 +473,7 @@ detectOnLeaves (const Points& points,
   const Rounds rounds =
       timed (times.search, [&] { return sortPoints (points, sizes, parameters); });
   std::vector<Leaf> leaves = timed (times.search, [&] { return divide (rounds); });
-  if (parameters.sampling == Sampling::Automatic &&
-      prefersVoxels (rounds, leaves))
+  if (parameters.sampling == Sampling::Automatic && prefersVoxels (rounds, leaves))
     return splitLayersOfVoxels (
         rounds, leaves, points, detectOnVoxels (points, parameters, times));
   LeafCloud cloud =
