@@ -95,50 +95,132 @@ TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
     }
 }
 
-TEST (MatchPlanes, MatchesWhatOverlapsAndThePoseAndTheNoiseExplain)
+namespace {
+
+/** A level board 1 m deep, \p height over the floor. */
+PlaneSegment
+levelBoard (double x, double height, double width, double noise = 0.002)
 {
-  const auto with = [] (double translation_error, double min_overlap) {
-    PlaneMatchingParameters parameters;
-    parameters.translation_error = translation_error;
-    parameters.min_overlap = min_overlap;
-    return parameters;
-  };
-  PlaneMatchingParameters exact;
-  exact.rotation_error = exact.translation_error = 0.0;
-  const auto level = [] (double x, double z, double width, double noise = 0.002) {
-    return board ({x, 0, z}, Vector3d::UnitZ(), {width, 1}, noise);
-  };
-  const auto upright = [] (double x, double width) {
-    return board ({x, 0, 0}, Vector3d::UnitY(), {width, 2});
-  };
-  const PlaneSegment floor = level (0, 0, 1), table = level (0, 0.3, 1), none{};
-  const PlaneSegment door = upright (0, 1), other_door = upright (1.5, 1);
-  const Planes pieces = {upright (-1.5, 0.8), upright (0.5, 3)};
-  const struct {
-    const char* planes;
-    Planes previous, current;
-    PlaneMatchingParameters parameters;
-    Labels expected;
-  } rows[] = {
-      {"farther than the pose is off", {floor}, {table}, {}, {no_plane}},
-      {"as far as it is", {floor}, {table}, with (0.2, 0.3), {0}},
-      {"one equation", {door, other_door}, {other_door, door}, {}, {1, 0}},
-      {"but not the same ends", {door}, {other_door}, {}, {no_plane}},
-      {"half over it", {level (0, 0, 2)}, {level (1, 0, 2)}, with (0.05, 0.4), {0}},
-      {"not enough",
-       {level (0, 0, 2)},
-       {level (1, 0, 2)},
-       with (0.05, 0.6),
+  return board ({x, 0, height}, Vector3d::UnitZ(), {width, 1}, noise);
+}
+
+/** A part of one wall, 2 m high. */
+PlaneSegment
+partOfWall (double x, double width)
+{
+  return board ({x, 0, 0}, Vector3d::UnitY(), {width, 2});
+}
+
+struct MatchingCase {
+  const char* name; // after "MatchPlanes"
+  Planes previous;
+  Planes current;
+  PlaneMatchingParameters parameters;
+  /** Of each current plane the previous one that it is. */
+  Labels expected;
+};
+
+void
+PrintTo (const MatchingCase& row, std::ostream* stream)
+{
+  *stream << row.name;
+}
+
+PlaneMatchingParameters
+withTranslationError (double length)
+{
+  PlaneMatchingParameters parameters;
+  parameters.translation_error = length;
+  return parameters;
+}
+
+PlaneMatchingParameters
+withMinOverlap (double share)
+{
+  PlaneMatchingParameters parameters;
+  parameters.min_overlap = share;
+  return parameters;
+}
+
+/** Of a pose without an error. */
+PlaneMatchingParameters
+exactPose ()
+{
+  PlaneMatchingParameters parameters;
+  parameters.rotation_error = 0.0;
+  parameters.translation_error = 0.0;
+  return parameters;
+}
+
+std::vector<MatchingCase>
+matchingCases ()
+{
+  const PlaneSegment floor = levelBoard (0, 0, 1);
+  const PlaneSegment table = levelBoard (0, 0.3, 1);
+  const PlaneSegment door = partOfWall (0, 1);
+  const PlaneSegment next_door = partOfWall (1.5, 1);
+  const PlaneSegment no_plane_at_all{};
+  return {
+      {"RefusesAPlaneFartherAwayThanThePoseIsOff", {floor}, {table}, {}, {no_plane}},
+      {"TakesAPlaneAsFarAwayAsThePoseIsOff",
+       {floor},
+       {table},
+       withTranslationError (0.2),
+       {0}},
+      {"TellsPlanesOfOneEquationByTheirPlaces",
+       {door, next_door},
+       {next_door, door},
+       {},
+       {1, 0}},
+      {"RefusesAPlaneOfTheSameEquationElsewhere", {door}, {next_door}, {}, {no_plane}},
+      {"TakesHalfAnOverlapWhereLessIsAskedFor",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (1, 0, 2)},
+       withMinOverlap (0.4),
+       {0}},
+      {"RefusesHalfAnOverlapWhereMoreIsAskedFor",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (1, 0, 2)},
+       withMinOverlap (0.6),
        {no_plane}},
-      {"the one that overlaps most", {upright (0, 4)}, pieces, {}, {no_plane, 0}},
-      {"5 cm apart", {level (0, 0, 2)}, {level (0, 0.05, 2)}, exact, {no_plane}},
-      {"noisy", {level (0, 0, 2, 0.03)}, {level (0, 0.05, 2, 0.03)}, exact, {0}},
-      {"what is none", {none, floor}, {floor, none}, {}, {1, no_plane}},
-      {"nothing in the next", {floor}, {}, {}, {}},
-      {"nothing before", {}, {floor}, {}, {no_plane}}};
-  for (const auto& [name, previous, current, parameters, expected] : rows)
-    EXPECT_EQ (matchPlanes (previous, current, stays, parameters).previous, expected)
-        << name;
+      {"TakesThePartThatOverlapsMost",
+       {partOfWall (0, 4)},
+       {partOfWall (-1.5, 0.8), partOfWall (0.5, 3)},
+       {},
+       {no_plane, 0}},
+      {"RefusesAPlaneFiveCentimetersAwayWhereThePoseIsExact",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (0, 0.05, 2)},
+       exactPose(),
+       {no_plane}},
+      {"TakesAPlaneFiveCentimetersAwayWhereNoiseExplainsIt",
+       {levelBoard (0, 0, 2, 0.03)},
+       {levelBoard (0, 0.05, 2, 0.03)},
+       exactPose(),
+       {0}},
+      {"LeavesOutSegmentsThatSpanNoPlane",
+       {no_plane_at_all, floor},
+       {floor, no_plane_at_all},
+       {},
+       {1, no_plane}},
+      {"FindsNothingInAnEmptyFrame", {floor}, {}, {}, {}},
+      {"FindsNothingAfterAnEmptyFrame", {}, {floor}, {}, {no_plane}}};
+}
+
+class MatchPlanesCases : public testing::TestWithParam<MatchingCase> {};
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P (MatchPlanes,
+                          MatchPlanesCases,
+                          testing::ValuesIn (matchingCases()),
+                          [] (const auto& info) { return info.param.name; });
+
+TEST_P (MatchPlanesCases, AreAsNamed)
+{
+  const MatchingCase& row = GetParam();
+  EXPECT_EQ (matchPlanes (row.previous, row.current, stays, row.parameters).previous,
+             row.expected);
 }
 
 TEST (MatchPlanes, RefusesWrongArguments)

@@ -4,6 +4,7 @@
 
 #include <io/shifted_cloud.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -39,61 +40,112 @@ withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& place, float step)
   return cloud;
 }
 
+const pcl::PointXYZ no_reading (std::numeric_limits<float>::quiet_NaN(),
+                                std::numeric_limits<float>::quiet_NaN(),
+                                std::numeric_limits<float>::quiet_NaN());
+
+std::string
+damage (const XyzCloud& cloud, const Eigen::Vector3d& shift = {0, 0, 0})
+{
+  return damageOf (ShiftedCloud{cloud.makeShared(), shift});
+}
+
+/** \brief What is said of a share of a cloud at one place. */
+std::string
+atOnePlace (const std::string& share, const std::string& place)
+{
+  return "looks damaged: " + share + " % of its points are at " + place +
+         "; leave missing readings out or write them as NaN";
+}
+
+/** \brief A floor of which 6,000 of 10,000 points are at (1, 0, -0.5). */
+XyzCloud
+floorMostlyAtOnePlace ()
+{
+  XyzCloud cloud = floorOfPoints();
+  for (std::size_t i = 0; i < 6000; ++i)
+    cloud[i] = {1.0f, 0.0f, -0.5f};
+  return cloud;
+}
+
 } // namespace
 
-TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlaceOrOnePerCentIsVeryFarAway)
+TEST (CloudDamage, IsNoneOfAFloor) { EXPECT_EQ (damage (floorOfPoints()), ""); }
+
+TEST (CloudDamage, IsNoneOfAHandfulOfEqualPoints)
 {
-  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-  const pcl::PointXYZ no_reading (not_a_number, not_a_number, not_a_number);
-  const XyzCloud floor = floorOfPoints(), same (100, 1, {1.0f, 2.0f, 3.0f});
-  XyzCloud missing = floor, zeros = floor, at_place = floor, dense_spot,
-           but_few (1000, 1, {1.0f, 2.0f, 3.0f});
-  for (std::size_t i = 0; i < 9000; ++i) {
-    missing[i] = no_reading;
-    zeros[i] = i % 3 == 0 ? pcl::PointXYZ (0.0f, 0.0f, 0.0f) : no_reading;
-  }
-  for (std::size_t i = 0; i < 6000; ++i)
-    at_place[i] = {1.0f, 0.0f, -0.5f};
-  for (std::size_t i = 0; i < 4; ++i)
-    but_few[i].x += static_cast<float> (i);
+  EXPECT_EQ (damage (XyzCloud (3, 1, {1.0f, 2.0f, 3.0f})), "");
+}
+
+TEST (CloudDamage, IsNoneOfAnEmptyCloud) { EXPECT_EQ (damage ({}), ""); }
+
+TEST (CloudDamage, IsNoneWhereMostReadingsAreMissing)
+{
+  XyzCloud cloud = floorOfPoints();
+  std::fill_n (cloud.begin(), 9000, no_reading);
+  EXPECT_EQ (damage (cloud), "");
+}
+
+TEST (CloudDamage, IsNoneWhereMostPointsAreFarFromADenseSpot)
+{
+  XyzCloud line;
   for (int i = -5000; i <= 5000; ++i) {
     const auto place = static_cast<float> (i);
     const bool is_in_spot = std::abs (i) < 1000;
-    dense_spot.emplace_back (is_in_spot ? 1e-6f * place : place, 0.0f, 0.0f);
+    line.emplace_back (is_in_spot ? 1e-6f * place : place, 0.0f, 0.0f);
   }
-  const Eigen::Vector3d zero (0, 0, 0), far (512345.001, 5412345.002, 99.003);
-  const std::string fix = "leave missing readings out or write them as NaN";
-  const struct {
-    const char* name;
-    XyzCloud cloud;
-    Eigen::Vector3d shift;
-    std::string damage;
-  } rows[] = {
-      {"a floor", floor, zero, ""},
-      {"a handful of points", XyzCloud (3, 1, {1.0f, 2.0f, 3.0f}), zero, ""},
-      {"no points", XyzCloud(), zero, ""},
-      {"most readings are missing", missing, zero, ""},
-      {"most points are far from a dense spot", dense_spot, zero, ""},
-      {"few are far away", withMoved (floor, 1000, {1e6f, 0, 0}, 1e3f), zero, ""},
-      {"not that far", withMoved (floor, 97, {1e3f, 0, 0}, 1.0f), zero, ""},
-      {"at one", at_place, zero, "60 % of its points are at (1, 0, -0.5); " + fix},
-      {"in UTM",
-       at_place,
-       far,
-       "60 % of its points are at (512346.001, 5412345.002, 98.503); " + fix},
-      {"all", same, zero, "100 % of its points are at (1, 2, 3); " + fix},
-      {"nearly all", but_few, zero, "99.7 % of its points are at (1, 2, 3); " + fix},
-      {"zeros", zeros, zero, "75 % of its points are at (0, 0, 0); " + fix},
-      // Each in a kilometer of its own, 1,000 km away.
-      {"far away",
-       withMoved (floor, 97, {1e6f, 0, 0}, 1e3f),
-       zero,
-       "1 % of its points are more than 1000 times as far away as the rest is wide; "
-       "leave them out"}};
-  for (const auto& [name, cloud, shift, damage] : rows)
-    EXPECT_EQ (damageOf (ShiftedCloud{cloud.makeShared(), shift}),
-               (damage.empty() ? "" : "looks damaged: ") + damage)
-        << name;
+  EXPECT_EQ (damage (line), "");
+}
+
+TEST (CloudDamage, IsNoneWhereOnePointInAThousandIsVeryFarAway)
+{
+  EXPECT_EQ (damage (withMoved (floorOfPoints(), 1000, {1e6f, 0, 0}, 1e3f)), "");
+}
+
+TEST (CloudDamage, IsNoneWhereOnePerCentIsAKilometerAway)
+{
+  EXPECT_EQ (damage (withMoved (floorOfPoints(), 97, {1e3f, 0, 0}, 1.0f)), "");
+}
+
+TEST (CloudDamage, IsSeenWhereOnePerCentIsAThousandKilometersAway)
+{
+  // Each in a kilometer of its own.
+  EXPECT_EQ (damage (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f)),
+             "looks damaged: 1 % of its points are more than 1000 times as far away as "
+             "the rest is wide; leave them out");
+}
+
+TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlace)
+{
+  EXPECT_EQ (damage (floorMostlyAtOnePlace()), atOnePlace ("60", "(1, 0, -0.5)"));
+}
+
+TEST (CloudDamage, NamesThePlaceInTheFrameOfTheFile)
+{
+  EXPECT_EQ (damage (floorMostlyAtOnePlace(), {512345.001, 5412345.002, 99.003}),
+             atOnePlace ("60", "(512346.001, 5412345.002, 98.503)"));
+}
+
+TEST (CloudDamage, IsSeenWhereAllPointsAreAtOnePlace)
+{
+  EXPECT_EQ (damage (XyzCloud (100, 1, {1.0f, 2.0f, 3.0f})),
+             atOnePlace ("100", "(1, 2, 3)"));
+}
+
+TEST (CloudDamage, IsSeenWhereNearlyAllPointsAreAtOnePlace)
+{
+  XyzCloud cloud (1000, 1, {1.0f, 2.0f, 3.0f});
+  for (std::size_t i = 0; i < 4; ++i)
+    cloud[i].x += static_cast<float> (i);
+  EXPECT_EQ (damage (cloud), atOnePlace ("99.7", "(1, 2, 3)"));
+}
+
+TEST (CloudDamage, IsSeenWhereMostReadingsAreZero)
+{
+  XyzCloud cloud = floorOfPoints();
+  for (std::size_t i = 0; i < 9000; ++i)
+    cloud[i] = i % 3 == 0 ? pcl::PointXYZ (0.0f, 0.0f, 0.0f) : no_reading;
+  EXPECT_EQ (damage (cloud), atOnePlace ("75", "(0, 0, 0)"));
 }
 
 TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
