@@ -3,8 +3,11 @@
 #include <io/las_file.h>
 #include <numbers/random.h>
 #include <support/answers.h>
+#include <support/cloud_values.h>
 
+#include <cmath>
 #include <fstream>
+#include <map>
 
 namespace {
 
@@ -66,6 +69,63 @@ protected:
   }
 };
 
+/** \brief A town found in one tile and in many. */
+class TownInTiles : public ProgramFolder {
+protected:
+  using Json = nlohmann::json;
+  using Labels = std::vector<std::uint32_t>;
+
+  TownInTiles() : ProgramFolder (PCL_OPS_TILES_PROGRAM)
+  {
+    shell ("pcl_ops_simulate town --scene town --points 200000 --tiles 1");
+    expectDone ("town --output-dir one --cell 1 --tile 100000");
+    expectDone ("town --output-dir many --cell 1 --tile 24");
+  }
+
+  Json
+  planesIn (const std::string& folder) const
+  {
+    return Json::parse (contentOf (folder_ / (folder + "/planes.json"))).at ("planes");
+  }
+
+  Labels
+  labelsIn (const std::string& folder) const
+  {
+    const std::string file = folder_ / (folder + "/town_000_000.las");
+    const std::vector<double> values = valuesOf (apps::loadCloud (file), "label");
+    return {values.begin(), values.end()};
+  }
+};
+
+Eigen::Vector3d
+vectorOf (const nlohmann::json& plane, const char* key)
+{
+  const auto numbers = plane.at (key).get<std::vector<double>>();
+  return Eigen::Map<const Eigen::Vector3d> (numbers.data());
+}
+
+/** \brief The plane of another labeling that has most points of one, and how many. */
+struct Partner {
+  std::uint32_t label = 0;
+  std::size_t shared = 0;
+};
+
+Partner
+partnerOf (std::uint32_t label,
+           const std::vector<std::uint32_t>& labels,
+           const std::vector<std::uint32_t>& others)
+{
+  std::map<std::uint32_t, std::size_t> shared;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == label && others[i] != 0)
+      ++shared[others[i]];
+  Partner partner;
+  for (const auto& [other, points] : shared)
+    if (points > partner.shared)
+      partner = {other, points};
+  return partner;
+}
+
 INSTANTIATE_TEST_SUITE_P (All,
                           TilesAnswers,
                           testing::ValuesIn (answersIn (PCL_OPS_ANSWERS)),
@@ -76,4 +136,38 @@ INSTANTIATE_TEST_SUITE_P (All,
 TEST_P (TilesAnswers, AreThoseOfTheTable)
 {
   expectAnswers ({{"with LASzip:", apps::hasLaszip()}});
+}
+
+// What src/doc/tiles.md promises of planes of 50 cells and more.
+TEST_F (TownInTiles, EachLargePlaneIsTheSameWithinAPercentAndAMillimeter)
+{
+  constexpr std::size_t min_points = 50 * 20;
+  constexpr double min_overlap = 0.99;
+  constexpr double max_turn = 0.05 * M_PI / 180.0;
+  constexpr double max_offset = 0.001; // [m]
+  const Json planes = planesIn ("one");
+  const Json others = planesIn ("many");
+  const Labels labels = labelsIn ("one");
+  const Labels other_labels = labelsIn ("many");
+  std::size_t large_planes = 0;
+  for (std::uint32_t label = 1; label <= planes.size(); ++label) {
+    SCOPED_TRACE ("plane " + std::to_string (label));
+    const Json& plane = planes[label - 1];
+    const auto points = plane.at ("points").get<std::size_t>();
+    if (points < min_points)
+      continue;
+    ++large_planes;
+    const Partner partner = partnerOf (label, labels, other_labels);
+    ASSERT_GT (partner.label, 0u);
+    const Json& other = others[partner.label - 1];
+    const std::size_t in_either =
+        points + other.at ("points").get<std::size_t>() - partner.shared;
+    EXPECT_GE (double (partner.shared) / double (in_either), min_overlap);
+    const Eigen::Vector3d normal = vectorOf (other, "normal");
+    EXPECT_LE (vectorOf (plane, "normal").cross (normal).norm(), std::sin (max_turn));
+    const Eigen::Vector3d between =
+        vectorOf (plane, "centroid") - vectorOf (other, "centroid");
+    EXPECT_LE (std::abs (normal.dot (between)), max_offset);
+  }
+  EXPECT_GT (large_planes, 10u);
 }
