@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <poll.h>
+#include <sys/inotify.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** \brief Tells of files that appear in a folder. */
+class FolderWatch {
+public:
+  explicit FolderWatch (const std::string& folder) : queue_ (::inotify_init())
+  {
+    ::inotify_add_watch (queue_, folder.c_str(), IN_CREATE | IN_MOVED_TO);
+  }
+  FolderWatch (const FolderWatch&) = delete;
+  FolderWatch&
+  operator= (const FolderWatch&) = delete;
+  ~FolderWatch() { ::close (queue_); }
+
+  /** \brief Goes on when a file of this name is there, or any with an empty name.
+   * \return false if there is none though the program had all the time it needs */
+  bool
+  waitFor (const std::string& name) const
+  {
+    constexpr int milliseconds = 60'000;
+    pollfd events{queue_, POLLIN, 0};
+    while (::poll (&events, 1, milliseconds) > 0)
+      for (const std::string& appeared : takeNames())
+        if (name.empty() || appeared == name)
+          return true;
+    return false;
+  }
+
+private:
+  std::set<std::string>
+  takeNames () const
+  {
+    alignas (inotify_event) std::array<char, 4096> bytes{};
+    const ssize_t size = ::read (queue_, bytes.data(), bytes.size());
+    std::set<std::string> names;
+    for (ssize_t begin = 0; begin < size;) {
+      const auto* const event =
+          reinterpret_cast<const inotify_event*> (bytes.data() + begin);
+      if (event->len > 0)
+        names.insert (event->name);
+      begin += static_cast<ssize_t> (sizeof (inotify_event) + event->len);
+    }
+    return names;
+  }
+
+  int queue_;
+};
+
+/** \brief A run of pcl_ops_segment that is ended at its work by SIGTERM. */
+class Interruption : public Segment {
+protected:
+  /** \brief Starts a command of the shell in the folder, which the program is to take
+   * the place of; its errors go to the file "said".
+   * \param[in] input file descriptor of its standard input */
+  pid_t
+  start (const std::string& command, int input = STDIN_FILENO) const
+  {
+    const std::string line =
+        "cd '" + folder_.path() + "' && exec " + command + " >printed 2>said";
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::dup2 (input, STDIN_FILENO);
+      ::execl ("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      ::_exit (127);
+    }
+    return child;
+  }
+
+  /** \return the exit code as the shell has it */
+  static int
+  interrupt (pid_t program)
+  {
+    ::kill (program, SIGTERM);
+    int status = 0;
+    ::waitpid (program, &status, 0);
+    return WIFSIGNALED (status) ? 128 + WTERMSIG (status) : WEXITSTATUS (status);
+  }
+
+  std::set<std::string>
+  namesIn (const std::string& folder) const
+  {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator (folder_ / folder))
+      names.insert (entry.path().filename().string());
+    return names;
+  }
+
+  static constexpr int ended_by_sigterm = 128 + SIGTERM;
+};
+
+/** \brief In the midst of 40 clouds. */
+class InterruptedBatch : public Interruption {
+protected:
+  InterruptedBatch()
+  {
+    save ("dense.pcd", floorAndWall (300));
+    fs::create_directory (folder_ / "scans");
+    fs::create_directory (folder_ / "out");
+    for (int i = 1; i <= 40; ++i)
+      fs::create_hard_link (folder_ / "dense.pcd",
+                            folder_ / ("scans/s" + std::to_string (i) + ".pcd"));
+    const FolderWatch outputs (folder_ / "out");
+    const pid_t program =
+        start ("'" PCL_OPS_SEGMENT_PROGRAM "' scans --output-dir out --jobs 2");
+    EXPECT_TRUE (outputs.waitFor ("s1.json"));
+    exit_code_ = interrupt (program);
+  }
+
+  std::set<std::string>
+  finishedClouds () const
+  {
+    std::set<std::string> clouds;
+    for (const std::string& name : namesIn ("out"))
+      if (fs::path (name).extension() == ".pcd")
+        clouds.insert (name);
+    return clouds;
+  }
+
+  int exit_code_ = 0;
+};
+
+} // namespace
+
+TEST_F (InterruptedBatch, SaysInOneLineHowManyInputsAreDone)
+{
+  EXPECT_EQ (exit_code_, ended_by_sigterm);
+  const std::string said = contentOf (folder_ / "said");
+  EXPECT_EQ (said.find ("pcl_ops_segment: interrupted: "), 0u) << said;
+  EXPECT_EQ (lines (said), 1u) << said;
+  const std::size_t done = finishedClouds().size();
+  EXPECT_LT (done, 40u);
+  EXPECT_TRUE (contains (said, " " + std::to_string (done) + " of 40 inputs")) << said;
+}
+
+TEST_F (InterruptedBatch, LeavesNothingTemporaryAndOnlyWholeClouds)
+{
+  std::set<std::string> expected;
+  for (const std::string& cloud : finishedClouds()) {
+    expected.insert (cloud);
+    expected.insert (fs::path (cloud).stem().string() + ".json");
+  }
+  std::set<std::string> names = namesIn ("out");
+  // The planes of a cloud are written before its labels.
+  for (auto name = names.begin(); name != names.end();) {
+    const bool is_planes_alone =
+        fs::path (*name).extension() == ".json" && expected.count (*name) == 0;
+    name = is_planes_alone ? names.erase (name) : std::next (name);
+  }
+  EXPECT_EQ (names, expected);
+  expectDone ("out --output-dir again");
+}
+
+TEST_F (Interruption, OfAPipeLeavesNoTemporaryFile)
+{
+  // More than fits into the pipe, then silence.
+  const std::string bytes (3'000'000, '\0');
+  int pipe[2];
+  ASSERT_EQ (::pipe (pipe), 0);
+  std::signal (SIGPIPE, SIG_IGN);
+  fs::create_directory (folder_ / "tmp");
+  const FolderWatch temporary_files (folder_ / "tmp");
+  const pid_t program =
+      start ("env TMPDIR=tmp '" PCL_OPS_SEGMENT_PROGRAM "' -", pipe[0]);
+  std::size_t written = 0;
+  while (written < bytes.size()) {
+    const ssize_t part = ::write (pipe[1], &bytes[written], bytes.size() - written);
+    ASSERT_GT (part, 0);
+    written += static_cast<std::size_t> (part);
+  }
+  EXPECT_TRUE (temporary_files.waitFor (""));
+  EXPECT_EQ (interrupt (program), ended_by_sigterm);
+  ::close (pipe[0]);
+  ::close (pipe[1]);
+  EXPECT_EQ (namesIn ("tmp"), std::set<std::string>());
+}
