@@ -192,7 +192,8 @@ pairOf (const Frames& frames, std::size_t p, std::size_t c, const PoseEstimate& 
 {
   if (!frames.previous[p] || !frames.current[c])
     return std::nullopt;
-  const Patch &fixed = *frames.previous[p], &seen = *frames.current[c];
+  const Patch& fixed = *frames.previous[p];
+  const Patch& seen = *frames.current[c];
   const Patch over = moved (belief.pose, seen);
   if (std::abs (over.normal().dot (fixed.normal())) < min_cosine)
     return std::nullopt;
@@ -215,7 +216,8 @@ pairOf (const Frames& frames, std::size_t p, std::size_t c, const PoseEstimate& 
 PoseEstimate
 registered (const Frames& frames, PoseEstimate belief)
 {
-  const Patches &previous = frames.previous, &current = frames.current;
+  const Patches& previous = frames.previous;
+  const Patches& current = frames.current;
   const auto area = [&] (std::size_t c) {
     return current[c] ? current[c]->area() : 0.0;
   };

@@ -46,7 +46,8 @@ Faces
 facesOf (const std::vector<PlaneSegment>& planes)
 {
   Faces faces;
-  double points = 0.0, weights = 0.0;
+  double points = 0.0;
+  double weights = 0.0;
   for (const PlaneSegment& plane : planes) {
     if (!isUsable (plane))
       continue;
@@ -155,10 +156,12 @@ candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
 {
   constexpr double same_axis = 0.978; // cosine of 12 degrees
   const double limit = std::sin (parameters.angle_tolerance);
-  std::vector<Candidate> all, distinct;
+  std::vector<Candidate> all;
+  std::vector<Candidate> distinct;
   for (const Vector3d& start : axesToTry (faces)) {
     const Vector3d axis = fittedAxis (faces, start, parameters.angle_tolerance);
-    double horizontal = 0.0, vertical = 0.0;
+    double horizontal = 0.0;
+    double vertical = 0.0;
     for (const Face& face : faces.each) {
       horizontal += face.weight * levelness (face, axis, limit);
       vertical += face.weight * uprightness (face, axis, limit);
@@ -193,7 +196,8 @@ evidenceFor (const Vector3d& up,
              double tolerance)
 {
   const double limit = std::sin (tolerance);
-  double vertical = 0.0, third_moment = 0.0;
+  double vertical = 0.0;
+  double third_moment = 0.0;
   for (const Face& face : faces.each) {
     vertical += face.weight * uprightness (face, up, limit);
     const double height = up.dot (face.centroid - faces.mean);

@@ -104,7 +104,8 @@ detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoi
   const Points points = finitePoints (cloud, 1);
   const std::vector<Sighting> sightings =
       sightingsFrom (viewpoint - points.origin, samplePoints (points, looked_at));
-  std::size_t hidden = 0, told = 0;
+  std::size_t hidden = 0;
+  std::size_t told = 0;
   for (std::size_t first = 0, last = 0; first < sightings.size(); first = last) {
     while (last < sightings.size() && sightings[last].first == sightings[first].first)
       ++last;

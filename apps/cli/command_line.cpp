@@ -107,7 +107,8 @@ nameIn (const std::string& token)
 std::string
 takeValue (const Option& option, const char* const*& token, const char* const* end)
 {
-  const std::string text = *token, name = "--" + option.name;
+  const std::string text = *token;
+  const std::string name = "--" + option.name;
   const std::size_t equals = text.find ('=');
   const bool is_joined = equals != std::string::npos;
   if (option.placeholder.empty()) {
@@ -125,22 +126,25 @@ takeValue (const Option& option, const char* const*& token, const char* const* e
 const Option&
 find (const std::vector<OptionGroup>& groups, const std::string& start)
 {
-  const Option* candidate = nullptr;
-  std::string names;
+  std::vector<const Option*> candidates;
   for (const OptionGroup& group : groups)
     for (const Option& option : group.options) {
       if (option.name == start || (!start.empty() && option.old_name == start))
         return option;
-      if (option.name.rfind (start, 0) == 0) {
-        names += (candidate == nullptr ? "--" : " or --") + option.name;
-        candidate = &option;
-      }
+      if (option.name.rfind (start, 0) == 0)
+        candidates.push_back (&option);
     }
-  if (candidate == nullptr || start.empty())
+  if (candidates.empty() || start.empty())
     throw UsageError ("--" + start, "is no option of this program; see --help");
-  if (names != "--" + candidate->name)
-    throw UsageError ("--" + start, "is ambiguous; write " + names + " in full");
-  return *candidate;
+  if (candidates.size() > 1) {
+    std::vector<std::string> names;
+    for (const Option* candidate : candidates)
+      names.push_back ("--" + candidate->name);
+    throw UsageError ("--" + start,
+                      "is ambiguous; write " + boost::join (names, " or ") +
+                          " in full");
+  }
+  return *candidates.front();
 }
 
 void
@@ -165,7 +169,8 @@ store (const std::vector<Argument>& arguments, const std::vector<std::string>& g
 std::string
 Range::text() const
 {
-  const bool has_lowest = std::isfinite (lowest), has_highest = std::isfinite (highest);
+  const bool has_lowest = std::isfinite (lowest);
+  const bool has_highest = std::isfinite (highest);
   std::string text = has_lowest || has_highest ? "" : "that is finite";
   if (has_lowest)
     text = (lowest_included ? "from " : "above ") + shortText (lowest);
@@ -224,7 +229,9 @@ parseUpAxis (const std::string& option, const std::string& text)
 std::string
 CommandLine::usage() const
 {
-  std::string derived, text, before = "Usage: ";
+  std::string derived;
+  std::string text;
+  std::string before = "Usage: ";
   std::size_t longest = 0;
   for (const Argument& argument : arguments_) {
     derived += argument.name + (argument.max_count > 1 ? "... " : " ");
@@ -237,7 +244,8 @@ CommandLine::usage() const
     before = "       ";
   }
   text += summary_ + "\n\n" + explanation_ + (longest > 0 ? "Arguments:\n" : "");
-  constexpr std::size_t margin = 2, gap = 3;
+  constexpr std::size_t margin = 2;
+  constexpr std::size_t gap = 3;
   for (const Argument& argument : arguments_)
     if (!argument.help.empty())
       text += entry (argument.name, argument.help, margin + longest + gap);
@@ -303,7 +311,8 @@ CommandLine::add (const std::string& usage,
                   std::string& target,
                   const std::vector<std::string>& choices)
 {
-  const std::string name = nameOf (usage), list = boost::join (choices, "|");
+  const std::string name = nameOf (usage);
+  const std::string list = boost::join (choices, "|");
   const auto store = [name, choices, list, &target] (const std::string& text) {
     if (std::find (choices.begin(), choices.end(), text) == choices.end())
       throw UsageError ("--" + name, "'" + text + "' is unknown; give " + list);

@@ -69,7 +69,8 @@ Progress::draw()
 std::string
 durationText (double seconds)
 {
-  constexpr long minute = 60, hour = 60 * minute;
+  constexpr long minute = 60;
+  constexpr long hour = 60 * minute;
   const long total = std::lround (std::max (0.0, seconds));
   using boost::format;
   if (total < minute)
@@ -119,8 +120,11 @@ runInParallel (std::size_t count,
   std::atomic<std::size_t> next{0};
   const auto take_turns = [&] {
     try {
-      for (std::size_t i; (i = next++) < count;)
+      std::size_t i = next++;
+      while (i < count) {
         work (i);
+        i = next++;
+      }
     }
     catch (...) {
       next = count;

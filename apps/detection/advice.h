@@ -172,9 +172,11 @@ inline std::string
 hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
   constexpr double min_share = 0.6;
-  constexpr std::size_t largest = 4, probes = 8;
+  constexpr std::size_t largest = 4;
+  constexpr std::size_t probes = 8;
   std::vector<PlaneSegment> candidates;
-  std::size_t found = 0, suspicious = 0;
+  std::size_t found = 0;
+  std::size_t suspicious = 0;
   for (const PlaneSegment& plane : planes) {
     found += plane.inliers.size();
     if (candidates.size() < largest && isThickerThanSpacing (plane)) {

@@ -42,7 +42,8 @@ distanceOfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
 {
   const double max_angle = toRadians (7.0);
   // What is farther apart, in noise, are a board and the wall behind it.
-  constexpr double max_distance_in_noise = 3.0, min_share = 0.02;
+  constexpr double max_distance_in_noise = 3.0;
+  constexpr double min_share = 0.02;
   const auto size = static_cast<double> (smaller.inliers.size());
   if (size < min_share * static_cast<double> (larger.inliers.size()) ||
       angleBetween (larger, smaller) > max_angle)
@@ -85,7 +86,8 @@ areBesideEachOther (const PlaneExtent& larger,
 {
   constexpr double max_gap_in_spacings = 4.0;
   const PlaneFrame frame (larger.center, normal);
-  const Polygon first = onto (frame, larger), second = onto (frame, smaller);
+  const Polygon first = onto (frame, larger);
+  const Polygon second = onto (frame, smaller);
   if (first.outer().empty() || second.outer().empty())
     return false;
   const double spacing = std::sqrt (smaller.area / static_cast<double> (points));

@@ -167,7 +167,8 @@ Ring
 withFewerCorners (Ring ring, double tolerance)
 {
   beginAtCorner (ring);
-  Ring closed = ring, simple;
+  Ring closed = ring;
+  Ring simple;
   closed.push_back (ring.front());
   boost::geometry::simplify (closed, simple, tolerance);
   simple.pop_back();
@@ -204,9 +205,10 @@ const std::string prefix_of_crs = "EPSG:";
 std::vector<std::pair<std::string, Json>>
 columnsOf (const Json& plane)
 {
-  const Json &coefficients = plane.at ("coefficients"),
-             &centroid = plane.at ("centroid"), &normal = plane.at ("normal"),
-             &extent = plane.at ("extent");
+  const Json& coefficients = plane.at ("coefficients");
+  const Json& centroid = plane.at ("centroid");
+  const Json& normal = plane.at ("normal");
+  const Json& extent = plane.at ("extent");
   std::vector<std::pair<std::string, Json>> columns = {
       {"id", plane.at ("id")},          {"orientation", plane.at ("orientation")},
       {"kind", plane.at ("kind")},      {"points", plane.at ("points")},
@@ -229,7 +231,8 @@ columnsOf (const Json& plane)
 int
 decimalsFor (const Json& planes)
 {
-  constexpr int min_decimals = 3, max_decimals = 12;
+  constexpr int min_decimals = 3;
+  constexpr int max_decimals = 12;
   double decimals = min_decimals;
   for (const Json& plane : planes)
     if (const double width = plane.at ("extent").at ("width"); width > 0.0)

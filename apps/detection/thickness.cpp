@@ -84,8 +84,8 @@ private:
     int axis = 0;
     box.sizes().maxCoeff (&axis);
     // Blocks stay whole.
-    const std::size_t half = (last - first + block) / (2 * block) * block,
-                      middle = first + std::max (half, block);
+    const std::size_t half = (last - first + block) / (2 * block) * block;
+    const std::size_t middle = first + std::max (half, block);
     const auto begin = points_.begin();
     std::nth_element (
         begin + std::ptrdiff_t (first),
@@ -103,12 +103,13 @@ private:
          std::size_t count,
          std::vector<Candidate>& best) const
   {
-    const std::size_t first = which * block,
-                      size = std::min (block, points_.size() - first);
+    const std::size_t first = which * block;
+    const std::size_t size = std::min (block, points_.size() - first);
     std::array<float, block> squared{};
     for (std::size_t i = 0; i < size; ++i) {
-      const float x = x_[first + i] - query.x(), y = y_[first + i] - query.y(),
-                  z = z_[first + i] - query.z();
+      const float x = x_[first + i] - query.x();
+      const float y = y_[first + i] - query.y();
+      const float z = z_[first + i] - query.z();
       squared[i] = x * x + y * y + z * z;
     }
     if (best.size() == count &&
@@ -159,8 +160,8 @@ surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& se
     if (variances[1] < least_width * least_width * variances[2])
       continue;
     // Even points fill an ellipse of area 4 pi sqrt (v1 v2).
-    const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]),
-                 spacing = std::sqrt (area / moments.count);
+    const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]);
+    const double spacing = std::sqrt (area / moments.count);
     const double scatter = std::sqrt (std::max (0.0, variances[0]) * moments.count /
                                       (moments.count - 3.0));
     return Surroundings{std::max (scatter, floor_by_spacing * spacing), spacing};
@@ -213,7 +214,9 @@ thicknessOf (const XyzCloud& cloud,
              std::size_t probes)
 {
   // A quarter of a small plane: what is around it must not outweigh it.
-  constexpr std::size_t fewest_neighbors = 20, most_neighbors = 80, share = 4;
+  constexpr std::size_t fewest_neighbors = 20;
+  constexpr std::size_t most_neighbors = 80;
+  constexpr std::size_t share = 4;
   constexpr std::size_t few_queries = 50;
   const BlockSearch search (cloud, planes.size() * probes > few_queries);
   std::vector<Thickness> all;
@@ -223,7 +226,8 @@ thicknessOf (const XyzCloud& cloud,
       thickness.rms = std::sqrt (std::max (0.0, fit->variances[0]));
     const std::size_t neighbors =
         std::clamp (plane.inliers.size() / share, fewest_neighbors, most_neighbors);
-    std::vector<double> scatters, spacings;
+    std::vector<double> scatters;
+    std::vector<double> spacings;
     for (const pcl::index_t i : someOf (plane.inliers, cloud, probes))
       if (const auto around = surroundingsOf (
               cloud[std::size_t (i)].getVector3fMap(), neighbors, search)) {

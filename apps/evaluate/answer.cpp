@@ -34,7 +34,8 @@ decimal (double number, int decimals)
 std::string
 tableOf (const std::string& title, const Answer& list)
 {
-  std::string header, rule;
+  std::string header;
+  std::string rule;
   std::vector<std::string> rows (list.size());
   for (const auto& [name, ignored] : list[0].items()) {
     std::size_t width = std::max<std::size_t> (3, name.size()); // the least in Markdown

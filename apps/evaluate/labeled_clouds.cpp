@@ -78,12 +78,14 @@ loadLabeledClouds (const std::string& truth_file,
   const Vector3d shift = result.shift - truth.shift;
   // Share of the cloud's diagonal by which rounding in a text file may move a point.
   constexpr double max_rounding = 1e-3;
-  pcl::PointXYZ lowest, highest;
+  pcl::PointXYZ lowest;
+  pcl::PointXYZ highest;
   pcl::getMinMax3D (*truth.cloud, lowest, highest);
   const Eigen::Vector3f diagonal = highest.getVector3fMap() - lowest.getVector3fMap();
   const double tolerance = max_rounding * diagonal.cast<double>().norm();
   for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
-    const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
+    const pcl::PointXYZ& expected = (*truth.cloud)[i];
+    const pcl::PointXYZ& found = (*result.cloud)[i];
     const Vector3d offset =
         (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
     const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);

@@ -210,7 +210,8 @@ answerOf (const KeptNumbers& kept)
 int
 compareCommand (int argc, const char* const* argv)
 {
-  std::string truth_file, result_file;
+  std::string truth_file;
+  std::string result_file;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::size_t min_points = 1;
   bool json = false;
@@ -239,7 +240,9 @@ compareCommand (int argc, const char* const* argv)
 int
 trackCommand (int argc, const char* const* argv)
 {
-  std::string truth_folder, result_folder, poses;
+  std::string truth_folder;
+  std::string result_folder;
+  std::string poses;
   std::size_t min_points = 1;
   bool json = false;
   CommandLine line (

@@ -111,9 +111,9 @@ setExtent (const std::vector<Vector3d>& hull,
     corners.colwise() -= plane.centroid;
     // Signed, so that the triangles of a hollow outline take away what they have too
     // much.
-    const Vector3d edge = corners.col (1) - corners.col (0),
-                   other = corners.col (2) - corners.col (0),
-                   total = corners.rowwise().sum();
+    const Vector3d edge = corners.col (1) - corners.col (0);
+    const Vector3d other = corners.col (2) - corners.col (0);
+    const Vector3d total = corners.rowwise().sum();
     const double part = 0.5 * plane.normal.dot (edge.cross (other));
     area += part;
     sum += part / 3.0 * total;
@@ -199,7 +199,9 @@ comparePlanes (const PlaneList& first,
 {
   const auto matches = matchAboutMiddle (first.planes, second.planes, parameters);
   std::vector<std::size_t> partner_of (first.planes.size(), second.planes.size());
-  Answer matched = Answer::array(), only_a = matched, only_b = matched;
+  Answer matched = Answer::array();
+  Answer only_a = matched;
+  Answer only_b = matched;
   for (std::size_t i = 0; i < second.planes.size(); ++i)
     if (matches.previous[i] == no_plane)
       only_b.push_back (second.ids[i]);
@@ -211,7 +213,8 @@ comparePlanes (const PlaneList& first,
       only_a.push_back (first.ids[i]);
       continue;
     }
-    const PlaneSegment &one = first.planes[i], &other = second.planes[partner];
+    const PlaneSegment& one = first.planes[i];
+    const PlaneSegment& other = second.planes[partner];
     matched.push_back ({{"a", first.ids[i]},
                         {"b", second.ids[partner]},
                         {"orientation", toString (one.orientation)},
@@ -235,7 +238,8 @@ comparePlanes (const PlaneList& first,
 int
 planesCommand (int argc, const char* const* argv)
 {
-  std::string first, second;
+  std::string first;
+  std::string second;
   PlaneMatchingParameters matching;
   double rotation_error = toDegrees (matching.rotation_error);
   bool json = false;

@@ -27,7 +27,8 @@ using pcl::PCLPointField;
 bool
 canBeCoordinate (float number)
 {
-  constexpr float farthest = 1e6f, nearest = 1e-9f;
+  constexpr float farthest = 1e6f;
+  constexpr float nearest = 1e-9f;
   const float size = std::abs (number);
   return size == 0.0f || (size > nearest && size < farthest);
 }
@@ -156,7 +157,8 @@ std::vector<std::uint8_t>
 fromFortran (const pcl::PCLPointCloud2& points)
 {
   std::vector<std::uint8_t> data (points.data.size());
-  const std::size_t size = sizeOf (points), height = points.height;
+  const std::size_t size = sizeOf (points);
+  const std::size_t height = points.height;
   const std::size_t length = points.point_step / points.fields.size();
   const std::uint8_t* from = points.data.data();
   for (std::size_t column = 0; column < points.fields.size(); ++column)

@@ -89,7 +89,8 @@ formatOf (const std::string& file)
 std::string
 listOf (const std::function<bool (const Format&)>& is_wanted)
 {
-  std::string list, last;
+  std::string list;
+  std::string last;
   for (const Format& format : allFormats())
     if (is_wanted (format)) {
       list += (list.empty() || last.empty() ? "" : ", ") + last;
@@ -120,16 +121,42 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
+/** \brief By the bytes a binary format begins with; empty for the others. */
+std::string
+extensionOfBinary (const std::string& start)
+{
+  const auto begins_with = [&start] (const char* mark) {
+    return start.rfind (mark, 0) == 0;
+  };
+  if (begins_with ("LASF"))
+    return ".las";
+  if (begins_with ("\x93NUMPY"))
+    return ".npy";
+  if (begins_with ("ASTM-E57"))
+    return ".e57";
+  return "";
+}
+
+/** \brief By the first word that is no number, of a line that is no comment. */
+std::string
+extensionOfWord (const std::string& word)
+{
+  if (word == "ply")
+    return ".ply";
+  if (word.find ("OFF") < 3)
+    return ".off";
+  const auto first = static_cast<unsigned char> (word[0]);
+  return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
+}
+
 /** \brief KITTI's and OBJ's cannot be told.
  * \param[in] start of a cloud, as long as the longest header */
 std::string
 extensionOfContent (const std::string& start)
 {
-  const std::pair<const char*, const char*> formats[] = {
-      {"LASF", ".las"}, {"\x93NUMPY", ".npy"}, {"ASTM-E57", ".e57"}};
-  for (const auto& [begin, extension] : formats)
-    if (start.rfind (begin, 0) == 0)
-      return extension;
+  const std::string of_binary = extensionOfBinary (start);
+  if (!of_binary.empty())
+    return of_binary;
   std::istringstream lines (start);
   std::string line;
   std::vector<std::string_view> words;
@@ -141,14 +168,10 @@ extensionOfContent (const std::string& start)
     const std::string word (words[0]);
     const auto first = static_cast<unsigned char> (word[0]);
     const bool is_number = words.size() == 1 && std::isdigit (first) != 0;
-    if (is_number && is_behind_number) // of columns, of rows
-      return ".ptx";
-    if (word == "ply")
-      return ".ply";
-    if (word.find ("OFF") < 3)
-      return ".off";
     if (!is_number)
-      return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
+      return extensionOfWord (word);
+    if (is_behind_number) // of columns, of rows
+      return ".ptx";
     is_behind_number = true;
   }
   return is_behind_number ? ".xyz" : ".pcd";

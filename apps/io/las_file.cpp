@@ -34,7 +34,8 @@ void
 forRecords (LasFile& las, Visit&& visit)
 {
   constexpr std::uint64_t block = 1U << 14U;
-  const std::uint64_t end = las.header.pointsEnd(), length = las.header.record_length;
+  const std::uint64_t end = las.header.pointsEnd();
+  const std::uint64_t length = las.header.record_length;
   for (std::uint64_t at = las.header.points_offset; at < end; at += block * length) {
     const std::string records = las.bytes (at, std::min (end, at + block * length));
     for (std::size_t i = 0; i < records.size(); i += length)
@@ -68,7 +69,8 @@ descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
   const std::uint64_t unknown = las.header.record_length - las.fields_end;
   // Byte by byte: CloudCompare takes any number of undocumented bytes for one
   // (LasExtraScalarField::elementSize) and looks for what follows in the wrong place.
-  constexpr std::uint64_t max_single = 64, longest = 255;
+  constexpr std::uint64_t max_single = 64;
+  constexpr std::uint64_t longest = 255;
   std::string bytes;
   for (std::uint64_t left = unknown; left > 0;) {
     LasField undocumented;

@@ -85,7 +85,8 @@ readObj (const std::string& file)
     if (reader.word (0) != "v")
       continue;
     reader.dropWord();
-    const Words color = {"r", "g", "b"}, weight = {"w"};
+    const Words color = {"r", "g", "b"};
+    const Words weight = {"w"};
     if (!rows.hasColumns())
       rows.addColumnsOfLine (reader.wordCount() == 4 ? weight : color);
     rows.addPoint();

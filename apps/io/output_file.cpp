@@ -107,7 +107,8 @@ checkWritable (const std::string& file)
 {
   const fs::path target = resolvedName (file);
   const fs::path folder = target.parent_path();
-  std::error_code error, of_folder;
+  std::error_code error;
+  std::error_code of_folder;
   const fs::file_status status = fs::status (target, error);
   const bool exists = fs::exists (status);
   const std::pair<bool, const char*> problems[] = {

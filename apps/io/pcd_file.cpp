@@ -95,7 +95,8 @@ readSize (const HeaderReader& reader,
       reader.fail (key + " is not one number");
     return reader.count (key, line[0]);
   };
-  const std::uint64_t size = value ("POINTS"), width = value ("WIDTH");
+  const std::uint64_t size = value ("POINTS");
+  const std::uint64_t width = value ("WIDTH");
   const std::uint64_t height = header.count ("HEIGHT") > 0 ? value ("HEIGHT") : 1;
   if (width * height != size)
     reader.fail ("WIDTH times HEIGHT is not POINTS");
@@ -148,41 +149,72 @@ readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
   reader.expectEnd();
 }
 
-/** \brief Decompresses LZF (M. Lehmann's LibLZF) without PCL's library, which loads
- * VTK.
- * \return false if the compressed bytes do not make as many as expected */
-bool
-decompressLzf (const std::vector<std::uint8_t>& compressed,
-               std::vector<std::uint8_t>& bytes)
-{
-  constexpr std::size_t literals = 32, longest_in_head = 7;
-  std::size_t out = 0;
-  for (std::size_t in = 0; in < compressed.size();) {
-    const std::size_t head = compressed[in++];
-    if (head < literals) { // as many bytes and one more as they are
-      const std::size_t count = head + 1;
-      if (count > compressed.size() - in || count > bytes.size() - out)
+/** \brief Bytes in the format LZF (M. Lehmann's LibLZF), read without PCL's library,
+ * which loads VTK. */
+class LzfBytes {
+public:
+  LzfBytes (const std::vector<std::uint8_t>& compressed,
+            std::vector<std::uint8_t>& bytes)
+  : compressed_ (compressed), bytes_ (bytes)
+  {}
+
+  /** \return false if the compressed bytes do not make as many as expected */
+  bool
+  decompress ()
+  {
+    while (in_ < compressed_.size()) {
+      const std::size_t head = compressed_[in_];
+      ++in_;
+      const bool is_right = head < literals ? copyLiterals (head + 1) : repeat (head);
+      if (!is_right)
         return false;
-      std::copy_n (&compressed[in], count, &bytes[out]);
-      in += count;
-      out += count;
-      continue;
     }
-    std::size_t count = head / literals; // of bytes that were there before
-    const std::size_t rest = count == longest_in_head ? 2 : 1;
-    if (rest > compressed.size() - in)
-      return false;
-    if (count == longest_in_head)
-      count += compressed[in++];
-    count += 2;
-    const std::size_t distance = head % literals * 256 + compressed[in++] + 1;
-    if (distance > out || count > bytes.size() - out)
-      return false;
-    for (; count > 0; --count, ++out) // may read what it writes
-      bytes[out] = bytes[out - distance];
+    return out_ == bytes_.size();
   }
-  return out == bytes.size();
-}
+
+private:
+  /** \brief Heads below it stand for as many bytes and one more. */
+  static constexpr std::size_t literals = 32;
+
+  bool
+  copyLiterals (std::size_t count)
+  {
+    if (count > compressed_.size() - in_ || count > bytes_.size() - out_)
+      return false;
+    std::copy_n (&compressed_[in_], count, &bytes_[out_]);
+    in_ += count;
+    out_ += count;
+    return true;
+  }
+
+  /** \brief Repeats bytes that were there before. */
+  bool
+  repeat (std::size_t head)
+  {
+    constexpr std::size_t longest_in_head = 7;
+    std::size_t count = head / literals;
+    const std::size_t rest = count == longest_in_head ? 2 : 1;
+    if (rest > compressed_.size() - in_)
+      return false;
+    if (count == longest_in_head) {
+      count += compressed_[in_];
+      ++in_;
+    }
+    count += 2;
+    const std::size_t distance = head % literals * 256 + compressed_[in_] + 1;
+    ++in_;
+    if (distance > out_ || count > bytes_.size() - out_)
+      return false;
+    for (; count > 0; --count, ++out_) // may read what it writes
+      bytes_[out_] = bytes_[out_ - distance];
+    return true;
+  }
+
+  const std::vector<std::uint8_t>& compressed_;
+  std::vector<std::uint8_t>& bytes_;
+  std::size_t in_ = 0;
+  std::size_t out_ = 0;
+};
 
 /** \brief The data have a field of all points after the other. */
 void
@@ -198,9 +230,10 @@ readCompressed (HeaderReader& reader, pcl::PCLPointCloud2& points)
   if (sizes[0] > reader.fileSize() - reader.position() ||
       sizes[1] > max_expansion * sizes[0])
     reader.failTruncated();
-  std::vector<std::uint8_t> compressed (sizes[0]), by_field (sizes[1]);
+  std::vector<std::uint8_t> compressed (sizes[0]);
+  std::vector<std::uint8_t> by_field (sizes[1]);
   reader.read (compressed.data(), compressed.size());
-  if (!decompressLzf (compressed, by_field))
+  if (!LzfBytes (compressed, by_field).decompress())
     reader.fail ("its compressed data are damaged");
   points.data.resize (by_field.size());
   const std::uint8_t* from = by_field.data();
@@ -255,7 +288,10 @@ readPcd (const std::string& file)
 std::string
 pcdHeader (const FileCloud& cloud)
 {
-  std::string names, sizes, types, counts;
+  std::string names;
+  std::string sizes;
+  std::string types;
+  std::string counts;
   const pcl::PCLPointCloud2& points = cloud.points;
   const auto add = [&] (const std::string& name, const NumberType& type, auto count) {
     names += " " + name;

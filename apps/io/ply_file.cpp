@@ -237,6 +237,20 @@ placeInColor (const PlyProperty& property)
   return -1;
 }
 
+/** \brief Of a property that is no part of a color. */
+void
+addOwnField (PlyProperty& property, pcl::PCLPointCloud2& points)
+{
+  const std::string& name = property.name;
+  const bool is_normal = name == "nx" || name == "ny" || name == "nz";
+  const std::uint8_t type = property.type->id;
+  property.becomes_float = name == "intensity" && type == PCLPointField::UINT8;
+  property.offset = points.point_step;
+  addField (is_normal ? "normal_" + name.substr (1) : name,
+            property.becomes_float ? std::uint8_t (PCLPointField::FLOAT32) : type,
+            points);
+}
+
 /** \brief As PCL names fields: normals, a packed color, and the intensity as a float.
  * No field has room for a list. */
 void
@@ -246,16 +260,9 @@ addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
   for (PlyProperty& property : vertex.properties) {
     if (property.length_type != nullptr)
       continue;
-    const std::string& name = property.name;
     const int place = placeInColor (property);
     if (place < 0) {
-      const bool is_normal = name == "nx" || name == "ny" || name == "nz";
-      const std::uint8_t type = property.type->id, real = PCLPointField::FLOAT32;
-      property.becomes_float = name == "intensity" && type == PCLPointField::UINT8;
-      property.offset = points.point_step;
-      addField (is_normal ? "normal_" + name.substr (1) : name,
-                property.becomes_float ? real : type,
-                points);
+      addOwnField (property, points);
       continue;
     }
     if (color == 0) {
@@ -263,7 +270,7 @@ addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
       color = points.fields.size();
     }
     PCLPointField& field = points.fields[color - 1];
-    if (name == "alpha") {
+    if (property.name == "alpha") {
       field.name = "rgba";
       field.datatype = PCLPointField::UINT32;
     }

@@ -99,6 +99,19 @@ isLeftOut (const std::string& line)
   return first == std::string::npos || line[first] == '#';
 }
 
+/** \return what is wrong with the text; empty if nothing is */
+std::string
+readCalibration (const std::string& text, Eigen::Isometry3d& scan_to_camera)
+{
+  std::vector<double> numbers;
+  const std::string problem = readNumbers (text, numbers);
+  if (!problem.empty())
+    return problem;
+  if (numbers.size() != numbers_of_matrix)
+    return "has " + std::to_string (numbers.size()) + " numbers";
+  return fromMatrix (numbers, scan_to_camera);
+}
+
 } // namespace
 
 std::vector<Eigen::Isometry3d>
@@ -126,21 +139,17 @@ loadCalibration (const std::string& file)
 {
   std::istringstream lines (readTextFile (file, "a calib.txt of KITTI"));
   for (std::string line; std::getline (lines, line);)
-    for (const std::string key : {"Tr:", "Tr_velo_to_cam:"})
-      if (line.rfind (key, 0) == 0) {
-        Eigen::Isometry3d scan_to_camera;
-        std::vector<double> numbers;
-        std::string problem = readNumbers (line.substr (key.size()), numbers);
-        if (problem.empty() && numbers.size() != numbers_of_matrix)
-          problem = "has " + std::to_string (numbers.size()) + " numbers";
-        if (problem.empty())
-          problem = fromMatrix (numbers, scan_to_camera);
-        if (!problem.empty())
-          throw WorkError (file,
-                           "the line " + key + " " + problem +
-                               "; give KITTI's, of 12 numbers");
-        return scan_to_camera;
-      }
+    for (const std::string key : {"Tr:", "Tr_velo_to_cam:"}) {
+      if (line.rfind (key, 0) != 0)
+        continue;
+      Eigen::Isometry3d scan_to_camera;
+      const std::string problem =
+          readCalibration (line.substr (key.size()), scan_to_camera);
+      if (!problem.empty())
+        throw WorkError (
+            file, "the line " + key + " " + problem + "; give KITTI's, of 12 numbers");
+      return scan_to_camera;
+    }
   throw WorkError (file, "has no line Tr: of 12 numbers; give a calib.txt of KITTI");
 }
 

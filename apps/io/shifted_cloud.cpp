@@ -218,7 +218,8 @@ adviceOnDegrees (const ShiftedCloud& shifted)
 {
   // A degree is 111 km; what is less than one wide is seldom this much higher in
   // meters.
-  constexpr double max_width = 1.0, min_ratio = 200.0;
+  constexpr double max_width = 1.0;
+  constexpr double min_ratio = 200.0;
   const Eigen::Array2d most_degrees (180.0, 90.0);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& place : someOf (*shifted.cloud))

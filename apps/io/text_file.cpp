@@ -107,9 +107,36 @@ areNames (const Words& words)
          });
 }
 
-/** \brief The fields that columns become: coordinates by \ref findAxis, the first three
- * of numbers where there are no names. The others keep their names as far as a field
- * can have them, or are field_4, field_5, ...; those of words have none.
+/** \brief The column of each coordinate by \ref findAxis, or the first three columns of
+ * numbers where there are no names.
+ * \throws WorkError where columns have names, but a coordinate has none */
+std::vector<std::size_t>
+columnsOfAxes (const std::string& file,
+               const Words& names,
+               const std::vector<bool>& are_words)
+{
+  std::vector<std::size_t> columns;
+  if (names.empty()) {
+    for (std::size_t i = 0; i < are_words.size() && columns.size() < axes.size(); ++i)
+      if (!are_words[i])
+        columns.push_back (i);
+    return columns;
+  }
+  for (const auto& axis : axes) {
+    const auto found = findAxis (names, axis);
+    if (found == names.end())
+      throw WorkError (
+          file,
+          std::string ("has names of columns, but none is ") + axis[0] +
+              "; call the coordinates x, y and z, or remove the line of names");
+    columns.push_back (std::size_t (found - names.begin()));
+  }
+  return columns;
+}
+
+/** \brief The fields that columns become: coordinates by \ref columnsOfAxes. The others
+ * keep their names as far as a field can have them, or are field_4, field_5, ...; those
+ * of words have none.
  * \throws WorkError where columns have names, but a coordinate has none */
 Words
 fieldNames (const std::string& file,
@@ -118,17 +145,9 @@ fieldNames (const std::string& file,
 {
   Words fields (are_words.size());
   std::set<std::string> taken;
-  auto number = are_words.begin();
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    number = std::find (number, are_words.end(), false);
-    const auto found = findAxis (names, axes[i]);
-    if (!names.empty() && found == names.end())
-      throw WorkError (
-          file,
-          std::string ("has names of columns, but none is ") + axes[i][0] +
-              "; call the coordinates x, y and z, or remove the line of names");
-    fields[std::size_t (names.empty() ? number++ - are_words.begin()
-                                      : found - names.begin())] = axes[i][0];
+  const std::vector<std::size_t> columns = columnsOfAxes (file, names, are_words);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    fields[columns[i]] = axes[i][0];
     taken.insert (axes[i][0]);
   }
   for (std::size_t i = 0; i < fields.size(); ++i) {

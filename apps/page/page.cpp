@@ -46,7 +46,8 @@ keepFirst (Turns& turns, std::size_t kept, const PlaceOf& place)
   const auto is_before = [&] (const Turn& a, const Turn& b) {
     if (a.hash != b.hash)
       return a.hash < b.hash;
-    const Eigen::Vector3d first = place (a.point), second = place (b.point);
+    const Eigen::Vector3d first = place (a.point);
+    const Eigen::Vector3d second = place (b.point);
     return std::lexicographical_compare (
         first.begin(), first.end(), second.begin(), second.end());
   };
@@ -93,7 +94,8 @@ onLattice (const Turns& turns, const PlaceOf& place)
   PointGroup group;
   if (turns.empty())
     return group;
-  Eigen::Array3d low = place (turns.front().point), high = low;
+  Eigen::Array3d low = place (turns.front().point);
+  Eigen::Array3d high = low;
   for (const Turn& turn : turns) {
     low = low.min (place (turn.point).array());
     high = high.max (place (turn.point).array());

@@ -43,7 +43,8 @@ edgesOf (const PlanePage& page)
 Json
 descriptionOf (const PlanePage& page)
 {
-  constexpr int width = 4, height = 3; // only the direction of the view is used
+  constexpr int width = 4;
+  constexpr int height = 3; // only the direction of the view is used
   const XyzCloud& cloud = *page.shifted.cloud;
   const View view = chooseView (cloud, page.planes, page.up, width, height);
   const Eigen::Vector3d up = page.up.cast<double>().normalized();

@@ -100,7 +100,8 @@ addScaleBar (const MapScale& scale, Image& image)
   text << std::fixed;
   text.precision (length < 1.0 ? int (std::ceil (-std::log10 (length))) : 0);
   text << length;
-  constexpr int bar = 6, row = Image::height - 3 * margin;
+  constexpr int bar = 6;
+  constexpr int row = Image::height - 3 * margin;
   const int end = margin + int (std::lround (length * scale.per_unit));
   image.fill (margin, row, end, row + bar, {0, 0, 0});
   image.write (end + margin, row - bar, text.str());
@@ -127,13 +128,14 @@ Image::fill (int column, int row, int last_column, int last_row, const pcl::RGB&
 void
 Image::write (int column, int row, const std::string& text)
 {
-  constexpr std::size_t columns = 3, rows = 5;
+  constexpr std::size_t columns = 3;
+  constexpr std::size_t rows = 5;
   for (const char letter : text) {
     const std::size_t known = letters.find (letter);
     for (std::size_t i = 0; known < letters.size() && i < rows * columns; ++i)
       if (rows_of_letters[rows * known + i / columns] >> (2 - i % columns) & 1) {
-        const int x = column + dot * int (i % columns),
-                  y = row + dot * int (i / columns);
+        const int x = column + dot * int (i % columns);
+        const int y = row + dot * int (i / columns);
         fill (x, y, x + dot, y + dot, {0, 0, 0});
       }
     column += dot * int (columns + 1);
@@ -143,7 +145,9 @@ Image::write (int column, int row, const std::string& text)
 void
 Image::addLegend (int lines)
 {
-  constexpr int line = 8 * dot, box = 5 * dot, longest = 11 * 4 * dot;
+  constexpr int line = 8 * dot;
+  constexpr int box = 5 * dot;
+  constexpr int longest = 11 * 4 * dot;
   const std::pair<const char*, pcl::RGB> entries[] = {
       {"HORIZONTAL", colorOf (Orientation::Horizontal)},
       {"VERTICAL", colorOf (Orientation::Vertical)},

@@ -42,7 +42,8 @@ halfSidesOf (const std::vector<Dot>& dots, int width, int height)
   constexpr float front_layer = 1.1f; // its depth, in units of the nearest
   constexpr float smallest = 0.5f;
   constexpr float largest = 5.0f;
-  const int columns = width / part + 1, rows = height / part + 1;
+  const int columns = width / part + 1;
+  const int rows = height / part + 1;
   Eigen::ArrayXXf nearest = Eigen::ArrayXXf::Constant (columns, rows, far);
   Eigen::ArrayXXi counts = Eigen::ArrayXXi::Zero (columns, rows);
   const auto in_part = [](auto& parts, const Dot& dot) -> auto&
@@ -70,7 +71,8 @@ void
 drawDot (const Dot& dot, float half_side, Raster& raster)
 {
   const auto range = [half_side] (float middle, Eigen::Index end) {
-    const float low = middle - half_side, high = middle + half_side;
+    const float low = middle - half_side;
+    const float high = middle + half_side;
     return std::make_pair (std::max<Eigen::Index> (std::lround (low), 0),
                            std::min<Eigen::Index> (std::lround (high), end));
   };
@@ -107,7 +109,8 @@ closeHoles (Raster& raster)
     if ((points != Raster::nothing).count() < most)
       return;
     const auto depths = before.depths.block<3, 3> (column - 1, row - 1);
-    Eigen::Index x, y; // of the nearest
+    Eigen::Index x;
+    Eigen::Index y; // of the nearest
     raster.depths (column, row) = depths.minCoeff (&x, &y);
     raster.points (column, row) = points (x, y);
   });
@@ -204,7 +207,8 @@ savePicture (const std::string& file,
       if (point == Raster::nothing)
         continue;
       const std::uint32_t position = label (point);
-      pcl::RGB by_plane = colorOfLabel (0), by_class = by_plane;
+      pcl::RGB by_plane = colorOfLabel (0);
+      pcl::RGB by_class = by_plane;
       float light = brightness (column, row);
       if (position != 0) {
         const PlaneSegment& plane = planes[position - 1];

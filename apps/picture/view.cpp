@@ -134,7 +134,8 @@ bestSlant (const std::vector<PlaneSegment>& planes,
 bool
 hidesMost (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
 {
-  std::size_t all = 0, hidden = 0;
+  std::size_t all = 0;
+  std::size_t hidden = 0;
   for (const PlaneSegment& plane : planes) {
     all += plane.inliers.size();
     if (plane.normal.dot (eye.cast<double>() - plane.centroid) <= 0.0)

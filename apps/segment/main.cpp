@@ -306,7 +306,8 @@ private:
   answersOnUp ()
   {
     constexpr std::size_t max_asked = 64;
-    const std::size_t all = batch_.tasks.size(), asked = std::min (all, max_asked);
+    const std::size_t all = batch_.tasks.size();
+    const std::size_t asked = std::min (all, max_asked);
     std::vector<std::optional<UpAxis>> found (asked);
     runInParallel (asked, options_.jobs, [&] (std::size_t k) {
       const std::size_t i = k * all / asked;

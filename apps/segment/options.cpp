@@ -152,7 +152,8 @@ void
 checkAreAbout (const CommandLine& line, const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
-  const bool is_batch = options.isBatch(), is_tracked = options.track.is_on;
+  const bool is_batch = options.isBatch();
+  const bool is_tracked = options.track.is_on;
   const bool has_cloud = is_batch || !outputs.cloud.empty();
   const bool has_hulls = is_batch || !outputs.planes.empty() || !outputs.mesh.empty() ||
                          !outputs.view.empty() || line.isGiven ("min-area");
@@ -237,6 +238,35 @@ own (const std::string& output, const Task& task, Owners& owners)
                         "; rename one or give them in two runs");
 }
 
+/** \brief The outputs of all tasks: files, and folders of planes. */
+struct OwnedOutputs {
+  Owners files;
+  Owners folders;
+
+  bool
+  isInFolder (const fs::path& file) const
+  {
+    return folders.count (file.parent_path().string()) > 0;
+  }
+};
+
+/** \brief Refuses two outputs of one name, and an output that is its own input. */
+OwnedOutputs
+ownOutputs (const std::vector<Task>& tasks, const std::string& fix)
+{
+  OwnedOutputs outputs;
+  for (const Task& task : tasks) {
+    for (const std::string& file : task.outputs.files()) {
+      own (file, task, outputs.files);
+      if (isSameFile (task.input, file))
+        throw UsageError (file, "is the input, too; " + fix);
+    }
+    if (!task.outputs.planes_dir.empty())
+      own (task.outputs.planes_dir, task, outputs.folders);
+  }
+  return outputs;
+}
+
 /** \brief Refuses outputs that would be written over each other or over an input, or
  * be taken for planes of an earlier run.
  * \param[in] poses an input, too; empty for none */
@@ -245,31 +275,21 @@ checkClashes (const std::vector<Task>& tasks,
               const std::string& poses,
               const std::string& fix)
 {
-  Owners files, folders;
-  for (const Task& task : tasks) {
-    for (const std::string& file : task.outputs.files()) {
-      own (file, task, files);
-      if (isSameFile (task.input, file))
-        throw UsageError (file, "is the input, too; " + fix);
-    }
-    if (!task.outputs.planes_dir.empty())
-      own (task.outputs.planes_dir, task, folders);
-  }
-  const auto is_in_folder = [&folders] (const fs::path& file) {
-    return folders.count (file.parent_path().string()) > 0;
-  };
-  for (const auto& [name, output] : files)
-    if (is_in_folder (name) && isPlaneFile (fs::path (name).filename().string()))
+  const OwnedOutputs outputs = ownOutputs (tasks, fix);
+  for (const auto& [name, output] : outputs.files)
+    if (outputs.isInFolder (name) && isPlaneFile (fs::path (name).filename().string()))
       throw UsageError (output.name,
                         "has the name of a plane in --planes-dir; give it another name "
                         "or folder");
-  if (const auto file = files.find (resolvedName (poses)); file != files.end())
-    throw UsageError (file->second.name, "is the file of --poses, too; " + fix);
+  const auto of_poses = outputs.files.find (resolvedName (poses));
+  if (of_poses != outputs.files.end())
+    throw UsageError (of_poses->second.name, "is the file of --poses, too; " + fix);
   for (const Task& task : tasks) {
     const std::string input = resolvedName (task.input);
-    if (const auto file = files.find (input); file != files.end())
-      throw UsageError (file->second.name, "is an input, too; " + fix);
-    if (is_in_folder (input))
+    const auto of_input = outputs.files.find (input);
+    if (of_input != outputs.files.end())
+      throw UsageError (of_input->second.name, "is an input, too; " + fix);
+    if (outputs.isInFolder (input))
       throw UsageError ("--planes-dir",
                         "the input " + task.input + " lies in it; give another folder");
   }

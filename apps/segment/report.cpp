@@ -88,7 +88,8 @@ std::vector<std::string>
 remarksOn (const Report& report)
 {
   const Detected& detected = report.detected;
-  const std::size_t left = detected.planes.size(), found = report.dropped.found;
+  const std::size_t left = detected.planes.size();
+  const std::size_t found = report.dropped.found;
   std::vector<std::string> remarks;
   if (left > 0 && !report.dropped.by_option.empty())
     remarks.push_back ("Dropped " + std::to_string (found - left) + " of " +

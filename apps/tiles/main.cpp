@@ -354,7 +354,8 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   if (!readOptions (argc, argv, options))
     return ExitCode::done;
   const RunFolder folder{options.output_dir};
-  const bool is_first = ranks.rank == 0, speaks = is_first && !options.quiet;
+  const bool is_first = ranks.rank == 0;
+  const bool speaks = is_first && !options.quiet;
   if (options.dry_run) {
     if (is_first)
       std::cout << textOf (makePlan (inputsOf (options), options.plan)) << "\n";

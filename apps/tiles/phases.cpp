@@ -20,7 +20,8 @@ constexpr const char* folders[] = {"cells", "planes", "labelled"};
 TilePoints
 pointsOf (const SortedPoints& points, const TileKey& tile)
 {
-  const BlockKey own{tile[0], tile[1], 0}, halo{tile[0], tile[1], 1};
+  const BlockKey own{tile[0], tile[1], 0};
+  const BlockKey halo{tile[0], tile[1], 1};
   TilePoints all{tile, {}, {}};
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < points.files.size(); ++i) {

@@ -149,7 +149,8 @@ struct Sample {
 std::vector<Sample>
 lookAt (const std::vector<std::string>& files)
 {
-  constexpr std::size_t most = 16384, fewest = 64;
+  constexpr std::size_t most = 16384;
+  constexpr std::size_t fewest = 64;
   const std::size_t wanted =
       std::max (fewest, most / std::max<std::size_t> (1, files.size()));
   std::vector<Sample> samples;

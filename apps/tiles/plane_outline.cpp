@@ -51,7 +51,8 @@ sitesOf (const std::vector<OutlinePoint>& points,
   const Eigen::Vector3d weights (1.3, 1.0, 1.8);
   Eigen::Index axis = 0;
   normal.cwiseAbs().cwiseProduct (weights).maxCoeff (&axis);
-  Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
+  Eigen::Index u = (axis + 1) % 3;
+  Eigen::Index v = (axis + 2) % 3;
   if (normal[axis] < 0.0)
     std::swap (u, v);
   const auto square_of = [cell] (std::int64_t along) {
@@ -60,7 +61,8 @@ sitesOf (const std::vector<OutlinePoint>& points,
   std::vector<Site> sites;
   sites.reserve (points.size());
   for (const OutlinePoint& point : points) {
-    const std::int64_t along_u = point.place[u], along_v = point.place[v];
+    const std::int64_t along_u = point.place[u];
+    const std::int64_t along_v = point.place[v];
     sites.push_back (
         {{square_of (along_u), square_of (along_v)}, along_u, along_v, point});
   }
@@ -86,7 +88,10 @@ squaresOf (const std::vector<Site>& sites)
   TakenSquares squares;
   for (const Site& site : sites) {
     TakenSquare& taken = squares.try_emplace (squares.end(), site.square)->second;
-    (site.point.is_own ? taken.has_own : taken.has_others) = true;
+    if (site.point.is_own)
+      taken.has_own = true;
+    else
+      taken.has_others = true;
   }
   return squares;
 }
@@ -115,7 +120,8 @@ markWhole (TakenSquares& squares)
   // A triangle reaches three cells, and the circle around it no farther.
   constexpr std::int64_t reach_of_triangles = 4;
   for (auto& [square, taken] : squares) {
-    bool is_at_rim = false, is_at_border = taken.has_own && taken.has_others;
+    bool is_at_rim = false;
+    bool is_at_border = taken.has_own && taken.has_others;
     forSquaresAround (square, 1, squares, [&, own = taken.has_own] (auto* next) {
       is_at_rim = is_at_rim || next == nullptr;
       is_at_border = is_at_border || (next != nullptr && next->has_own != own);
@@ -152,7 +158,8 @@ double
 radiusFor (std::size_t sites, std::size_t squares)
 {
   const double density = double (sites) / double (squares);
-  constexpr double dense = 8.0, sparse = 2.0;
+  constexpr double dense = 8.0;
+  constexpr double sparse = 2.0;
   return density >= dense ? 1.5 : density >= sparse ? 3.0 : 6.0;
 }
 
@@ -304,7 +311,8 @@ struct SignedRing {
   {
     geometry::envelope (corners, box);
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-      const Eigen::Vector2d a = ring[i] - ring[0], b = ring[i + 1] - ring[0];
+      const Eigen::Vector2d a = ring[i] - ring[0];
+      const Eigen::Vector2d b = ring[i + 1] - ring[0];
       area += 0.5 * (a.x() * b.y() - a.y() * b.x());
     }
   }
@@ -354,7 +362,8 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   TakenSquares squares = squaresOf (sites);
   const double radius = cell * radiusFor (sites.size(), squares.size());
   sites = thinned (sites, squares);
-  const std::int64_t u = sites.front().u, v = sites.front().v;
+  const std::int64_t u = sites.front().u;
+  const std::int64_t v = sites.front().v;
   const auto is_beyond = [u, v] (const Site& site) {
     constexpr std::int64_t reach = 1 << 30; // of the diagram's coordinates
     return std::abs (site.u - u) > reach || std::abs (site.v - v) > reach;
@@ -370,7 +379,8 @@ outlineEdges (const std::vector<OutlinePoint>& points,
     vertex.color (isKept (vertex, sites, radius) ? kept : 0);
   std::vector<OutlineEdge> edges;
   for (const auto& edge : diagram.edges()) {
-    const Vertex *begin = edge.vertex0(), *end = edge.vertex1();
+    const Vertex* begin = edge.vertex0();
+    const Vertex* end = edge.vertex1();
     const bool is_inside = begin != nullptr && begin->color() == kept;
     if (!is_inside || (end != nullptr && end->color() == kept))
       continue;
@@ -381,6 +391,21 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   }
   return edges;
 }
+
+namespace {
+
+/** \brief The position of the smallest part around a hole, one after it; 0 if there is
+ * none. Parts are by falling size: asking the largest one takes long. */
+std::size_t
+partAround (const SignedRing& hole, const std::vector<SignedRing>& parts)
+{
+  std::size_t around = parts.size();
+  while (around > 1 && !hole.isIn (parts[around - 1]))
+    --around;
+  return around;
+}
+
+} // namespace
 
 std::vector<PlanarRings>
 outlineOf (const std::vector<OutlineEdge>& edges,
@@ -394,19 +419,18 @@ outlineOf (const std::vector<OutlineEdge>& edges,
   std::vector<SignedRing> parts;
   std::vector<PlanarRings> outline;
   double area = 0.0;
-  for (const SignedRing& ring : rings)
-    if (ring.area > 0.0 && (parts.empty() || ring.area >= min_area)) {
-      parts.push_back (ring);
-      outline.push_back ({ring.corners});
-      area += ring.area;
-    }
+  for (const SignedRing& ring : rings) {
+    const bool is_part = ring.area > 0.0 && (parts.empty() || ring.area >= min_area);
+    if (!is_part)
+      continue;
+    parts.push_back (ring);
+    outline.push_back ({ring.corners});
+    area += ring.area;
+  }
   for (const SignedRing& hole : rings) {
     if (hole.area > -min_area)
       continue;
-    // The smallest part around it; asking the largest one takes long.
-    std::size_t around = parts.size();
-    while (around > 1 && !hole.isIn (parts[around - 1]))
-      --around;
+    const std::size_t around = partAround (hole, parts);
     if (around > 0 && -hole.area < parts[around - 1].area) {
       outline[around - 1].push_back (hole.corners);
       area += hole.area;

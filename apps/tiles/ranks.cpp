@@ -66,7 +66,8 @@ Ranks::endAll ([[maybe_unused]] int exit_code) const
 std::vector<std::size_t>
 shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts)
 {
-  std::vector<std::size_t> order (parts.size()), own;
+  std::vector<std::size_t> order (parts.size());
+  std::vector<std::size_t> own;
   std::iota (order.begin(), order.end(), std::size_t (0));
   std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
     return parts[a] > parts[b];

@@ -129,7 +129,8 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
       std::find_if (measures.begin(), measures.end(), [] (const Measure& measure) {
         return measure.name == "ops";
       });
-  Json figures{{"name", source.name}, {"points", cloud->size()}}, table = Json::array();
+  Json figures{{"name", source.name}, {"points", cloud->size()}};
+  Json table = Json::array();
   for (const Measure& measure : measures) {
     Json& times = figures["times"][measure.name];
     times["runs"] = measure.runs;

@@ -51,7 +51,8 @@ struct EdgeScore {
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
-  constexpr double max_samples = 1e5, sample_step = 0.01; // [m]
+  constexpr double max_samples = 1e5;
+  constexpr double sample_step = 0.01; // [m]
   const Vector3d direction = (edge.to - edge.from).normalized();
   const int samples = int (std::min (max_samples, edge.length() / sample_step)) + 1;
   std::vector<double> distances (samples, std::numeric_limits<double>::infinity());
@@ -105,8 +106,8 @@ addCloud (const EvaluationCloud& cloud, EdgeScore& score)
   ops.setInputCloud (cloud.cloud);
   std::vector<PlaneSegment> planes;
   ops.segment (planes);
-  const PlaneEdges truth = findPlaneEdges (*cloud.cloud, true_planes),
-                   found = findPlaneEdges (*cloud.cloud, planes);
+  const PlaneEdges truth = findPlaneEdges (*cloud.cloud, true_planes);
+  const PlaneEdges found = findPlaneEdges (*cloud.cloud, planes);
   for (const PlaneEdge& edge : truth.edges) {
     constexpr double wall_length = 1.0; // [m]
     const std::set<Orientation> sides{true_planes[edge.planes[0]].orientation,

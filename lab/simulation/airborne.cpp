@@ -57,7 +57,8 @@ lookDown (const Airborne& site, std::size_t lot, const Vector2d& place, Random& 
   const House& house = *site.houses[lot];
   const Vector2d from_center = place - house.center.head<2>();
   const Vector2d local = Eigen::Rotation2Dd (-house.yaw) * from_center;
-  const double half_width = 0.5 * house.width, aside = std::abs (local.y());
+  const double half_width = 0.5 * house.width;
+  const double aside = std::abs (local.y());
   if (aside >= half_width || std::abs (local.x()) >= 0.5 * house.length)
     return bare;
   const double rise = (house.ridge - house.eaves) / half_width;
@@ -77,7 +78,8 @@ Airborne::width() const
 Airborne
 makeAirborne (Seed seed)
 {
-  constexpr double chance_of_flat = 0.25, chance_of_wood = 0.3;
+  constexpr double chance_of_flat = 0.25;
+  constexpr double chance_of_wood = 0.3;
   constexpr double max_points = 600'000;
   Random random = randomFor (Purpose::Airborne, seed);
   Airborne site;
@@ -85,7 +87,8 @@ makeAirborne (Seed seed)
   const double densest = max_points / (site.width() * site.width());
   site.density = std::min (drawLogUniform (0.4, 4, random), densest);
   const bool is_flat = random.chance (chance_of_flat);
-  const double amplitude = random.between (1, 8), length = random.between (150, 250);
+  const double amplitude = random.between (1, 8);
+  const double length = random.between (150, 250);
   site.relief = drawRelief (is_flat ? 0.0 : amplitude, length, random);
   for (int row = 0; row < site.lots; ++row)
     for (int column = 0; column < site.lots; ++column) {
@@ -108,7 +111,8 @@ scanAirborne (const Airborne& site, std::size_t points, double noise, Seed seed)
   LabeledCloud cloud;
   cloud.reserve (points);
   for (std::size_t i = 0; i < points; ++i) {
-    const double x = site.width() * random.unit(), y = site.width() * random.unit();
+    const double x = site.width() * random.unit();
+    const double y = site.width() * random.unit();
     const auto lot = std::size_t (y / edge_of_lot) * std::size_t (site.lots) +
                      std::size_t (x / edge_of_lot);
     const SurfaceAt seen = lookDown (site, lot, {x, y}, random);

@@ -20,7 +20,8 @@ Body
 slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
 {
   Body slab{size.head<2>()};
-  const double height = size.z() - thickness, inset = 3.0 * leg_radius;
+  const double height = size.z() - thickness;
+  const double inset = 3.0 * leg_radius;
   slab.addBox (at ({0, 0, size.z() - 0.5 * thickness}),
                {size.x(), size.y(), thickness});
   for (const double x : {-0.5, 0.5})
@@ -57,7 +58,9 @@ Body
 drawDesk (Random& random)
 {
   const Vector3d size = random.inBox ({1.2, 0.65, 0.7}, {1.8, 0.85, 0.76});
-  const double x = size.x(), top = size.z(), drawers = 0.42;
+  const double x = size.x();
+  const double top = size.z();
+  const double drawers = 0.42;
   Body desk = slabOnLegs (size, 0.03, 0.03);
   addStandingBox (
       desk, {0.5 * (x - drawers) - 0.03, 0, 0}, {drawers, size.y() - 0.1, top - 0.1});
@@ -65,11 +68,13 @@ drawDesk (Random& random)
   const Vector3d stand (-0.2 * x, -0.15, top);
   desk.addPole (stand, 0.2, 0.03);
   desk.addPole (stand, 0.015, 0.12);
-  const double tilt = random.angle (0, 12), yaw = random.angle (-25, 25);
+  const double tilt = random.angle (0, 12);
+  const double yaw = random.angle (-25, 25);
   desk.addBox (at ({-0.2 * x, -0.15 + 0.05, top + 0.1 + 0.5 * monitor.z()}) *
                    turnZ (yaw) * turnX (tilt),
                monitor);
-  const Vector3d keyboard (0.34, 0.24, 0.018), lid (0.34, 0.008, 0.24);
+  const Vector3d keyboard (0.34, 0.24, 0.018);
+  const Vector3d lid (0.34, 0.008, 0.24);
   const Isometry3d hinge = at ({0.25 * x, -0.05, top}) * turnZ (random.angle (-30, 30));
   const Isometry3d open = hinge * turnX (random.angle (5, 35));
   desk.addBox (hinge * at ({0, 0.5 * keyboard.y(), 0.5 * keyboard.z()}),
@@ -93,9 +98,11 @@ drawCupboard (Random& random)
 Body
 drawShelf (Random& random)
 {
-  constexpr double thickness = 0.025, depth = 0.3;
+  constexpr double thickness = 0.025;
+  constexpr double depth = 0.3;
   const int boards = 3 + int (random.below (3));
-  const double pitch = random.between (0.33, 0.4), width = random.between (0.7, 1.2);
+  const double pitch = random.between (0.33, 0.4);
+  const double width = random.between (0.7, 1.2);
   const double height = boards * pitch;
   Body shelf{{width, depth}};
   for (const double side : {-0.5, 0.5})
@@ -116,7 +123,10 @@ Body
 drawBed (Random& random)
 {
   const Vector3d size = random.inBox ({0.9, 2.0, 0.4}, {1.6, 2.0, 0.6});
-  const double x = size.x(), y = size.y(), z = size.z(), headboard = 0.06;
+  const double x = size.x();
+  const double y = size.y();
+  const double z = size.z();
+  const double headboard = 0.06;
   Body bed{{x, y}};
   addStandingBox (bed, {0, 0.5 * headboard, 0}, {x, y - headboard, z});
   addStandingBox (bed, {0, 0.5 * (headboard - y), 0}, {x, headboard, z + 0.4});
@@ -128,8 +138,10 @@ drawBed (Random& random)
 Body
 drawSofa (Random& random)
 {
-  constexpr double depth = 0.85, arm = 0.18;
-  const double width = random.between (1.4, 2.2), seat = random.between (0.38, 0.46);
+  constexpr double depth = 0.85;
+  constexpr double arm = 0.18;
+  const double width = random.between (1.4, 2.2);
+  const double seat = random.between (0.38, 0.46);
   Body sofa{{width, depth}};
   addStandingBox (sofa, {0, 0, 0}, {width - 2.0 * arm, depth, seat});
   for (const double side : {-0.5, 0.5})
@@ -171,7 +183,8 @@ drawTiltedPanel (Random& random)
   const Vector3d size = random.inBox ({0.7, 0.5, 0.025}, {1.3, 0.95, 0.025});
   const double height = random.between (0.8, 1.3);
   Body panel{Vector2d::Constant (size.head<2>().norm())};
-  const double yaw = random.angle (-25, 25), tilt = random.angle (25, 75);
+  const double yaw = random.angle (-25, 25);
+  const double tilt = random.angle (25, 75);
   panel.addBox (at ({0, 0, height}) * turnX (tilt) * turnZ (yaw), size);
   panel.addPole ({0, 0, 0}, height - 0.06, 0.03);
   panel.addPole ({0, 0, 0}, 0.03, 0.25);
@@ -200,9 +213,10 @@ boardsOnPosts (
     if (i < boards)
       size -= Vector2d::Constant (2.0 * offset_of_faces);
   }
-  const double height = boards * pitch - thickness,
-               width = random.between (thinnest, thickest);
-  const double step = width + offset_of_faces, inset = overhang + 0.5 * width;
+  const double height = boards * pitch - thickness;
+  const double width = random.between (thinnest, thickest);
+  const double step = width + offset_of_faces;
+  const double inset = overhang + 0.5 * width;
   for (const double side_x : {-1.0, 1.0})
     for (const double side_y : {-1.0, 1.0}) {
       const double x = 0.5 * size.x() - inset - (side_y > 0.0 ? step : 0.0);
@@ -228,7 +242,8 @@ Body
 drawLeaningBoard (Random& random)
 {
   const Vector3d size = random.inBox ({0.5, 0.03, 0.8}, {1.3, 0.03, 1.9});
-  const double lean = random.angle (10, 35), roll = random.angle (-8, 8);
+  const double lean = random.angle (10, 35);
+  const double roll = random.angle (-8, 8);
   const double depth = size.z() * std::sin (lean) + 0.1;
   const double lift = 0.5 * size.x() * std::abs (std::sin (roll));
   Body board{{size.x() + 0.2, depth}};
@@ -243,7 +258,8 @@ drawRamp (Random& random)
 {
   const Vector3d size = random.inBox ({0.7, 1.0, 0.03}, {1.2, 1.9, 0.03});
   const double slope = random.angle (15, 40);
-  const double run = size.y() * std::cos (slope), rise = size.y() * std::sin (slope);
+  const double run = size.y() * std::cos (slope);
+  const double rise = size.y() * std::sin (slope);
   Body ramp{{size.x(), run}};
   ramp.addBox (at ({0, 0, 0.5 * rise + 0.02}) * turnX (slope), size);
   for (const double side : {-0.4, 0.4})
@@ -308,8 +324,8 @@ Body
 drawBoardRack (Random& random)
 {
   const int boards = 3 + int (random.below (2));
-  const double pitch = random.between (0.3, 0.45),
-               thickness = random.between (thinnest, thickest);
+  const double pitch = random.between (0.3, 0.45);
+  const double thickness = random.between (thinnest, thickest);
   const Vector3d size = random.inBox ({0.7, 0.5, 0.0}, {1.1, 0.6, 0.0});
   return boardsOnPosts (boards, pitch, size.head<2>(), thickness, random);
 }

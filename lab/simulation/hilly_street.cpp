@@ -17,8 +17,11 @@ constexpr double no_hit = std::numeric_limits<double>::infinity();
 void
 addWall (HillyStreet& street, double x, double side, Random& random)
 {
-  constexpr double depth = 9.0, above = 6.0, below = 1.0; // [m]
-  const double length = random.between (12, 20), y = side * random.between (11, 15);
+  constexpr double depth = 9.0;
+  constexpr double above = 6.0;
+  constexpr double below = 1.0; // [m]
+  const double length = random.between (12, 20);
+  const double y = side * random.between (11, 15);
   const double foot = street.ground (x + 0.5 * length, y);
   const double middle = foot + 0.5 * (above - below);
   const Vector3d up (0, 0, above + below);
@@ -51,9 +54,11 @@ distanceToGround (const HillyStreet& street, const Vector3d& ray)
     const Vector3d place = distance * ray;
     return place.z() - street.ground (place.x(), place.y());
   };
-  double distance = nearest_reading, height = heightAt (distance);
+  double distance = nearest_reading;
+  double height = heightAt (distance);
   for (int step = 0; step < steps; ++step) {
-    const double next = growth * distance, next_height = heightAt (next);
+    const double next = growth * distance;
+    const double next_height = heightAt (next);
     if (height > 0.0 && next_height <= 0.0)
       return distance + (next - distance) * height / (height - next_height);
     distance = next;
@@ -91,7 +96,8 @@ makeHillyStreet (Seed seed)
   constexpr double chance_of_wall = 0.65;
   Random random = randomFor (Purpose::HillyStreet, seed);
   HillyStreet street;
-  const double amplitude = random.between (0.5, 2), length = random.between (70, 110);
+  const double amplitude = random.between (0.5, 2);
+  const double length = random.between (70, 110);
   street.relief = drawRelief (amplitude, length, random);
   street.lidar.steps = int (drawLogUniform (370, 1800, random));
   for (const double side : {-1.0, 1.0})

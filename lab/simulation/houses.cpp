@@ -50,7 +50,8 @@ facadesOf (const Survey& survey)
       facades.push_back (
           {makeRectangle (0.5 * (right + top), right - left, top - left), shoulders});
     };
-    const double eaves = house.eaves, ridge = house.ridge;
+    const double eaves = house.eaves;
+    const double ridge = house.ridge;
     for (const int side : {-1, 1}) {
       add (corner (-1, side, 0), corner (1, side, 0), corner (-1, side, eaves));
       add (corner (side, -1, 0),
@@ -89,7 +90,8 @@ struct Side {
 Random
 randomAt (Seed seed, const Place& place, std::uint32_t what)
 {
-  const auto x = std::uint32_t (place.x()), y = std::uint32_t (place.y());
+  const auto x = std::uint32_t (place.x());
+  const auto y = std::uint32_t (place.y());
   return Random (std::seed_seq{seed, std::uint32_t (Purpose::Town), x, y, what});
 }
 
@@ -112,7 +114,8 @@ terraceAt (Seed seed, const Place& place)
   };
   const Vector3d along = pose.linear() * Vector3d (length, 0, 0);
   const Vector3d across = pose.linear() * Vector3d (0, depth, 0);
-  const Vector3d up (0, 0, eaves), top = corner (0, 0.5 * depth, ridge);
+  const Vector3d up (0, 0, eaves);
+  const Vector3d top = corner (0, 0.5 * depth, ridge);
   std::vector<Side> sides = {
       {corner (0, 0, 0), along, up},
       {corner (0, depth, 0), along, up},
@@ -152,7 +155,8 @@ struct TileSurvey {
   {
     const auto columns = int (std::ceil (side.along.norm() / edge_of_patch));
     const auto rows = int (std::ceil (side.up.norm() / edge_of_patch));
-    const Vector3d along = side.along / columns, up = side.up / rows;
+    const Vector3d along = side.along / columns;
+    const Vector3d up = side.up / rows;
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column)
         addPatch ({side.corner + column * along + row * up, along, up},
@@ -178,7 +182,8 @@ struct TileSurvey {
     const auto wanted =
         std::size_t (density * patch.along.norm() * patch.up.norm() + random.unit());
     for (std::size_t i = 0; i < wanted; ++i) {
-      const double u = random.unit(), v = random.unit();
+      const double u = random.unit();
+      const double v = random.unit();
       Vector3d point = placeOn (patch, u, v);
       for (double& coordinate : point)
         coordinate += sigma * random.gaussian();
@@ -202,7 +207,8 @@ makeSurvey (Seed seed)
   const double first = 0.5 * (width_of_lot - survey.width);
   for (int i = 0; i < lots_in_a_row * lots_in_a_row; ++i) {
     House& house = survey.houses.emplace_back();
-    const int column = i % lots_in_a_row, row = i / lots_in_a_row;
+    const int column = i % lots_in_a_row;
+    const int row = i / lots_in_a_row;
     house.center.x() = first + column * width_of_lot + random.between (-4, 4);
     house.center.y() = first + row * width_of_lot + random.between (-4, 4);
     house.yaw = random.angle (0, 180);

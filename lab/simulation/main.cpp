@@ -158,7 +158,8 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
 {
   const Simulation& simulation = options.simulation;
   const std::string& scene = simulation.scene;
-  const bool is_town = scene == "town", is_walk = scene == "walk";
+  const bool is_town = scene == "town";
+  const bool is_walk = scene == "walk";
   const bool has_lidar = simulation.hasLidar();
   const auto refuse =
       [&line] (const std::string& option, bool is_wrong, const std::string& problem) {
@@ -205,7 +206,8 @@ writeFiles (const SimulationOptions& options,
   const Style style = options.quiet ? Style::None : progressStyleOf (is_terminal);
   makeFolder (options.output);
   Progress progress (count, std::cerr, style, noun);
-  std::uint64_t files = 0, points = 0;
+  std::uint64_t files = 0;
+  std::uint64_t points = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string file = options.inFolder (nameOf (i));
     stopIfInterrupted();
@@ -230,8 +232,8 @@ writeTown (const SimulationOptions& options)
                 (i / town.tiles));
   };
   const auto save = [&] (std::size_t i, const std::string& file) {
-    const auto column = std::uint32_t (i % town.tiles),
-               row = std::uint32_t (i / town.tiles);
+    const auto column = std::uint32_t (i % town.tiles);
+    const auto row = std::uint32_t (i / town.tiles);
     std::vector<LasPoint> points;
     for (const TownPoint& point : surveyTile (town, column, row, simulation.noise)) {
       LasPoint& record = points.emplace_back();

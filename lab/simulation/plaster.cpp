@@ -25,7 +25,8 @@ struct Waves {
   double
   at (const Shape& side, const Vector3d& point) const
   {
-    constexpr double length = 3.0, width = 1.4 * length; // [m]
+    constexpr double length = 3.0;
+    constexpr double width = 1.4 * length; // [m]
     const Vector3d local = point - side.center;
     return amplitude * std::sin (2.0 * pi * local.dot (side.u) / length + along) *
            std::cos (2.0 * pi * local.dot (side.v) / width + across);

@@ -51,7 +51,8 @@ struct Furnisher {
       room.size[axis] = random.between (smallest[axis], largest[axis]);
     room.yaw = random.angle (0, 90);
     Body shell;
-    const Vector3d length (room.size.x(), 0, 0), width (0, room.size.y(), 0);
+    const Vector3d length (room.size.x(), 0, 0);
+    const Vector3d width (0, room.size.y(), 0);
     shell.addSurface (makeRectangle ({0, 0, 0}, length, width));
     if (has_ceiling)
       shell.addSurface (makeRectangle ({0, 0, room.size.z()}, length, width));
@@ -147,14 +148,17 @@ using Way = std::function<Isometry3d (double share)>;
 Way
 drawWayAround (const Site& room, Random& random)
 {
-  constexpr double steps = 16.0, rise = 0.03; // rise [m]
+  constexpr double steps = 16.0;
+  constexpr double rise = 0.03; // rise [m]
   constexpr double sway = 2.0 * pi / 180.0;
   const double start = random.between (0.0, whole_turn);
   const double turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
   const double radius = random.between (0.35, 0.6); // of the way to the walls
-  const double height = random.between (1.4, 1.8), pitch = random.angle (8, 18);
+  const double height = random.between (1.4, 1.8);
+  const double pitch = random.angle (8, 18);
   return [=, &room] (double share) -> Isometry3d {
-    const double angle = start + share * turn, step = share * steps * whole_turn;
+    const double angle = start + share * turn;
+    const double step = share * steps * whole_turn;
     const Vector3d eye (0.5 * radius * room.size.x() * std::cos (angle),
                         0.5 * radius * room.size.y() * std::sin (angle),
                         height + rise * std::sin (step));
@@ -182,7 +186,8 @@ drawBest (const Site& room,
           const std::function<Way()>& draw)
 {
   Way best;
-  for (int i = 0, most = -1; i < ways; ++i) {
+  int most = -1;
+  for (int i = 0; i < ways; ++i) {
     const Way way = draw();
     int fewest = std::numeric_limits<int>::max();
     for (const Isometry3d& pose : posesOn (way, views))
@@ -259,7 +264,8 @@ drawCameraPose (const Site& room, Seed seed)
     Vector3d target =
         random.inBox ({-0.4, -0.4, 0}, {0.4, 0.4, 0}).cwiseProduct (reach);
     target.z() = eye.z();
-    const double roll = random.angle (-4, 4), pitch = random.angle (-20, -5);
+    const double roll = random.angle (-4, 4);
+    const double pitch = random.angle (-20, -5);
     const Isometry3d level = upright (eye, (target - eye).normalized());
     const Isometry3d pose = turnZ (room.yaw) * level * turnX (pitch) * turnZ (roll);
     return [pose] (double) { return pose; };

@@ -36,17 +36,20 @@ struct RayCast {
     const bool is_sphere = shape.kind == Kind::Sphere;
     const Vector3d axis = is_sphere ? Vector3d::Zero() : shape.u;
     const Vector3d to_center = shape.center - origin;
-    const double along = direction.dot (axis), center_along = to_center.dot (axis);
+    const double along = direction.dot (axis);
+    const double center_along = to_center.dot (axis);
     const Vector3d across = direction - along * axis;
     const Vector3d center_across = to_center - center_along * axis;
     // The roots of a x^2 - 2 b x + c = 0.
-    const double a = across.squaredNorm(), b = across.dot (center_across);
+    const double a = across.squaredNorm();
+    const double b = across.dot (center_across);
     const double c = center_across.squaredNorm() - shape.half_v * shape.half_v;
     const double discriminant = b * b - a * c;
     if (discriminant < 0.0 || a <= 0.0)
       return infinite;
     const double root = std::sqrt (discriminant);
-    double enter = (b - root) / a, leave = (b + root) / a;
+    double enter = (b - root) / a;
+    double leave = (b + root) / a;
     if (!is_sphere) {
       const double one_end = (center_along - shape.half_u) / along;
       const double other_end = (center_along + shape.half_u) / along;
@@ -65,7 +68,8 @@ struct RayCast {
     const Eigen::Array3d high = (box.max() - origin).array() + margin;
     const Eigen::Array3d one = low / direction.array();
     const Eigen::Array3d other = high / direction.array();
-    const double enter = one.min (other).maxCoeff(), leave = one.max (other).minCoeff();
+    const double enter = one.min (other).maxCoeff();
+    const double leave = one.max (other).minCoeff();
     return enter <= leave && leave >= 0.0 && enter <= closest.distance;
   }
 
@@ -123,7 +127,8 @@ Body::addBox (const Isometry3d& pose, const Vector3d& size, HiddenFace hidden)
       const auto hides = side < 0.0 ? HiddenFace::Bottom : HiddenFace::BottomAndTop;
       if (axis == 2 && hidden >= hides)
         continue;
-      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
       box.addSurface (
           makeRectangle (side * edges.col (axis), edges.col (u), edges.col (v)));
     }

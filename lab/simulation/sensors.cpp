@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace pcl_ops::simulation {
@@ -38,35 +39,48 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
   return field;
 }
 
+/** The first of the four neighboring depths that is beyond an edge, if any. */
+std::optional<double>
+depthBeyondEdge (const Field& depths, Eigen::Index row, Eigen::Index column)
+{
+  // Neighboring depths that differ by more, relative to the depth, are an edge.
+  constexpr double edge_ratio = 0.05;
+  constexpr Eigen::Index neighbors[4][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
+  const double here = depths (row, column);
+  for (const auto& [down, right] : neighbors) {
+    const Eigen::Index r = row + down;
+    const Eigen::Index c = column + right;
+    if (c < 0 || c >= depths.cols() || r < 0 || r >= depths.rows())
+      continue;
+    const double other = depths (r, c);
+    if (std::abs (other - here) > edge_ratio * std::min (other, here))
+      return other;
+  }
+  return std::nullopt;
+}
+
 /** Lets pixels at depth edges fly between the two sides, or loses them. */
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
-  // Neighboring depths that differ by more, relative to the depth, are an edge.
-  constexpr double edge_ratio = 0.05;
-  constexpr double flying_fraction = 0.3, lost_fraction = 0.2;
-  constexpr int neighbors[4][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
+  constexpr double flying_fraction = 0.3;
+  constexpr double lost_fraction = 0.2;
   const Field exact = image.depth;
   const double strength = std::min (1.0, noise.scale);
-  for (int row = 0; row < exact.rows(); ++row)
-    for (int column = 0; column < exact.cols(); ++column)
-      for (const auto& [down, right] : neighbors) {
-        const int r = row + down, c = column + right;
-        if (c < 0 || c >= exact.cols() || r < 0 || r >= exact.rows())
-          continue;
-        const double here = exact (row, column), other = exact (r, c);
-        if (!(std::abs (other - here) > edge_ratio * std::min (other, here)))
-          continue;
-        double& depth = image.depth (row, column);
-        const double chance = random.unit() / strength;
-        if (chance < flying_fraction) {
-          depth += random.between (0.1, 0.9) * (other - depth);
-          image.surface[std::size_t (row * exact.cols() + column)] = no_surface;
-        }
-        else if (chance < flying_fraction + lost_fraction)
-          depth = no_reading;
-        break;
+  for (Eigen::Index row = 0; row < exact.rows(); ++row)
+    for (Eigen::Index column = 0; column < exact.cols(); ++column) {
+      const std::optional<double> other = depthBeyondEdge (exact, row, column);
+      if (!other)
+        continue;
+      double& depth = image.depth (row, column);
+      const double chance = random.unit() / strength;
+      if (chance < flying_fraction) {
+        depth += random.between (0.1, 0.9) * (*other - depth);
+        image.surface[std::size_t (row * exact.cols() + column)] = no_surface;
       }
+      else if (chance < flying_fraction + lost_fraction)
+        depth = no_reading;
+    }
 }
 
 /** All noise but that of the rays' directions. */
@@ -79,7 +93,8 @@ disturbDepths (DepthImage& image,
   // Distance between a Kinect's projector and camera [m], and steps of disparity per
   // pixel: Khoshelham & Elberink, "Accuracy and Resolution of Kinect Depth Data",
   // Sensors 2012. The steps are those of the Kinect's own image also in a smaller one.
-  constexpr double baseline = 0.075, disparity_steps = 8.0;
+  constexpr double baseline = 0.075;
+  constexpr double disparity_steps = 8.0;
   constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
   const double quantization = noise.is_raw ? steps_times_depth : noise.quantization;
   disturbEdges (image, noise, random);
@@ -112,7 +127,8 @@ Vector3d
 rosetteRay (const Lidar& lidar, std::size_t ray)
 {
   // Of a Livox Mid-40: the rosette is closed after half a minute.
-  constexpr double turns_of_first = 7294.0 / 60.0, turns_of_second = -4664.0 / 60.0;
+  constexpr double turns_of_first = 7294.0 / 60.0;
+  constexpr double turns_of_second = -4664.0 / 60.0;
   constexpr double rays_a_second = 1e5;
   const double time = double (ray) / rays_a_second;
   const double first = 2.0 * pi * turns_of_first * time;
@@ -180,7 +196,9 @@ scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& no
 double
 drawQuantization (Seed seed)
 {
-  constexpr double depth = 5.0, finest = 0.065, coarsest = 0.08; // [m]
+  constexpr double depth = 5.0;
+  constexpr double finest = 0.065;
+  constexpr double coarsest = 0.08; // [m]
   Random random = randomFor (Purpose::Quantization, seed);
   return depth * depth / random.between (finest, coarsest);
 }

@@ -27,7 +27,8 @@ Shape
 makeRound (
     Kind kind, const Vector3d& center, double radius, double height, double share = 1.0)
 {
-  const Vector3d up = Vector3d::UnitZ(), none = Vector3d::Zero();
+  const Vector3d up = Vector3d::UnitZ();
+  const Vector3d none = Vector3d::Zero();
   return {kind, center, up, none, height, radius, no_surface, share};
 }
 
@@ -36,7 +37,8 @@ makeRound (
 Shape
 drawSmall (const ShapeSizes& sizes, int position, Random& random)
 {
-  constexpr double distance = 1.8, row = -1.2; // room for the two largest [m]
+  constexpr double distance = 1.8;
+  constexpr double row = -1.2; // room for the two largest [m]
   const auto& [lowest_radius, highest_radius] = sizes.small_radius;
   const auto& [lowest, highest] = sizes.small_height;
   const double radius = random.between (lowest_radius, highest_radius);
@@ -50,8 +52,10 @@ drawSmall (const ShapeSizes& sizes, int position, Random& random)
 Shape
 drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
-  constexpr double distance = 3.0, row = -3.8;    // [m]
-  constexpr double smallest = 0.6, largest = 5.5; // radii [m]
+  constexpr double distance = 3.0;
+  constexpr double row = -3.8; // [m]
+  constexpr double smallest = 0.6;
+  constexpr double largest = 5.5; // radii [m]
   const double x = (position - 1.5) * distance;
   // Of equal chance for each octave.
   const double radius = smallest * std::pow (largest / smallest, random.unit());
@@ -75,7 +79,8 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
 Shape
 drawBoard (const Shape& ground, Random& random)
 {
-  const double turned = random.angle (0, 360), tilt = random.angle (70, 90);
+  const double turned = random.angle (0, 360);
+  const double tilt = random.angle (70, 90);
   const Isometry3d pose = turnZ (turned) * turnX (tilt);
   Shape board;
   board.half_u = 0.5 * random.between (0.8, 1.6);

@@ -22,8 +22,10 @@ drawAcross (Random& random)
 SurfacePoint
 drawOnConeOrTorus (const Shape& shape, Random& random)
 {
-  const double radius = shape.half_v, height = shape.half_u;
-  const Vector3d across = drawAcross (random), up = Vector3d::UnitZ();
+  const double radius = shape.half_v;
+  const double height = shape.half_u;
+  const Vector3d across = drawAcross (random);
+  const Vector3d up = Vector3d::UnitZ();
   if (shape.kind == Kind::Cone) {
     // The share of area above grows with the square of the distance from the apex.
     const double down = std::sqrt (random.unit());
@@ -160,7 +162,8 @@ LabeledCloud
 drawPoints (const Shapes& shapes, std::size_t points, double sigma, Random& random)
 {
   LabeledCloud cloud;
-  double whole_area = 0.0, area_so_far = 0.0;
+  double whole_area = 0.0;
+  double area_so_far = 0.0;
   for (const Shape& shape : shapes)
     whole_area += shape.area();
   if (!(whole_area > 0.0))

@@ -22,17 +22,21 @@ addSlab (Body& body, const Shape& face, double thickness)
 Scene
 makeSlabs (Seed seed)
 {
-  constexpr double thinnest = 0.04, thickest = 0.15; // [m]
-  constexpr double floor = -0.9, edge = 4.0;         // [m]
+  constexpr double thinnest = 0.04;
+  constexpr double thickest = 0.15; // [m]
+  constexpr double floor = -0.9;
+  constexpr double edge = 4.0; // [m]
   Random random = randomFor (Purpose::Slabs, seed);
   Body body;
-  const double length = random.between (2, 4), height = random.between (2, 2.5);
+  const double length = random.between (2, 4);
+  const double height = random.between (2, 2.5);
   const double thickness_of_wall = random.between (thinnest, thickest);
   addSlab (
       body,
       makeRectangle ({1.0, 1.2, floor + 0.5 * height}, {length, 0, 0}, {0, 0, height}),
       thickness_of_wall);
-  const double width = random.between (0.8, 1.6), depth = random.between (0.6, 1.0);
+  const double width = random.between (0.8, 1.6);
+  const double depth = random.between (0.6, 1.0);
   const double thickness_of_board = random.between (thinnest, thickest);
   addSlab (body,
            makeRectangle (
@@ -50,7 +54,8 @@ makeSlabs (Seed seed)
 double
 drawPointsOfSlabs (Seed seed)
 {
-  constexpr double fewest = 1e4, most = 3e5;
+  constexpr double fewest = 1e4;
+  constexpr double most = 3e5;
   Random random = randomFor (Purpose::PointsOfSlabs, seed);
   return std::floor (drawLogUniform (fewest, most, random));
 }

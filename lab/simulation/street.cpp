@@ -41,7 +41,8 @@ drawTownHouse (double width, Random& random)
 {
   const int storeys = 1 + int (random.below (4));
   const int bays = int (width / random.between (2.8, 3.4));
-  const double storey_height = random.between (2.7, 3.2), bay_width = width / bays;
+  const double storey_height = random.between (2.7, 3.2);
+  const double bay_width = width / bays;
   // An initializer list is drawn from left to right.
   const Opening window{random.between (0.9, 1.6),
                        random.between (1.2, 1.6),
@@ -59,7 +60,8 @@ drawTownHouse (double width, Random& random)
     for (int bay = 0; bay < bays; ++bay) {
       const auto& [hole, height, sill, depth] =
           storey == 0 && bay == bay_of_door ? door : window;
-      const double floor = storey * storey_height, bottom = floor + sill;
+      const double floor = storey * storey_height;
+      const double bottom = floor + sill;
       const double top = storey + 1 == storeys ? eaves : (storey + 1) * storey_height;
       const double left = bay * bay_width - 0.5 * width;
       const double middle = ((bay + 0.5) / bays - 0.5) * width;
@@ -77,8 +79,10 @@ drawTownHouse (double width, Random& random)
 Body
 drawCar (Random& random)
 {
-  const double length = random.between (3.8, 4.8), width = random.between (1.65, 1.85);
-  const double sill = random.between (0.2, 0.3), belt = random.between (0.8, 1.05);
+  const double length = random.between (3.8, 4.8);
+  const double width = random.between (1.65, 1.85);
+  const double sill = random.between (0.2, 0.3);
+  const double belt = random.between (0.8, 1.05);
   const double roof = belt + random.between (0.5, 0.8);
   Body car;
   car.addBox (at ({0, 0, 0.5 * (sill + belt)}),
@@ -87,7 +91,8 @@ drawCar (Random& random)
   // Slanted windows in front and behind, upright ones beside, a roof on top.
   const double front_foot = random.between (0.2, 0.3) * length;
   const double front = random.between (0.0, 0.1) * length;
-  const double rear = random.between (-0.45, -0.3) * length, rear_foot = -0.48 * length;
+  const double rear = random.between (-0.45, -0.3) * length;
+  const double rear_foot = -0.48 * length;
   const double cabin_width = width - 0.24;
   const Vector3d across (0, cabin_width, 0);
   car.addFace ({front_foot, 0, belt}, {front, 0, roof}, across);
@@ -95,12 +100,14 @@ drawCar (Random& random)
   car.addFace ({rear_foot, 0, belt}, {rear, 0, roof}, across);
   for (const double side : {-0.5, 0.5})
     car.addSurface (WallRange{rear, front, belt, roof}.at (side * cabin_width));
-  constexpr double radius = 0.31, half_wheel = 0.1;
+  constexpr double radius = 0.31;
+  constexpr double half_wheel = 0.1;
   // So that the cap of a hub bulges out of the side.
   constexpr double hub_inside = 0.25;
   for (const double along : {-0.3, 0.3})
     for (const double side : {-1.0, 1.0}) {
-      const double x = along * length, y = side * (0.5 * width - 0.05 - half_wheel);
+      const double x = along * length;
+      const double y = side * (0.5 * width - 0.05 - half_wheel);
       car.addCylinder ({x, y, radius}, Vector3d::UnitY(), half_wheel, radius);
       car.addSphere ({x, side * (0.5 * width - hub_inside), radius}, radius);
     }
@@ -112,7 +119,8 @@ void
 addLeaves (
     Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
 {
-  constexpr double leaf = 0.03, largest_leaf = 0.08; // radii [m]
+  constexpr double leaf = 0.03;
+  constexpr double largest_leaf = 0.08; // radii [m]
   // Such that about a quarter of the rays through the middle pass between the leaves;
   // half of the places are outside the ball.
   const double radii = crown / largest_leaf;
@@ -131,7 +139,8 @@ Body
 drawTree (Random& random)
 {
   Body tree;
-  const double trunk = random.between (1.6, 2.6), radius = random.between (1.0, 2.0);
+  const double trunk = random.between (1.6, 2.6);
+  const double radius = random.between (1.0, 2.0);
   tree.addPole ({0, 0, 0}, trunk + 0.5 * radius, random.between (0.08, 0.25));
   addLeaves (tree, {0, 0, trunk + 0.9 * radius}, radius, trunk, random);
   return tree;
@@ -171,7 +180,8 @@ addBushes (Scene& scene, const Roadside& side, double x, double setback, Random&
 void
 addHouses (Scene& scene, const Roadside& side, Random& random)
 {
-  constexpr double narrow = 9.0, wide = 15.0; // [m]
+  constexpr double narrow = 9.0;
+  constexpr double wide = 15.0; // [m]
   // Facades are so far behind each other that no two are in one plane [m].
   constexpr double setback_step = 0.4;
   std::vector<int> rows (std::size_t (side.length / narrow));
@@ -196,7 +206,8 @@ addHouses (Scene& scene, const Roadside& side, Random& random)
 void
 addRows (Scene& scene, const Roadside& side, Random& random)
 {
-  constexpr double spot = 6.5, gap_of_trees = 9.0; // [m]
+  constexpr double spot = 6.5;
+  constexpr double gap_of_trees = 9.0; // [m]
   const double half_length = 0.5 * side.length;
   for (double x = 0.5 * spot - half_length; x < half_length; x += spot)
     if (random.chance (0.45)) {
@@ -229,7 +240,8 @@ addSide (Site& street, const Isometry3d& pose, Random& random)
                       random.between (0.02, 0.03)};
   constexpr double depth = 25.0; // of the ground, to behind the houses [m]
   Body ground;
-  const Vector3d curb (0, 0, side.curb), along (side.length, 0, 0);
+  const Vector3d curb (0, 0, side.curb);
+  const Vector3d along (side.length, 0, 0);
   ground.addFace ({0, 0, 0}, curb, along);
   ground.addFace (curb, curb + Vector3d (0, -depth, side.slope * depth), along);
   street.scene.add (ground, side.pose);
@@ -267,9 +279,12 @@ Isometry3d
 drawSensorPose (const Site& street, Seed seed)
 {
   Random random = randomFor (Purpose::SensorPose, seed);
-  const double x = random.between (-20, 20), y = random.between (-0.3, 0.3);
-  const double height = random.between (1.7, 1.9), yaw = random.angle (-3, 3);
-  const double pitch = random.angle (-1, 1), roll = random.angle (-1, 1);
+  const double x = random.between (-20, 20);
+  const double y = random.between (-0.3, 0.3);
+  const double height = random.between (1.7, 1.9);
+  const double yaw = random.angle (-3, 3);
+  const double pitch = random.angle (-1, 1);
+  const double roll = random.angle (-1, 1);
   return onLane (street, x) * at ({0, y, height}) * turnZ (yaw) * turnY (pitch) *
          turnX (roll);
 }

@@ -12,7 +12,8 @@ namespace {
 double
 errorAt (const DepthCamera& camera, int column, int row)
 {
-  constexpr double share_of_rows = 0.4, in_the_middle = -0.5;
+  constexpr double share_of_rows = 0.4;
+  constexpr double in_the_middle = -0.5;
   const double right = 2.0 * column / (camera.width - 1) - 1.0;
   const double down = 2.0 * row / (camera.height - 1) - 1.0;
   return in_the_middle + right * right + share_of_rows * down * down;

@@ -28,7 +28,8 @@ Box
 boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
 {
   const auto size = static_cast<Eigen::Index> (end - begin);
-  Eigen::Vector3f low, high;
+  Eigen::Vector3f low;
+  Eigen::Vector3f high;
   for (const auto& [axis, values] :
        {std::pair (0, &points.x), {1, &points.y}, {2, &points.z}}) {
     const Eigen::Map<const Eigen::ArrayXf> coordinates (values->data() + begin, size);

@@ -27,13 +27,17 @@ Intervals
 inCommon (const Intervals& first, const Intervals& second, double min_length)
 {
   Intervals common;
-  for (auto a = first.begin(), b = second.begin();
-       a != first.end() && b != second.end();) {
+  auto a = first.begin();
+  auto b = second.begin();
+  while (a != first.end() && b != second.end()) {
     const Interval both{std::max (a->from, b->from), std::min (a->to, b->to)};
     const double length = both.to - both.from;
     if (length >= min_length && length > 0.0)
       common.push_back (both);
-    (a->to < b->to ? a : b)++;
+    if (a->to < b->to)
+      ++a;
+    else
+      ++b;
   }
   return common;
 }
@@ -157,7 +161,8 @@ meetingOf (const std::vector<PlaneSegment>& planes,
   constexpr double reaches_of_length = 3.0;
   if (!bodies[first] || !bodies[second])
     return {};
-  const Body &one = *bodies[first], &other = *bodies[second];
+  const Body& one = *bodies[first];
+  const Body& other = *bodies[second];
   const double angle = angleBetween (planes[first], planes[second]);
   const double reach =
       parameters.reach.value_or (reachOf (one, other, std::sin (angle)));
@@ -171,8 +176,8 @@ meetingOf (const std::vector<PlaneSegment>& planes,
   const double length = parameters.min_length.value_or (reaches_of_length * reach);
   // The smaller plane first: mostly it is not there, and the larger need not be asked.
   const bool is_first_smaller = one.points.size() < other.points.size();
-  const Body &smaller = is_first_smaller ? one : other,
-             &larger = is_first_smaller ? other : one;
+  const Body& smaller = is_first_smaller ? one : other;
+  const Body& larger = is_first_smaller ? other : one;
   Intervals common = intervalsOf (placesBeside (smaller, *line, reach), gap);
   if (!common.empty())
     common = inCommon (

@@ -47,18 +47,23 @@ struct FixedRadiusSearch {
   std::size_t
   find (std::uint32_t point, Indices& sphere) const
   {
-    const float x = points.x[point], y = points.y[point], z = points.z[point];
+    const float x = points.x[point];
+    const float y = points.y[point];
+    const float z = points.z[point];
     const auto next_voxel =
         std::upper_bound (voxel_begin.begin(), voxel_begin.end(), point);
     const auto own_voxel =
         static_cast<std::size_t> (next_voxel - voxel_begin.begin()) - 1;
-    std::size_t number = 0, looked_at = 0;
+    std::size_t number = 0;
+    std::size_t looked_at = 0;
     for (const std::uint32_t neighbor : neighbors_of_voxel[own_voxel]) {
       const std::uint32_t* const voxel = &voxel_begin[neighbor];
       looked_at += voxel[1] - voxel[0];
       sphere.resize (number + (voxel[1] - voxel[0]));
       for (std::uint32_t i = voxel[0]; i < voxel[1]; ++i) {
-        const float dx = points.x[i] - x, dy = points.y[i] - y, dz = points.z[i] - z;
+        const float dx = points.x[i] - x;
+        const float dy = points.y[i] - y;
+        const float dz = points.z[i] - z;
         // Written always, counted if near: no branch to mispredict.
         sphere[number] = i;
         number += dx * dx + dy * dy + dz * dz <= squared_radius;
@@ -201,8 +206,11 @@ sampleLocalPlanes (const Coordinates& points,
   const double n_max = parameters.max_inliers_per_point * size;
   const double k_max = parameters.max_hypotheses_per_point * size;
   const double max_visits = parameters.max_visits_per_point * size;
-  constexpr double usually_looked_at = 3.0, visits_of_any_sphere = 100.0;
-  double n = 0.0, k = 0.0, visits = 0.0;
+  constexpr double usually_looked_at = 3.0;
+  constexpr double visits_of_any_sphere = 100.0;
+  double n = 0.0;
+  double k = 0.0;
+  double visits = 0.0;
   PlaneSampler sampler{points,
                        parameters,
                        static_cast<float> (distance_threshold),

@@ -52,7 +52,9 @@ forHashes (const Coordinates& points, Visit&& visit)
   Hashes hashes;
   for (std::size_t begin = 0; begin < points.size(); begin += at_once) {
     const std::size_t number = std::min (at_once, points.size() - begin);
-    const float *x = &points.x[begin], *y = &points.y[begin], *z = &points.z[begin];
+    const float* x = &points.x[begin];
+    const float* y = &points.y[begin];
+    const float* z = &points.z[begin];
     hashPlaces (x, y, z, number, hashes.data());
     for (std::size_t i = 0; i < number; ++i)
       if (isFinite (x[i]) && isFinite (y[i]) && isFinite (z[i]))
@@ -70,7 +72,8 @@ estimatedPointsOfAPlace (const Coordinates& points)
   std::array<std::uint32_t, buckets> counts{};
   forHashes (points,
              [&] (std::size_t, std::uint32_t hash) { ++counts[hash % buckets]; });
-  double all = 0.0, squares = 0.0;
+  double all = 0.0;
+  double squares = 0.0;
   for (const double count : counts) {
     all += count;
     squares += count * count;
@@ -151,7 +154,8 @@ equalityOf (const SortedByPlace& sorted)
 {
   // Where a place has so many times more points than places have on average, and adds
   // so much to the squares over all points, it has no readings.
-  constexpr double most_times = 16.0, most_squares = 0.25;
+  constexpr double most_times = 16.0;
+  constexpr double most_squares = 0.25;
   const std::size_t size = sorted.keys.size();
   double places = 0.0;
   for (std::size_t begin = 0; begin < size; begin = sorted.endOfPlace (begin))
@@ -177,7 +181,8 @@ FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads)
 {
   // A tenth more than where all are alone is four of the estimate's deviations.
-  constexpr double may_be_equal = 1.1, are_equal = 1.2;
+  constexpr double may_be_equal = 1.1;
+  constexpr double are_equal = 1.2;
   if (estimatedPointsOfAPlace (points) < may_be_equal)
     return {};
   const SortedByPlace sorted (points, threads);

@@ -111,8 +111,9 @@ sampleByHash (const Coordinates& positions, std::size_t wanted, std::uint32_t us
   Coordinates some;
   for (std::size_t begin = 0; begin < positions.size(); begin += at_once) {
     const std::size_t number = std::min (at_once, positions.size() - begin);
-    const float *x = &positions.x[begin], *y = &positions.y[begin],
-                *z = &positions.z[begin];
+    const float* x = &positions.x[begin];
+    const float* y = &positions.y[begin];
+    const float* z = &positions.z[begin];
     hashAll (x, y, z, number, used_bits, hashes.data());
     for (std::size_t i = 0; i < number; ++i)
       if (hashes[i] <= last_taken && isFinite (x[i], y[i], z[i]))
@@ -131,7 +132,9 @@ roundedMedian (Coordinates points)
   double deviation = 0.0;
   Eigen::Index axis = 0;
   for (std::vector<float>* along : {&points.x, &points.y, &points.z}) {
-    const double middle = median[axis++] = medianOf (*along);
+    const double middle = medianOf (*along);
+    median[axis] = middle;
+    ++axis;
     for (float& value : *along)
       value = std::abs (value - static_cast<float> (middle));
     deviation = std::max (deviation, medianOf (*along));
@@ -206,7 +209,9 @@ keepFinite (Points& points)
 {
   std::size_t left = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const float x = points.x[i], y = points.y[i], z = points.z[i];
+    const float x = points.x[i];
+    const float y = points.y[i];
+    const float z = points.z[i];
     // Written always, counted if finite: no branch to mispredict.
     points.x[left] = x;
     points.y[left] = y;

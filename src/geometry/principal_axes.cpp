@@ -67,6 +67,25 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
   return root;
 }
 
+// The longest vector so far. Without branches, so that loops over lanes are vectorized.
+struct LongestVector {
+  double x;
+  double y;
+  double z;
+  double squared;
+
+  void
+  take (double other_x, double other_y, double other_z)
+  {
+    const double other = other_x * other_x + other_y * other_y + other_z * other_z;
+    const bool is_longer = other > squared;
+    x = is_longer ? other_x : x;
+    y = is_longer ? other_y : y;
+    z = is_longer ? other_z : z;
+    squared = is_longer ? other : squared;
+  }
+};
+
 // The unit vectors all rows of rank two matrices are perpendicular to: the longest of
 // the products of two rows; zero where the rows are parallel to within rounding.
 inline void
@@ -74,29 +93,21 @@ findNormals (const SymmetricMatrices& m, Axes& axes)
 {
   constexpr double smallest_norm = 1e-13;
   for (std::size_t i = 0; i < lanes; ++i) {
-    double x = m.xy[i] * m.yz[i] - m.xz[i] * m.yy[i];
-    double y = m.xz[i] * m.xy[i] - m.xx[i] * m.yz[i];
-    double z = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i];
-    double squared = x * x + y * y + z * z;
-    const auto take = [&] (double px, double py, double pz) {
-      const double other = px * px + py * py + pz * pz;
-      const bool is_longer = other > squared;
-      x = is_longer ? px : x;
-      y = is_longer ? py : y;
-      z = is_longer ? pz : z;
-      squared = is_longer ? other : squared;
-    };
-    take (m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i],
-          m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i],
-          m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
-    take (m.yz[i] * m.xz[i] - m.zz[i] * m.xy[i],
-          m.zz[i] * m.xx[i] - m.xz[i] * m.xz[i],
-          m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
-    const double norm = std::sqrt (squared);
+    const double x = m.xy[i] * m.yz[i] - m.xz[i] * m.yy[i];
+    const double y = m.xz[i] * m.xy[i] - m.xx[i] * m.yz[i];
+    const double z = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i];
+    LongestVector normal{x, y, z, x * x + y * y + z * z};
+    normal.take (m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i],
+                 m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i],
+                 m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
+    normal.take (m.yz[i] * m.xz[i] - m.zz[i] * m.xy[i],
+                 m.zz[i] * m.xx[i] - m.xz[i] * m.xz[i],
+                 m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
+    const double norm = std::sqrt (normal.squared);
     const double inverse = norm > smallest_norm ? 1.0 / norm : 0.0;
-    axes.x[i] = norm > smallest_norm ? x * inverse : 0.0;
-    axes.y[i] = norm > smallest_norm ? y * inverse : 0.0;
-    axes.z[i] = norm > smallest_norm ? z * inverse : 0.0;
+    axes.x[i] = norm > smallest_norm ? normal.x * inverse : 0.0;
+    axes.y[i] = norm > smallest_norm ? normal.y * inverse : 0.0;
+    axes.z[i] = norm > smallest_norm ? normal.z * inverse : 0.0;
   }
 }
 
@@ -104,7 +115,9 @@ PCL_OPS_VECTORIZED
 void
 findAxes (SymmetricMatrices& m, Axes& axes)
 {
-  Lanes scale, minors, determinant;
+  Lanes scale;
+  Lanes minors;
+  Lanes determinant;
   for (std::size_t i = 0; i < lanes; ++i) {
     const double trace = m.xx[i] + m.yy[i] + m.zz[i];
     scale[i] = trace > 0.0 ? trace : 0.0;

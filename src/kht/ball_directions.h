@@ -94,7 +94,8 @@ struct BallDirections {
     const int row = row_of[direction];
     if (row == 0 || row == phi_num)
       return Eigen::Vector3d (0.0, 0.0, row == 0 ? 1.0 : -1.0);
-    const double phi = phiOf (direction), theta = thetaOf (direction);
+    const double phi = phiOf (direction);
+    const double theta = thetaOf (direction);
     return Eigen::Vector3d (std::sin (phi) * std::cos (theta),
                             std::sin (phi) * std::sin (theta),
                             std::cos (phi));

@@ -107,7 +107,8 @@ takeClusters (Indices clusters,
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found)
 {
-  constexpr double edge_weight = 0.75, count_weight = 0.25;
+  constexpr double edge_weight = 0.75;
+  constexpr double count_weight = 0.25;
   const double count_share =
       static_cast<double> (cluster.size()) / static_cast<double> (found.points.size());
   return edge_weight * cluster.edge / found.root.edge + count_weight * count_share;

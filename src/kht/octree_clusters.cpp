@@ -44,7 +44,8 @@ middleOf (const std::vector<float>& values)
     some.push_back (values[i]);
   const auto stray =
       static_cast<std::ptrdiff_t> (std::ceil (stray_share * (some.size() - 1)));
-  const auto low = some.begin() + stray, high = some.end() - 1 - stray;
+  const auto low = some.begin() + stray;
+  const auto high = some.end() - 1 - stray;
   std::nth_element (some.begin(), low, some.end());
   const double lowest = *low;
   std::nth_element (some.begin(), high, some.end());
@@ -55,7 +56,8 @@ middleOf (const std::vector<float>& values)
 Eigen::AlignedBox3d
 fenceOf (const Coordinates& points)
 {
-  Eigen::Vector3d low, high;
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
   std::tie (low.x(), high.x()) = middleOf (points.x);
   std::tie (low.y(), high.y()) = middleOf (points.y);
   std::tie (low.z(), high.z()) = middleOf (points.z);

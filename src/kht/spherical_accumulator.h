@@ -51,7 +51,8 @@ public:
   mirrorCenter (const BallDirections& directions)
   {
     for (std::uint32_t direction = 0; direction < columns_.size(); ++direction) {
-      const float first = (*this)[direction][0], second = (*this)[direction][1];
+      const float first = (*this)[direction][0];
+      const float second = (*this)[direction][1];
       if (first == 0.0f && second == 0.0f)
         continue;
       float* const mirrored = write (directions.opposite (direction));
@@ -186,16 +187,19 @@ private:
   BallColumns
   smoothedVotes () const
   {
-    constexpr float own_weight = 0.2f, neighbor_weight = 0.1333f;
+    constexpr float own_weight = 0.2f;
+    constexpr float neighbor_weight = 0.1333f;
     const BallDirections& directions = space.directions;
     BallColumns smoothed (directions.size(), space.rho_num);
     for (std::uint32_t direction = 0; direction < directions.size(); ++direction) {
       if (votes.isEmpty (direction))
         continue;
       const auto beside = directions.beside (direction);
-      const float *own = votes[direction], *north = votes[beside[0]],
-                  *south = votes[beside[1]], *west = votes[beside[2]],
-                  *east = votes[beside[3]];
+      const float* own = votes[direction];
+      const float* north = votes[beside[0]];
+      const float* south = votes[beside[1]];
+      const float* west = votes[beside[2]];
+      const float* east = votes[beside[3]];
       float* const result = smoothed.write (direction);
       for (int bin = 0; bin < space.rho_num; ++bin) {
         const float neighbors = own[bin - 1] + own[bin + 1] + north[bin] + south[bin] +

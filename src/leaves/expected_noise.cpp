@@ -90,16 +90,22 @@ ExpectedNoise::ExpectedNoise (const std::vector<CellScatter>& cells, double cell
   fillGaps();
 }
 
+int
+ExpectedNoise::nearestKnown (const std::vector<Curve>& curves, int own)
+{
+  for (int distance = 0; distance < classes; ++distance)
+    for (const int other : {own - distance, own + distance})
+      if (other >= 0 && other < classes && curves[other].isKnown())
+        return other;
+  return own;
+}
+
 void
 ExpectedNoise::fillGaps()
 {
   const std::vector<Curve> known = curves_;
   for (int own = 0; own < classes; ++own)
-    for (int distance = 1; distance < classes && !curves_[own].isKnown(); ++distance)
-      for (const int other : {own - distance, own + distance})
-        if (other >= 0 && other < classes && known[other].isKnown() &&
-            !curves_[own].isKnown())
-          curves_[own] = known[other];
+    curves_[own] = known[nearestKnown (known, own)];
   for (Curve& curve : curves_) {
     curve.lowest = unknown_noise;
     for (int level = curve.finest; curve.isKnown() && level <= curve.coarsest; ++level)

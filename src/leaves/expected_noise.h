@@ -62,6 +62,11 @@ private:
   static Curve
   curveOf (std::array<std::vector<float>, top_level + 1>& noise_of_level, double cell);
 
+  /** \brief The nearest class that has a curve, of two the lower; \p own where none
+   * has. */
+  static int
+  nearestKnown (const std::vector<Curve>& curves, int own);
+
   /** \brief Classes without a curve take the nearest one. */
   void
   fillGaps ();

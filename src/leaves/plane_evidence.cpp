@@ -20,6 +20,48 @@ struct PlaneParts {
   LeafBending bending;
 };
 
+// Between which angles another plane is the same surface, which goes on.
+class FaceTurn {
+public:
+  explicit FaceTurn (const PlaneParts& own)
+  {
+    // Turned by less it is the same plane, by more than so many times the slope of the
+    // plane's own bend it is another face.
+    constexpr double min_turn = 4.0 * M_PI / 180.0;
+    constexpr double max_turn_in_slopes = 5.9;
+    constexpr double right_turn = 1.5;
+    const LeafBending& bending = own.bending;
+    const double uncertain_bend =
+        2.0 * bending.left / std::sqrt (static_cast<double> (own.leaves.size()));
+    const double slope = (bending.amplitude + uncertain_bend) / bending.half_extent;
+    least_cosine_ = std::cos (std::min (right_turn, max_turn_in_slopes * slope));
+    most_cosine_ = std::cos (min_turn);
+  }
+
+  bool
+  goesOn (const Plane& own, const Plane& beyond) const
+  {
+    const double cosine = cosineBetween (own, beyond);
+    return cosine > least_cosine_ && cosine < most_cosine_;
+  }
+
+private:
+  double least_cosine_ = 0.0;
+  double most_cosine_ = 0.0;
+};
+
+// The plane that a leaf is on, or its own; none where it has none.
+const Plane*
+planeAt (std::uint32_t leaf,
+         const LeafPlanes& planes,
+         const std::vector<LeafSurfel>& surfels)
+{
+  const std::int32_t plane = planes.plane_of_leaf[leaf];
+  if (plane != no_plane)
+    return &planes.planes[plane];
+  return surfels[leaf].exists() ? &surfels[leaf].plane : nullptr;
+}
+
 PlaneBorder
 borderOf (const LeafCloud& cloud,
           const LeafPlanes& planes,
@@ -28,39 +70,24 @@ borderOf (const LeafCloud& cloud,
 {
   // What is farther away than this ends a plane.
   constexpr double max_noises = 7.0;
-  // Turned by less it is the same plane, by more than so many times the slope of the
-  // plane's own bend it is another face.
-  constexpr double min_turn = 4.0 * M_PI / 180.0;
-  constexpr double max_turn_in_slopes = 5.9;
-  constexpr double right_turn = 1.5;
-  const LeafBending& bending = own.bending;
-  const double uncertain_bend =
-      2.0 * bending.left / std::sqrt (static_cast<double> (own.leaves.size()));
-  const double slope = (bending.amplitude + uncertain_bend) / bending.half_extent;
-  const double least_cosine =
-      std::cos (std::min (right_turn, max_turn_in_slopes * slope));
-  const double most_cosine = std::cos (min_turn);
+  const FaceTurn turn (own);
   PlaneBorder border;
   for (const std::uint32_t leaf : own.leaves) {
     bool is_inner = true;
     for (const std::uint32_t k : cloud.neighbors[leaf]) {
-      const std::int32_t other = planes.plane_of_leaf[k];
-      if (other == own.number)
+      if (planes.plane_of_leaf[k] == own.number)
         continue;
       is_inner = false;
       border.links += 1.0;
+      const Plane* const beyond = planeAt (k, planes, surfels);
       if (meanSquaredDistance (cloud.moments[k], own.plane) >=
-          max_noises * max_noises * own.variance) {
+          max_noises * max_noises * own.variance)
         border.ends += 1.0;
-        continue;
-      }
-      if (other == no_plane && !surfels[k].exists())
-        continue;
-      const Plane& beyond = other == no_plane ? surfels[k].plane : planes.planes[other];
-      const double cosine = cosineBetween (own.plane, beyond);
-      border.goes_on += cosine > least_cosine && cosine < most_cosine ? 1.0 : 0.0;
+      else if (beyond != nullptr && turn.goesOn (own.plane, *beyond))
+        border.goes_on += 1.0;
     }
-    border.inner_leaves += is_inner ? 1.0 : 0.0;
+    if (is_inner)
+      border.inner_leaves += 1.0;
   }
   return border;
 }

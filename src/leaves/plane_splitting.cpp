@@ -100,7 +100,10 @@ public:
           continue;
         Piece part = pieceOf (std::move (half), piece.noise);
         const bool is_thin = part.thickness() <= max_thickness_of_piece;
-        (is_thin ? thin : thick).push_back (std::move (part));
+        if (is_thin)
+          thin.push_back (std::move (part));
+        else
+          thick.push_back (std::move (part));
       }
     }
     return thin;
@@ -201,6 +204,18 @@ private:
     return both.thickness();
   }
 
+  // The pieces after one that its leaves touch, once for each contact of leaves.
+  void
+  addPairsOf (const std::vector<Piece>& pieces,
+              std::size_t piece,
+              std::vector<Pair>& pairs) const
+  {
+    for (const std::uint32_t leaf : pieces[piece].leaves)
+      for (const std::uint32_t k : cloud_.neighbors[leaf])
+        if (piece_of_leaf_[k] > static_cast<std::int32_t> (piece))
+          pairs.push_back ({piece, static_cast<std::size_t> (piece_of_leaf_[k]), 0.0});
+  }
+
   std::vector<Pair>
   pairsThatTouch (const std::vector<Piece>& pieces)
   {
@@ -209,10 +224,7 @@ private:
         piece_of_leaf_[leaf] = static_cast<std::int32_t> (p);
     std::vector<Pair> pairs;
     for (std::size_t p = 0; p < pieces.size(); ++p)
-      for (const std::uint32_t leaf : pieces[p].leaves)
-        for (const std::uint32_t k : cloud_.neighbors[leaf])
-          if (piece_of_leaf_[k] > static_cast<std::int32_t> (p))
-            pairs.push_back ({p, static_cast<std::size_t> (piece_of_leaf_[k]), 0.0});
+      addPairsOf (pieces, p, pairs);
     for (const Piece& piece : pieces)
       for (const std::uint32_t leaf : piece.leaves)
         piece_of_leaf_[leaf] = no_plane;

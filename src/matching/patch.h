@@ -113,7 +113,8 @@ clipped (const std::vector<Eigen::Vector2d>& polygon,
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2d& from = polygon[i];
     const Eigen::Vector2d& to = polygon[(i + 1) % polygon.size()];
-    const double start = bound - sign * from[axis], end = bound - sign * to[axis];
+    const double start = bound - sign * from[axis];
+    const double end = bound - sign * to[axis];
     if (start >= 0.0)
       inside.push_back (from);
     if ((start >= 0.0) != (end >= 0.0))

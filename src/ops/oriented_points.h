@@ -21,7 +21,8 @@ struct OrientedSamples : Coordinates {
   void
   add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
   {
-    const Eigen::Vector3f p = position.cast<float>(), n = normal.cast<float>();
+    const Eigen::Vector3f p = position.cast<float>();
+    const Eigen::Vector3f n = normal.cast<float>();
     Coordinates::add (p.x(), p.y(), p.z());
     normals.add (n.x(), n.y(), n.z());
   }

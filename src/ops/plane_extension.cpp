@@ -74,6 +74,26 @@ planesAround (const VoxelNeighbors& neighbors,
   return around;
 }
 
+// Gives open points that have no plane yet the likeliest one around their voxels, which
+// are those of equal voxels one after the other.
+void
+extendToVoxels (const Coordinates& points,
+                const std::vector<OpenPoint>& open,
+                const LargerVoxels& larger,
+                const std::vector<Labels>& planes,
+                const std::vector<PlaneBand>& bands,
+                Labels& labels)
+{
+  Labels around;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto [point, voxel] = open[i];
+    if (i == 0 || voxel != open[i - 1].voxel)
+      around = planesAround (larger.neighbors, voxel, planes);
+    if (labels[point] == no_plane)
+      labels[point] = likeliestOf (around, bands, points, point);
+  }
+}
+
 } // namespace
 
 void
@@ -100,14 +120,7 @@ extendPlanes (const Coordinates& points,
     planes = l == 0 ? planesIn (larger, grid, labels) : planesIn (larger, planes);
     for (OpenPoint& at : open)
       at.voxel = larger.holding[at.voxel];
-    Labels around;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      const auto [point, voxel] = open[i];
-      if (i == 0 || voxel != open[i - 1].voxel)
-        around = planesAround (larger.neighbors, voxel, planes);
-      if (labels[point] == no_plane)
-        labels[point] = likeliestOf (around, bands, points, point);
-    }
+    extendToVoxels (points, open, larger, planes, bands, labels);
     for (const auto& [point, voxel] : open)
       addOnce (labels[point], planes[voxel]);
   }

@@ -26,9 +26,11 @@ isTooFar (const Eigen::Array2d& low,
   if (squared == 0.0)
     return false;
   // As seen from a point outside, a box takes less than half a turn around its center.
-  constexpr int half_turn = octants / 2, turn = octants;
+  constexpr int half_turn = octants / 2;
+  constexpr int turn = octants;
   const int middle = static_cast<int> (octantOf (0.5 * (low + high)));
-  int first = 0, last = 0;
+  int first = 0;
+  int last = 0;
   for (const double x : {low.x(), high.x()})
     for (const double y : {low.y(), high.y()}) {
       const int octant = static_cast<int> (octantOf ({x, y}));
@@ -67,7 +69,8 @@ octantOf (const Eigen::Vector2d& direction)
   const bool is_left =
       direction.y() > 0.0 || (direction.y() == 0.0 && direction.x() > 0.0);
   const Eigen::Vector2d turned = is_left ? direction : Eigen::Vector2d (-direction);
-  const double x = turned.x(), y = turned.y();
+  const double x = turned.x();
+  const double y = turned.y();
   const std::size_t first = is_left ? 0 : octants / 2;
   if (x > 0.0)
     return first + (y < x ? 0 : 1);

@@ -46,6 +46,17 @@ namespace pcl_ops::python {
 
 namespace py = pybind11;
 
+/** \brief One of some words, as an annotation. */
+template <typename WordsOfEnum>
+std::string
+literalOf (const WordsOfEnum& words_of_enum)
+{
+  std::string all;
+  for (const auto& named : words_of_enum)
+    all += (all.empty() ? "'" : ", '") + std::string (named.first) + "'";
+  return "Literal[" + all + "]";
+}
+
 /** \brief What a parameter has to be, as an annotation. */
 template <typename T>
 std::string
@@ -53,12 +64,8 @@ kindOf ()
 {
   if constexpr (std::is_assignable_v<T&, std::nullopt_t>)
     return "Optional[" + kindOf<typename T::value_type>() + "]";
-  else if constexpr (std::is_enum_v<T>) {
-    std::string all;
-    for (const auto& [word, meaning] : std::get<Words<T>> (words))
-      all += (all.empty() ? "'" : ", '") + word + "'";
-    return "Literal[" + all + "]";
-  }
+  else if constexpr (std::is_enum_v<T>)
+    return literalOf (std::get<Words<T>> (words));
   else if constexpr (std::is_same_v<T, std::array<double, 2>>)
     return "Tuple[float, float]";
   else if constexpr (std::is_same_v<T, std::array<double, 3>>)

@@ -41,12 +41,16 @@ visitLeaf (const Child& leaf,
            NearestCandidates& candidates)
 {
   std::array<float, BoxTree::max_points_of_leaf> distances;
-  const float x = position.x(), y = position.y(), z = position.z();
+  const float x = position.x();
+  const float y = position.y();
+  const float z = position.z();
   const float* const px = points.x.data() + leaf.first;
   const float* const py = points.y.data() + leaf.first;
   const float* const pz = points.z.data() + leaf.first;
   for (std::uint32_t i = 0; i < leaf.size; ++i) {
-    const float dx = px[i] - x, dy = py[i] - y, dz = pz[i] - z;
+    const float dx = px[i] - x;
+    const float dy = py[i] - y;
+    const float dz = pz[i] - z;
     distances[i] = dx * dx + dy * dy + dz * dz;
   }
   candidates.add (distances.data(), &index[leaf.first], leaf.size);
@@ -135,7 +139,8 @@ divide (const Range& items)
   Item* const median = items.begin + size / 2;
   std::nth_element (
       items.begin, median, items.end, [=] (const Item& first, const Item& second) {
-        const float a = first.position[side], b = second.position[side];
+        const float a = first.position[side];
+        const float b = second.position[side];
         return a != b ? a < b : first.index < second.index;
       });
   return median;
@@ -144,7 +149,8 @@ divide (const Range& items)
 std::vector<Range>
 split (const Range& items)
 {
-  std::vector<Range> ranges{items}, halves;
+  std::vector<Range> ranges{items};
+  std::vector<Range> halves;
   for (std::size_t most = 2; most <= BoxTree::max_children; most *= 2) {
     halves.clear();
     for (const Range& range : ranges)

@@ -98,7 +98,8 @@ alphaShapeRings (const PlanarPoints& points, double alpha)
   constexpr std::size_t not_passed = std::numeric_limits<std::size_t>::max();
   const std::vector<Side> sides = outerSides (wholeNumbersOf (points), alpha);
   std::multimap<std::size_t, std::size_t> next (sides.begin(), sides.end());
-  std::vector<std::size_t> position (points.size(), not_passed), path;
+  std::vector<std::size_t> position (points.size(), not_passed);
+  std::vector<std::size_t> path;
   std::vector<PlanarPoints> rings;
   // As many sides lead to a point as from it: a path ends where it began.
   while (!next.empty()) {

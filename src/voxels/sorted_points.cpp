@@ -24,7 +24,9 @@ codesOf (const float* x,
          float voxels_per_meter,
          MortonCode* codes)
 {
-  std::array<std::int32_t, batch> key_x, key_y, key_z;
+  std::array<std::int32_t, batch> key_x;
+  std::array<std::int32_t, batch> key_y;
+  std::array<std::int32_t, batch> key_z;
   keysOf (x, number, voxels_per_meter, key_x.data());
   keysOf (y, number, voxels_per_meter, key_y.data());
   keysOf (z, number, voxels_per_meter, key_z.data());

@@ -113,8 +113,8 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
     return parseNumber<std::uint32_t> (scenes.name, text, from (0));
   };
   const std::size_t dash = seeds.find ('-'); // npos + 1 is 0: the whole text again
-  const auto first = seed (seeds.substr (0, dash)),
-             last = seed (seeds.substr (dash + 1));
+  const auto first = seed (seeds.substr (0, dash));
+  const auto last = seed (seeds.substr (dash + 1));
   if (last < first || last - first >= max_scenes)
     throw UsageError (scenes.name + (':' + seeds), "is no range of seeds such as 1-20");
   DataSet clouds;
@@ -294,31 +294,44 @@ finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
   return result;
 }
 
+namespace {
+
+/** What is named by a path or by numbers behind the colon, if there is such a kind. */
+std::optional<DataSet>
+findDataSet (const std::string& kind, const std::string& rest, const Vector3d& up)
+{
+  if (kind == "sunrgbd" || kind == "sunrgbd-raw")
+    return sunRgbdDataSet (rest, kind == "sunrgbd-raw");
+  if (kind == "simulated")
+    return scansDataSet (kind, rest);
+  if (kind == "clouds")
+    return cloudsDataSet (rest, up);
+  if (kind == "real")
+    return realDataSet (kind, rest, "label", up);
+  if (kind == "real-instances")
+    return realDataSet (kind, rest, "instance", up);
+  if (kind == "wild")
+    return realDataSet (kind, rest, "", up);
+  for (const Scenes& scenes : all_scenes)
+    if (kind == scenes.name)
+      return scenesDataSet (scenes, rest);
+  return std::nullopt;
+}
+
+} // namespace
+
 DataSet
 dataSetOf (const std::string& text, const Eigen::Vector3f& up)
 {
   const std::size_t colon = text.find (':');
   const std::string kind = text.substr (0, colon);
   const std::string rest = colon == std::string::npos ? "" : text.substr (colon + 1);
-  const Vector3d unit_up = up.cast<double>().normalized();
-  if (!rest.empty()) {
-    if (kind == "sunrgbd" || kind == "sunrgbd-raw")
-      return sunRgbdDataSet (rest, kind == "sunrgbd-raw");
-    if (kind == "simulated")
-      return scansDataSet (kind, rest);
-    if (kind == "clouds")
-      return cloudsDataSet (rest, unit_up);
-    if (kind == "real")
-      return realDataSet (kind, rest, "label", unit_up);
-    if (kind == "real-instances")
-      return realDataSet (kind, rest, "instance", unit_up);
-    if (kind == "wild")
-      return realDataSet (kind, rest, "", unit_up);
-    for (const Scenes& scenes : all_scenes)
-      if (kind == scenes.name)
-        return scenesDataSet (scenes, rest);
-  }
-  throw UsageError (text, std::string ("is no data set; give ") + data_set_help);
+  std::optional<DataSet> found;
+  if (!rest.empty())
+    found = findDataSet (kind, rest, up.cast<double>().normalized());
+  if (!found)
+    throw UsageError (text, std::string ("is no data set; give ") + data_set_help);
+  return *std::move (found);
 }
 
 } // namespace pcl_ops::evaluation

@@ -106,8 +106,9 @@ cloudOf (const DepthImage& image,
          const Eigen::Matrix3d& intrinsics,
          const Eigen::Matrix3d& extrinsics)
 {
-  constexpr double meters_per_unit = 0.001, max_depth = 8.0; // [m]
-  Eigen::Matrix3d z_up; // from x right, y along gravity, z forward
+  constexpr double meters_per_unit = 0.001;
+  constexpr double max_depth = 8.0; // [m]
+  Eigen::Matrix3d z_up;             // from x right, y along gravity, z forward
   z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
   const Eigen::Matrix3d rotation = z_up * extrinsics;
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

@@ -38,7 +38,8 @@ noiseOf (const XyzCloud::ConstPtr& cloud)
   ops.setInputCloud (cloud);
   std::vector<PlaneSegment> planes;
   ops.segment (planes);
-  double squares = 0.0, points = 0.0;
+  double squares = 0.0;
+  double points = 0.0;
   for (const PlaneSegment& plane : planes)
     if (const std::optional<PlaneFit> fit = fitPlane (plane.moments)) {
       squares += plane.moments.count * fit->variances[0];

@@ -65,12 +65,14 @@ struct VoxelOctree {
 Planes
 planesInVoxelOctree (const PeerTask& task)
 {
-  double edge = 1.0, max_eigenvalue = 0.01; // [m], [m^2]
+  double edge = 1.0;
+  double max_eigenvalue = 0.01; // [m], [m^2]
   if (task.source == ValuesFrom::Cloud) {
     // Edges of .5 to 3 m as in the paper, such that the smallest voxels have as many
     // points as a plane needs: the gap is four times the distance of points, so nine
     // points are on a square of it. A plane is within twice the noise.
-    constexpr double smallest = 0.5, largest = 3.0;
+    constexpr double smallest = 0.5;
+    constexpr double largest = 3.0;
     edge = std::clamp (task.values.gap * std::pow (2.0, layers - 1), smallest, largest);
     max_eigenvalue = std::pow (2.0 * task.values.noise, 2);
   }
