@@ -127,10 +127,10 @@ sorted (std::vector<Item> items, double Item::*value)
 std::vector<Vector3d>
 axesToTry (const Faces& faces)
 {
-  constexpr std::size_t most_planes = 12;
+  constexpr std::size_t max_planes = 12;
   constexpr double min_sine = 0.5;
   std::vector<Face> largest = sorted (faces.each, &Face::weight);
-  largest.resize (std::min (largest.size(), most_planes));
+  largest.resize (std::min (largest.size(), max_planes));
   std::vector<Vector3d> axes;
   for (std::size_t i = 0; i < largest.size(); ++i) {
     axes.push_back (largest[i].normal);

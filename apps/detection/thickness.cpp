@@ -143,7 +143,7 @@ surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& se
 {
   const std::size_t most = 16 * fewest;
   // The rings of a lidar are up to some twenty times as far apart as their points.
-  constexpr double least_width = 1.0 / 3.0; // by length
+  constexpr double min_width = 1.0 / 3.0; // by length
   constexpr double floor_by_spacing = 0.1;
   constexpr double pi = 3.14159265358979323846;
   for (std::size_t count = fewest; count <= most; count *= 2) {
@@ -157,7 +157,7 @@ surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& se
     if (!fit || moments.count <= 3.0)
       continue;
     const Eigen::Vector3d& variances = fit->variances;
-    if (variances[1] < least_width * least_width * variances[2])
+    if (variances[1] < min_width * min_width * variances[2])
       continue;
     // Even points fill an ellipse of area 4 pi sqrt (v1 v2).
     const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]);
@@ -214,8 +214,8 @@ thicknessOf (const XyzCloud& cloud,
              std::size_t probes)
 {
   // A quarter of a small plane: what is around it must not outweigh it.
-  constexpr std::size_t fewest_neighbors = 20;
-  constexpr std::size_t most_neighbors = 80;
+  constexpr std::size_t min_neighbors = 20;
+  constexpr std::size_t max_neighbors = 80;
   constexpr std::size_t share = 4;
   constexpr std::size_t few_queries = 50;
   const BlockSearch search (cloud, planes.size() * probes > few_queries);
@@ -225,7 +225,7 @@ thicknessOf (const XyzCloud& cloud,
     if (const std::optional<PlaneFit> fit = fitPlane (plane.moments))
       thickness.rms = std::sqrt (std::max (0.0, fit->variances[0]));
     const std::size_t neighbors =
-        std::clamp (plane.inliers.size() / share, fewest_neighbors, most_neighbors);
+        std::clamp (plane.inliers.size() / share, min_neighbors, max_neighbors);
     std::vector<double> scatters;
     std::vector<double> spacings;
     for (const pcl::index_t i : someOf (plane.inliers, cloud, probes))

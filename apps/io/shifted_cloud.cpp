@@ -162,9 +162,9 @@ shiftedCloudOf (const FileCloud& cloud, double step)
   ShiftedCloud shifted;
   const std::size_t size = cloud.size();
   if (step > 0.0)
-    shifted.shift = (usualPlace (size, reader) / step).array().round() * step;
+    shifted.shift = (localOrigin (size, reader) / step).array().round() * step;
   else if (!isExactInSingle (reader, size))
-    shifted.shift = usualPlace (size, reader);
+    shifted.shift = localOrigin (size, reader);
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -220,7 +220,7 @@ adviceOnDegrees (const ShiftedCloud& shifted)
   // meters.
   constexpr double max_width = 1.0;
   constexpr double min_ratio = 200.0;
-  const Eigen::Array2d most_degrees (180.0, 90.0);
+  const Eigen::Array2d max_degrees (180.0, 90.0);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& place : someOf (*shifted.cloud))
     box.extend (place + shifted.shift);
@@ -228,8 +228,8 @@ adviceOnDegrees (const ShiftedCloud& shifted)
     return "";
   const Eigen::Array3d sides = box.sizes();
   const double width = sides.head<2>().maxCoeff();
-  const bool are_degrees = (box.min().head<2>().array() >= -most_degrees).all() &&
-                           (box.max().head<2>().array() <= most_degrees).all() &&
+  const bool are_degrees = (box.min().head<2>().array() >= -max_degrees).all() &&
+                           (box.max().head<2>().array() <= max_degrees).all() &&
                            sides.head<2>().minCoeff() > 0.0 && width < max_width &&
                            sides.z() > min_ratio * width;
   return are_degrees ? "x and y look like degrees beside a z in meters: project the "
@@ -252,7 +252,7 @@ somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at)
 }
 
 Eigen::Vector3d
-usualPlace (std::size_t size, const PlaceOf& place)
+localOrigin (std::size_t size, const PlaceOf& place)
 {
   constexpr std::size_t looked_at = 8192;
   Places places = sampleByHash (size, place, looked_at);

@@ -90,6 +90,6 @@ somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);
  * however many are at one place: one outlier must not leave the others without digits.
  * Zero where no point is finite. All are read, some thousand looked at. */
 Eigen::Vector3d
-usualPlace (std::size_t size, const PlaceOf& place);
+localOrigin (std::size_t size, const PlaceOf& place);
 
 } // namespace pcl_ops::apps

@@ -16,12 +16,12 @@ namespace {
 std::vector<pcl::RGB>
 palette ()
 {
-  constexpr int least_chroma = 50;
+  constexpr int min_chroma = 50;
   std::vector<pcl::RGB> colors;
   for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
     const pcl::RGB color = pcl::GlasbeyLUT::at (i);
     const auto [least, most] = std::minmax ({color.r, color.g, color.b});
-    if (most - least >= least_chroma)
+    if (most - least >= min_chroma)
       colors.push_back (color);
   }
   return colors;

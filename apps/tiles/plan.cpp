@@ -167,7 +167,7 @@ lookAt (const std::vector<std::string>& files)
     Sample sample{stateOf (file), somePlaces (points.size(), place, wanted)};
     sample.input.points = points.size();
     if (samples.empty())
-      sample.usual = usualPlace (points.size(), place);
+      sample.usual = localOrigin (points.size(), place);
     samples.push_back (std::move (sample));
   }
   return samples;

@@ -21,7 +21,7 @@ constexpr std::size_t points_of_a_task = 64 * block_size;
 constexpr std::size_t planes_between_looks = 32;
 
 struct Box {
-  Eigen::Vector3d centre, half_size;
+  Eigen::Vector3d center, half_size;
 };
 
 Box
@@ -46,8 +46,8 @@ reaches (const Plane& plane, const Box& box, double threshold)
   constexpr double single_precision = 1e-5;
   const double reach = plane.normal.cwiseAbs().dot (box.half_size);
   const double rounding =
-      single_precision * (std::abs (plane.offset) + box.centre.norm() + reach);
-  return std::abs (plane.distance (box.centre)) <= threshold + reach + rounding;
+      single_precision * (std::abs (plane.offset) + box.center.norm() + reach);
+  return std::abs (plane.distance (box.center)) <= threshold + reach + rounding;
 }
 
 // Points begin .. end - 1, at most block_size.

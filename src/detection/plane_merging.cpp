@@ -87,6 +87,7 @@ mergeOnce (std::vector<Group>& groups,
   const double right_angle = std::acos (0.0);
   const double min_cosine = std::cos (std::min (angle_threshold, right_angle)) - 1e-9;
   std::vector<Eigen::Vector3d> normals;
+  normals.reserve (groups.size());
   for (const Group& group : groups)
     normals.push_back (group.fit.plane.normal);
   std::vector<bool> is_absorbed (groups.size(), false);

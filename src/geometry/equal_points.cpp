@@ -154,8 +154,8 @@ equalityOf (const SortedByPlace& sorted)
 {
   // Where a place has so many times more points than places have on average, and adds
   // so much to the squares over all points, it has no readings.
-  constexpr double most_times = 16.0;
-  constexpr double most_squares = 0.25;
+  constexpr double max_times = 16.0;
+  constexpr double max_squares = 0.25;
   const std::size_t size = sorted.keys.size();
   double places = 0.0;
   for (std::size_t begin = 0; begin < size; begin = sorted.endOfPlace (begin))
@@ -165,7 +165,7 @@ equalityOf (const SortedByPlace& sorted)
   for (std::size_t begin = 0, end = 0; begin < size; begin = end) {
     end = sorted.endOfPlace (begin);
     const auto count = static_cast<double> (end - begin);
-    if (count > most_times * all / places && count * count > most_squares * all)
+    if (count > max_times * all / places && count * count > max_squares * all)
       continue;
     equality.readings += count;
     equality.squares += count * count;

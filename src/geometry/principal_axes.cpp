@@ -43,7 +43,7 @@ startOfRoot (double minors, double determinant)
 inline Lanes
 smallestRoots (const Lanes& minors, const Lanes& determinant)
 {
-  constexpr int most_steps = 60;
+  constexpr int max_steps = 60;
   constexpr double precision = 1e-13;
   // Less steep it is a line's, whose two smallest roots are zero to within rounding.
   constexpr double min_slope = 1e-14;
@@ -51,7 +51,7 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
   for (std::size_t i = 0; i < lanes; ++i)
     root[i] = startOfRoot (minors[i], determinant[i]);
   double farthest = 1.0;
-  for (int n = 0; n < most_steps && farthest > precision; ++n) {
+  for (int n = 0; n < max_steps && farthest > precision; ++n) {
     farthest = 0.0;
     for (std::size_t i = 0; i < lanes; ++i) {
       const double value =

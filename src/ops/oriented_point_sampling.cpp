@@ -82,13 +82,13 @@ isVoxelSize (double size)
 std::string
 validate (const OrientedPointSamplingParameters::Surfels& surfels)
 {
-  constexpr int most_resolutions = 10;
+  constexpr int max_resolutions = 10;
   if (surfels.voxel_size && !isVoxelSize (*surfels.voxel_size))
     return "the voxel size must be a length above 0, or not be given";
-  if (surfels.resolutions < 1 || surfels.resolutions > most_resolutions)
+  if (surfels.resolutions < 1 || surfels.resolutions > max_resolutions)
     return "the number of resolutions must be between 1 and 10";
   if (!isAtLeastZero (surfels.min_average_voxels))
-    return "the least average voxels of a normal must be 0 or more";
+    return "min_average_voxels must be 0 or more";
   if (!isAtLeastZero (surfels.noise_factor))
     return "the noise factor of surfels must be 0 or more";
   if (!(surfels.angle_threshold >= 0.0 &&

@@ -62,9 +62,9 @@ struct Postponed {
   static constexpr int child_bits = 32;
   // Dividing by 4 / 3 or more leaves one of 2^32 points after 78 times; a level of
   // nodes divides three times.
-  static constexpr std::size_t most_levels = 78 / 3;
+  static constexpr std::size_t max_levels = 78 / 3;
 
-  std::array<std::uint64_t, most_levels * BoxTree::max_children> children;
+  std::array<std::uint64_t, max_levels * BoxTree::max_children> children;
   std::size_t number = 0;
 };
 
