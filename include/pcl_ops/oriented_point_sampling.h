@@ -81,7 +81,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
      * size of the one before, 1 to 10. */
     int resolutions = 3;
     /** \brief A normal comes from at least as many points as this many voxels hold on
-     * average: where points are sparse, as they are far from a camera and noisy there,
+     * average. Where points are sparse, as they are far from a camera and noisy there,
      * the neighborhoods are larger. */
     double min_average_voxels = 6.0;
     /** \brief Largest rms distance of a surfel's points to its plane in units of the
@@ -108,8 +108,8 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1; on
    * surfels it decides how many voxels the cloud is divided into. */
   double sampling_rate = 0.03;
-  /** \brief k: neighbors of each sample its normal comes from, 2 or more; the normal
-   * of a surfel comes from at least half as many points. */
+  /** \brief k: the neighbors of each sample that its normal comes from, 2 or more. The
+   * normal of a leaf comes from at least k / 5 points, that of a voxel from k / 2. */
   int k = 30;
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
    * in any case; of surfels at least as many. It counts samples, not points: a number
@@ -169,8 +169,8 @@ public:
     return this->parameters_.sampling_rate;
   }
 
-  /** \brief k: neighbors of each sample its normal comes from, 2 or more; that of a
-   * surfel comes from half as many points or more. */
+  /** \brief k: the neighbors of each sample that its normal comes from, 2 or more. The
+   * normal of a leaf comes from at least k / 5 points, that of a voxel from k / 2. */
   void
   setKSearch (int k)
   {

@@ -19,18 +19,18 @@ namespace pcl_ops {
 
 /** \brief When two planes meet. */
 struct PlaneEdgeParameters {
-  /** \brief How near to the line that two planes have in common both must have points
-   * [m]; automatic: three times their noise, over the sine of the angle between them,
+  /** \brief Both planes must have points this near to the line that they have in common
+   * [m]. Automatic: three times their noise, over the sine of the angle between them,
    * and four times the mean distance between neighboring points. */
   std::optional<double> reach;
-  /** \brief Along the line, gaps between points up to so long are bridged, and ends up
-   * to so far from a corner are drawn to it [m]; automatic: twice the reach. */
+  /** \brief Gaps between points along the line are bridged up to this length, and ends
+   * up to this far from a corner are drawn to it [m]. Automatic: twice the reach. */
   std::optional<double> max_gap;
-  /** \brief Shorter edges are left out [m]; automatic: three times the reach. */
+  /** \brief Shorter edges are left out [m]. Automatic: three times the reach. */
   std::optional<double> min_length;
-  /** \brief Planes at a smaller angle have no edge, for noise moves their line far, and
-   * nor have three of which one is at a smaller angle to the edge of the others a
-   * corner [rad]; default 15 degrees. */
+  /** \brief Two planes at a smaller angle have no edge, because noise moves their line
+   * far [rad]. Three planes have no corner if one of them is at a smaller angle to the
+   * edge of the other two. */
   double min_angle = 15.0 * (M_PI / 180.0);
 };
 
@@ -38,7 +38,7 @@ struct PlaneEdgeParameters {
 PCL_OPS_EXPORT std::string
 validate (const PlaneEdgeParameters& parameters);
 
-/** \brief A stretch of the line that two planes have in common, with points of both
+/** \brief An interval of the line that two planes have in common, with points of both
  * beside it. */
 struct PlaneEdge {
   /** \brief Positions in the list of planes, ascending. */
@@ -78,7 +78,7 @@ struct PlaneEdges {
  * Two planes n . x + d = 0 have the line along n1 x n2 through p, the point nearest to
  * the middle of their centroids: p = a n1 + b n2 with [1 c; c 1] [a b]^T = -[d1 d2]^T,
  * c = n1 . n2 (Goldman, Intersection of two lines in three-space and of three planes,
- * Graphics Gems, 1990). An edge is a stretch of it along which each of the two has
+ * Graphics Gems, 1990). An edge is an interval of it along which each of the two has
  * inliers within reach, so that a wall with a door has two on the floor, and a plane
  * may end on the middle of another. Three planes meet where [n1 n2 n3]^T x = -[d1 d2
  * d3]^T. That is a corner where each two of them have an edge that comes so near that

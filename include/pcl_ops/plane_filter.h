@@ -35,7 +35,8 @@ struct PlaneFilter {
   /** \brief For \ref slope, against gravity, in the frame of the planes; of any length
    * but 0. */
   Eigen::Vector3d up_axis = Eigen::Vector3d::UnitZ();
-  /** \brief Fewest points: inliers, or of the moments where there are none. */
+  /** \brief How many points a plane needs: inliers, or points of the moments where
+   * there are no inliers. */
   std::size_t min_points = 0;
   /** \brief Smallest area inside the outline [m^2]. */
   double min_area = 0.0;
@@ -48,7 +49,7 @@ struct PlaneFilter {
   /** \brief The sides of the rectangle around the outline, in any order, and by how
    * much each may differ [m]: a board of known size. Not given: any. */
   std::optional<std::array<double, 3>> size;
-  /** \brief Keep so many of those that are left, the first ones. */
+  /** \brief Of the planes that are left, the first so many are kept. */
   std::optional<std::size_t> max_planes;
 };
 
@@ -56,7 +57,8 @@ struct PlaneFilter {
 PCL_OPS_EXPORT std::string
 validate (const PlaneFilter& filter);
 
-/** \brief How many planes a filter dropped, each for the first of these it fails. */
+/** \brief How many planes a filter dropped. The tests run in this order, and a plane is
+ * counted at the first one it fails. */
 struct DroppedPlanes {
   std::size_t by_orientation = 0;
   std::size_t by_direction = 0;

@@ -13,15 +13,16 @@
 
 namespace pcl_ops {
 
-/** \brief What planes of two frames have to share to be one, and what the pose between
- * the frames is worth. */
+/** \brief How much planes of two frames must overlap to be one, and how accurate the
+ * given pose between the frames is. */
 struct PlaneMatchingParameters {
   /** \brief How far the rotation of the pose is off about any axis, one standard
    * deviation [rad]; default 3 degrees. Errors of up to 20 degrees are corrected. */
   double rotation_error = 3.0 * (M_PI / 180.0);
   /** \brief The same of its translation along any axis [m]. */
   double translation_error = 0.05;
-  /** \brief Smallest share of the smaller of two planes over the other, 0 to 1. */
+  /** \brief The smallest share of the smaller of two planes that must lie over the
+   * other, 0 to 1. */
   double min_overlap = 0.3;
 };
 

@@ -10,8 +10,9 @@
 
 namespace pcl_ops {
 
-/** \brief The merging process of all detectors (paper section III-C). What is not given
- * a detector fills in; \ref mergePlanes, called alone, as stated with each. */
+/** \brief Parameters of the merging process of all detectors (paper section III-C). A
+ * detector fills in what is not given; where \ref mergePlanes is called alone, each
+ * member says what stands in. */
 struct MergingParameters {
   /** \brief Off: planes are left as they were found. */
   bool enabled = true;

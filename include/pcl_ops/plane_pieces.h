@@ -30,8 +30,8 @@ validate (const PlanePiecesParameters& parameters);
 
 /** \brief Connected pieces of planes, by falling size. */
 struct PlanePieces {
-  /** \brief As planes are, with their own inliers, centroid and moments, and normal and
-   * orientation of the plane they lie on; the centroid is taken onto that plane. */
+  /** \brief Each piece has inliers, centroid and moments of its own, and the normal and
+   * the orientation of the plane it lies on; the centroid is taken onto that plane. */
   std::vector<PlaneSegment> pieces;
   /** \brief For each piece the position of the plane it lies on. */
   std::vector<std::size_t> planes;
@@ -41,6 +41,7 @@ struct PlanePieces {
  * of one height. Each inlier is in one piece; a plane without a gap is its only piece,
  * as it is.
  * \param[in] cloud the one the planes were found in
+ * \param[in] planes as a detector gives them
  * \param[in] parameters ones \ref validate finds nothing wrong with
  * \param[in] threads 0: all; the result stays the same
  * \throw std::invalid_argument if an inlier lies outside the cloud or the parameters are

@@ -32,12 +32,15 @@ occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
 PCL_OPS_EXPORT bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
 
-/** \brief Turns the normals of planes up that are not vertical, where nothing says from
- * which side they were seen: of all planes where the cloud was not taken from the place
- * or this is 500 times as far away as the planes reach, as of maps and surveys that
- * have no sensor; of planes that pass the place at less than 2 % of how far their
- * points are away from it, as the floor of a map does. Detectors do so where a cloud
- * says 0 0 0.
+/** \brief Turns normals up where nothing says from which side the planes were seen. The
+ * normals of vertical planes stay as they are.
+ *
+ * This concerns all planes of a cloud that was not taken from the place, or that the
+ * place is 500 times as far away from as the planes reach, as maps and surveys that
+ * have no sensor. It also concerns planes that pass the place at less than 2 % of the
+ * distance of their points from it, as the floor of a map does. Detectors do so where a
+ * cloud says 0 0 0.
+ * \param[in] cloud the one the planes were found in
  * \param[in] viewpoint what normals point to, in the frame of cloud and planes
  * \param[in] up against gravity, of any length but 0
  * \param[in,out] planes only their normals change */
