@@ -21,7 +21,7 @@ enum class Sampling {
   /** \brief The same on leaves of an octree: cells of mixed sizes, smaller where points
    * are denser and their noise is even. */
   Leaves,
-  /** \brief Leaves; surfels where three tenths of the points err as their neighbors do,
+  /** \brief Leaves; surfels where over a quarter of the points err as neighbors do,
    * as in images of depth cameras, whose noise voxels of one size average better, and
    * where \ref OrientedPointSamplingParameters::Surfels::voxel_size is given. */
   Automatic

@@ -152,7 +152,8 @@ addAblation (std::vector<Configuration>& all)
   constexpr double no_limit = 1e6;
   const std::pair<const char*, void (*) (Parameters&)> ingredients[] = {
       {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
-      {"least-cells", [] (Parameters& p) { p.surfels.min_average_voxels = 0.0; }},
+      {"min-average-voxels",
+       [] (Parameters& p) { p.surfels.min_average_voxels = 0.0; }},
       {"normal-test", [] (Parameters& p) { p.surfels.angle_threshold = M_PI_2; }},
       {"noise-bands", [] (Parameters& p) { p.surfels.noise_factor = no_limit; }},
       {"absorption", [] (Parameters& p) { p.surfels.absorption_noise_factor = 0.0; }},
