@@ -9,6 +9,7 @@
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_kinds.h>
+#include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/up_axis.h>
 
 #include <cstdint>
@@ -43,6 +44,8 @@ struct Detected {
   std::vector<PlaneSegment> planes;
   /** \brief What each is among all that were found; empty where nobody asked. */
   std::vector<PlaneKind> kinds;
+  /** \brief How each was moved by regularizePlanes; empty where none was. */
+  std::vector<PlaneMove> moves;
   /** \brief Where \ref planes are pieces: for each the position of the plane it lies on
    * in \ref whole_planes, which have no inliers; else empty. */
   std::vector<std::size_t> lies_on;

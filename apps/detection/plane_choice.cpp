@@ -162,17 +162,21 @@ keepChosen (const PlaneChoice& choice,
   std::vector<PlaneSegment> kept;
   std::vector<std::size_t> lies_on;
   std::vector<PlaneKind> kinds;
+  std::vector<PlaneMove> moves;
   detected.settings.update (choice.given);
   for (const std::size_t i : chosenOf (
            choice, detected.planes, detected.up.cast<double>(), extent_of, dropped)) {
     kept.push_back (std::move (detected.planes[i]));
     if (!detected.kinds.empty())
       kinds.push_back (detected.kinds[i]);
+    if (!detected.moves.empty())
+      moves.push_back (detected.moves[i]);
     if (!detected.lies_on.empty())
       lies_on.push_back (detected.lies_on[i]);
   }
   detected.planes = std::move (kept);
   detected.kinds = std::move (kinds);
+  detected.moves = std::move (moves);
   detected.lies_on = std::move (lies_on);
   if (detected.planes.empty() && dropped.found > 0)
     detected.advice = adviceOn (choice, dropped);

@@ -138,6 +138,15 @@ extentInFile (const ShiftedCloud& shifted,
   return extentOf (outlineOf (points, hull), points, in_file);
 }
 
+/** \brief Moves planes to where they are exactly parallel, orthogonal and coplanar. */
+void
+regularize (Detected& detected)
+{
+  RegularizedPlanes found = regularizePlanes (detected.planes);
+  detected.planes = std::move (found.planes);
+  detected.moves = std::move (found.moves);
+}
+
 /** \brief What planes are, by their convex outlines in the file's frame. */
 std::vector<PlaneKind>
 kindsOf (const ShiftedCloud& shifted, const Detected& detected)
@@ -191,6 +200,8 @@ segmentCloud (const SegmentOptions& options,
   turnToScanners (report.detected.planes, cloud.scans);
   if (!report.detected.advice.empty())
     report.detected.advice = likeliestCause (shifted, report);
+  if (options.regularize)
+    regularize (report.detected);
   report.detected.kinds = kindsOf (shifted, report.detected);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {

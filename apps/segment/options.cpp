@@ -89,6 +89,8 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
       .help ("add each point's signed distance to its plane");
   line.add ("piece-gap R", options.of_pieces.max_gap, from (1))
       .help ("widest gap in one of --pieces, in spacings of its points (8)");
+  line.add ("regularize", options.regularize)
+      .help ("make nearly parallel, orthogonal and coplanar planes exactly so");
   line.add ("mesh FILE", outputs.mesh)
       .help ("write the hulls as a mesh: .ply, .vtk or .obj");
   line.add ("edges FILE", outputs.edges)

@@ -59,6 +59,8 @@ struct SegmentOptions {
   bool pieces = false;
   PlanePiecesParameters of_pieces;
   FloorPlanParameters of_plan;
+  /** \brief Whether planes become exactly parallel, orthogonal and coplanar. */
+  bool regularize = false;
   PlaneChoice choice;
   MapOptions map;
   DetectorOptions detector;

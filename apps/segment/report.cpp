@@ -4,8 +4,10 @@
 
 #include <boost/format.hpp>
 
+#include <numbers/angles.h>
 #include <numbers/statistics.h>
 
+#include <cmath>
 #include <ostream>
 #include <set>
 
@@ -103,6 +105,32 @@ remarksOn (const Report& report)
   return remarks;
 }
 
+/** \brief How many planes were moved, and by how much at most. */
+std::string
+noteOnMoves (const std::vector<PlaneMove>& moves)
+{
+  std::size_t moved = 0;
+  double angle = 0.0, distance = 0.0;
+  for (const PlaneMove& move : moves)
+    if (move.is_moved) {
+      ++moved;
+      angle = std::max (angle, move.angle);
+      distance = std::max (distance, std::abs (move.offset));
+    }
+  return str (boost::format ("Regularized %1% of %2% planes: turned by %3$.2g degrees "
+                             "and moved by %4$.2g at most") %
+              moved % moves.size() % toDegrees (angle) % distance);
+}
+
+/** \brief Null where a plane without noise would have to move. */
+nlohmann::ordered_json
+displacementOf (const PlaneMove& move)
+{
+  if (!std::isfinite (move.displacement))
+    return nullptr;
+  return move.displacement;
+}
+
 } // namespace
 
 void
@@ -113,6 +141,8 @@ printTable (const Report& report, std::ostream& stream)
     printPlanes (report, stream);
   if (!report.detected.up_note.empty())
     stream << report.detected.up_note << "\n";
+  if (!report.detected.moves.empty())
+    stream << noteOnMoves (report.detected.moves) << "\n";
   for (const std::string& line : remarksOn (report))
     stream << line << "\n";
   if (const std::string lengths = lengthsOf (report.detected.used); !lengths.empty())
@@ -160,6 +190,12 @@ toJson (const Report& report)
         report.ids[i], detected.planes[i], report.extents[i], detected.kinds[i], up));
     if (!lies_on.empty())
       object["plane"] = lies_on[i];
+    if (!detected.moves.empty())
+      object["moved"] = {{"angle", toDegrees (detected.moves[i].angle)},
+                         {"distance", detected.moves[i].offset},
+                         {"displacement", displacementOf (detected.moves[i])},
+                         {"direction", detected.moves[i].direction},
+                         {"level", detected.moves[i].level}};
   }
   return json;
 }

@@ -9,6 +9,7 @@
 #include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_kinds.h>
 #include <pcl_ops/plane_pieces.h>
+#include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/plane_tracker.h>
 #include <pcl_ops/surface/concave_hull.h>
 #include <pcl_ops/visibility.h>
@@ -282,6 +283,20 @@ kinds (const py::list& planes, const Eigen::Vector3d& up, double meter)
   return names;
 }
 
+/** \return the planes, and (angle, offset, displacement, is_moved, direction, level) */
+std::pair<PlaneSegments, py::list>
+regularize (const PlaneSegments& planes,
+            const PlaneRegularizationParameters& parameters)
+{
+  RegularizedPlanes found = regularizePlanes (planes, parameters);
+  py::list moves;
+  for (const auto& [angle, offset, displacement, is_moved, direction, level] :
+       found.moves)
+    moves.append (
+        py::make_tuple (angle, offset, displacement, is_moved, direction, level));
+  return {std::move (found.planes), moves};
+}
+
 std::pair<Labels, Eigen::Matrix4d>
 match (const PlaneSegments& previous,
        const PlaneSegments& current,
@@ -409,6 +424,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   defineParameters<PlaneMatchingParameters> (module, "match_planes");
   defineParameters<UpAxisParameters> (module, "estimate_up_axis");
   defineParameters<PlaneEdgeParameters> (module, "find_plane_edges");
+  defineParameters<PlaneRegularizationParameters> (module, "regularize_planes");
   defineSegment (module);
   defineTracker (module);
   module.def ("segment", &segment<Ops>);
@@ -430,6 +446,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("match", &match);
   module.def ("up_axis", &upAxis);
   module.def ("edges", &edges);
+  module.def ("regularize", &regularize);
   module.def ("compare", &evaluate);
   module.def ("is_seen_from",
               [] (const PointRows& points, const Eigen::Vector3d& viewpoint) {

@@ -8,6 +8,7 @@
 #include <pcl_ops/plane_edges.h>
 #include <pcl_ops/plane_filter.h>
 #include <pcl_ops/plane_matching.h>
+#include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/up_axis.h>
 
 #include <string>
@@ -155,6 +156,11 @@ inline const Overloaded visit_parameters = {
       visit ("max_gap", p.max_gap);
       visit ("min_length", p.min_length);
       visit ("min_angle", p.min_angle);
+    },
+    [] (PlaneRegularizationParameters& p, const auto& visit) {
+      visit ("max_angle", p.max_angle);
+      visit ("max_offset", p.max_offset);
+      visit ("max_displacement", p.max_displacement);
     }};
 
 } // namespace pcl_ops::python

@@ -107,6 +107,17 @@ class Planes(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "^" + name):
                 pcl_ops.plane_kinds(planes, **wrong)
 
+    def test_are_regularized_to_exact_angles(self):
+        exact, moves = pcl_ops.regularize_planes(planes)
+        for one, other in ((0, 1), (0, 2), (1, 2)):
+            self.assertAlmostEqual(float(exact[one].normal @ exact[other].normal), 0.0, delta=1e-12)
+        self.assertEqual([plane.kind for plane in exact], ["floor", "wall", "wall"])
+        self.assertEqual(len({move.direction for move in moves}), 3)
+        for move in moves:
+            self.assertLess(move.angle, np.radians(0.5))
+        with self.assertRaisesRegex(ValueError, "^max_angle: "):
+            pcl_ops.regularize_planes(planes, max_angle=2.0)
+
     def test_inliers_are_read_only_and_outlive_their_plane(self):
         inliers = pcl_ops.segment(points)[1][0].inliers
         np.testing.assert_array_equal(inliers, floor.inliers)

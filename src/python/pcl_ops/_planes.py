@@ -299,6 +299,46 @@ def filter_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Dict[
     return [planes[i] for i in kept], dropped
 
 
+class PlaneMove(NamedTuple):
+    """How a plane was moved."""
+
+    angle: float
+    """It turned about its centroid [rad]."""
+    offset: float
+    """It moved along its normal."""
+    displacement: float
+    """Root mean square of how far its points are from where they were beside it, in multiples of
+    its rms; of a plane that stays the one it would have had."""
+    is_moved: bool
+    direction: int
+    """Planes with the same number are parallel."""
+    level: int
+    """Planes with the same number are coplanar."""
+
+
+@named_parameters("regularize_planes")
+def regularize_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], List[PlaneMove]]:
+    """Make nearly parallel, orthogonal and coplanar planes exactly so.
+
+    planes: list of Plane of one array.
+    max_angle: planes this near to parallel or to orthogonal are meant to be so [rad].
+    max_offset: parallel planes this near are meant to be one; None: three times their noise.
+    max_displacement: how far a plane may move beside its points, in multiples of its rms.
+
+    Returns (regularized, moves): a list of Plane in the order of planes, and how each moved.
+    """
+    planes = plane_list("planes", planes)
+    points = _array_of(planes)
+    found, moves = _pcl_ops.regularize(
+        planes, with_given(_pcl_ops.regularize_planes(), parameters))
+    regularized = [Plane(one, points) for one in found]
+    for one, plane in zip(regularized, planes):
+        one._lies_on = plane._lies_on
+    if planes:
+        name_together(regularized, planes[0]._named_with[1])
+    return regularized, [PlaneMove(*move) for move in moves]
+
+
 @named_parameters("find_plane_edges")
 def find_plane_edges(
     planes: Planes, **parameters: Any

@@ -1,0 +1,147 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plans, edges, meshes and maps are opened by programs of others.
+
+python3 readers_test.py PROGRAMS: the folder of pcl_ops_segment and pcl_ops_simulate. What a reader
+is missing for is skipped: ezdxf, shapely, ogrinfo (gdal-bin), assimp (assimp-utils).
+"""
+
+import collections
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+PROGRAMS = pathlib.Path(sys.argv[1])
+
+try:
+    import ezdxf
+except ImportError:
+    ezdxf = None
+try:
+    import shapely.geometry
+    import shapely.validation
+except ImportError:
+    shapely = None
+
+
+def output_of(folder, program, *arguments):
+    return subprocess.run([program, *arguments], cwd=folder, check=True, text=True,
+                          stdout=subprocess.PIPE).stdout
+
+
+def needs(program):
+    return unittest.skipUnless(shutil.which(program), f"{program} is not installed")
+
+
+class Readers(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        # A room of 6.194 m x 5.779 m x 2.856 m with a door and a window.
+        output_of(cls.folder, PROGRAMS / "pcl_ops_simulate", "room.pcd", "--seed", "402",
+                  "--points", "300000", "--quiet")
+        for names in (("plan.dxf", "edges.dxf", "map.geojson", "mesh.obj"),
+                      ("plan.geojson", "edges.geojson"), ("plan.svg",)):
+            outputs = [part for name in names for part in (
+                {"map.": "--planes", "plan": "--plan", "edge": "--edges", "mesh": "--mesh"}[name[:4]],
+                name)]
+            output_of(cls.folder, PROGRAMS / "pcl_ops_segment", "room.pcd", "--quiet", *outputs)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def features(self, name):
+        return json.loads((self.folder / name).read_text())["features"]
+
+    def of_layer(self, layer):
+        return [one for one in self.features("plan.geojson") if one["properties"]["layer"] == layer]
+
+    def test_a_plan_has_the_walls_openings_and_the_room_of_the_simulator(self):
+        (room,) = self.of_layer("ROOM")
+        self.assertAlmostEqual(room["properties"]["area"], 35.79, delta=0.02 * 35.79)
+        self.assertAlmostEqual(room["properties"]["height"], 2.856, delta=0.01)
+        lengths = sorted(one["properties"]["length"] for one in self.of_layer("WALL"))
+        for length, true in zip(lengths[-4:], (5.779, 5.779, 6.194, 6.194)):
+            self.assertAlmostEqual(length, true, delta=0.01 * true)
+        widths = sorted(one["properties"]["length"] for one in self.of_layer("OPENING"))
+        self.assertEqual(len(widths), 2)
+        for width, true in zip(widths, (0.90, 1.21)):
+            self.assertAlmostEqual(width, true, delta=0.05)
+
+    @unittest.skipUnless(ezdxf, "ezdxf is not installed")
+    def test_ezdxf_reads_plans_and_edges_in_meters_without_a_complaint(self):
+        for name, layers in (("plan.dxf", {"WALL", "OPENING", "ROOM", "TEXT"}),
+                             ("edges.dxf", {"EDGE"})):
+            drawing = ezdxf.readfile(self.folder / name)
+            audit = drawing.audit()
+            self.assertEqual([*audit.errors, *audit.fixes], [], name)
+            self.assertEqual(drawing.units, 6, "meters")
+            self.assertEqual({one.dxf.layer for one in drawing.modelspace()}, layers)
+        drawn = collections.Counter(one.dxf.layer for one in
+                                    ezdxf.readfile(self.folder / "plan.dxf").modelspace())
+        self.assertEqual(drawn["OPENING"], len(self.of_layer("OPENING")))
+        self.assertEqual(drawn["ROOM"], 1)
+
+    @unittest.skipUnless(ezdxf, "ezdxf is not installed")
+    def test_texts_of_a_dxf_say_area_and_height(self):
+        # ezdxf leaves the code of DXF for a character as it is.
+        texts = [one.dxf.text.replace(r"\U+00B2", "\u00b2") for one in
+                 ezdxf.readfile(self.folder / "plan.dxf").modelspace().query("TEXT")]
+        (room,) = self.of_layer("ROOM")
+        self.assertEqual(texts, [f"{room['properties']['area']:.2f} m\u00b2",
+                                 f"h = {room['properties']['height']:.2f} m"])
+
+    @unittest.skipUnless(shapely, "shapely is not installed")
+    def test_geos_calls_all_geometries_valid(self):
+        for name in ("map.geojson", "plan.geojson", "edges.geojson"):
+            for feature in self.features(name):
+                shape = shapely.geometry.shape(feature["geometry"])
+                self.assertTrue(shape.is_valid, (name, shapely.validation.explain_validity(shape)))
+
+    def test_a_facade_on_a_map_is_a_line(self):
+        for feature in self.features("map.geojson"):
+            is_upright = feature["properties"]["orientation"] == "vertical"
+            self.assertEqual(feature["geometry"]["type"],
+                             "MultiLineString" if is_upright else "Polygon")
+
+    @needs("ogrinfo")
+    def test_gdal_reads_them_all(self):
+        for name in ("plan.dxf", "edges.dxf", "map.geojson", "plan.geojson", "edges.geojson"):
+            said = output_of(self.folder, "ogrinfo", "-al", "-so", "-ro", name)
+            self.assertRegex(said, "Feature Count: [1-9]", name)
+
+    def test_properties_of_plans_and_edges_have_names_that_a_shapefile_takes(self):
+        for name in ("plan.geojson", "edges.geojson"):
+            for feature in self.features(name):
+                self.assertLessEqual(max(map(len, feature["properties"])), 10)
+
+    @needs("assimp")
+    def test_assimp_reads_the_mesh(self):
+        said = output_of(self.folder, "assimp", "info", "mesh.obj")
+        self.assertRegex(said, "Faces: *[1-9]")
+
+    def test_a_mesh_names_vertices_that_it_has(self):
+        lines = [line.split() for line in (self.folder / "mesh.obj").read_text().splitlines()]
+        vertices = sum(line[0] == "v" for line in lines)
+        corners = [int(corner) for line in lines if line[0] == "f" for corner in line[1:]]
+        self.assertEqual((min(corners), max(corners)), (1, vertices))
+
+    def test_an_svg_is_on_paper_at_a_scale(self):
+        drawing = xml.etree.ElementTree.parse(self.folder / "plan.svg").getroot()
+        self.assertTrue(drawing.get("width").endswith("mm"))
+        texts = [one.text for one in drawing.iter("{http://www.w3.org/2000/svg}text")]
+        self.assertRegex(texts[-1], "^[125]0* m, 1:[125]0*$")
+        if "PCL_OPS_PICTURES" in os.environ:
+            shutil.copy(self.folder / "plan.svg", os.environ["PCL_OPS_PICTURES"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
