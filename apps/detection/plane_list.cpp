@@ -279,6 +279,30 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals)
          Notation{"[", "[", ",", "]", "]", decimals}.text (polygons) + "}";
 }
 
+/** \brief Closed lines in space, as a polygon without area on the map is not valid (OGC
+ * 06-103r4, 6.1.11.1): all rings of a facade. */
+std::string
+toGeoJsonLines (const Polygons& polygons, int decimals)
+{
+  if (polygons.empty())
+    return "null";
+  Rings rings;
+  for (const Rings& polygon : polygons)
+    rings.insert (rings.end(), polygon.begin(), polygon.end());
+  return R"({"type":"MultiLineString","coordinates":)" +
+         Notation{"[", "[", ",", "]", "]", decimals}.text (Polygons{rings}) + "}";
+}
+
+/** \brief Whether rings hardly cover a map: less than a thousandth of what they would
+ * lying flat. */
+bool
+isUpright (const Json& plane)
+{
+  constexpr double least_cosine = 0.001;
+  return std::abs (plane.at ("normal").at (2).get<double>()) < least_cosine ||
+         plane.at ("orientation") == toString (Orientation::Vertical);
+}
+
 std::string
 toCsv (const Json& planes, const MapOptions& options)
 {
@@ -309,8 +333,9 @@ toGeoJson (const Json& planes, const MapOptions& options)
     for (const auto& [name, value] : columnsOf (plane))
       properties[name.rfind ("normal_", 0) == 0 ? "n" + name.substr (7) : name] = value;
     features.push_back (
-        "{\"type\":\"Feature\",\"id\":" + plane.at ("id").dump() +
-        ",\"geometry\":" + toGeoJsonGeometry (outlineOf (plane, options), decimals) +
+        "{\"type\":\"Feature\",\"id\":" + plane.at ("id").dump() + ",\"geometry\":" +
+        (isUpright (plane) ? toGeoJsonLines (outlineOf (plane, options), decimals)
+                           : toGeoJsonGeometry (outlineOf (plane, options), decimals)) +
         ",\"properties\":" + properties.dump() + "}");
   }
   return featureCollection (features, options.crs);

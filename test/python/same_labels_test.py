@@ -93,7 +93,7 @@ class SameLabels(unittest.TestCase):
         self.assertEqual(written["crs"], said["crs"])
         self.assertEqual(len(written["features"]), len(planes))
         for feature, expected in zip(written["features"], said["features"]):
-            self.assertEqual(feature["geometry"]["type"], "Polygon")
+            self.assertEqual(feature["geometry"]["type"], expected["geometry"]["type"])
             np.testing.assert_allclose(feature["geometry"]["coordinates"],
                                        expected["geometry"]["coordinates"], atol=1e-5)
             self.assertSameRow(feature["properties"], expected["properties"])

@@ -125,7 +125,10 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
     for row, rings in zip(rows, outlines):
         properties = {name.replace("normal_", "n"): value for name, value in row.items()}
         coordinates = _nested(rings, decimals, ",", "[]", "[]")
-        geometry = f'{{"type":"Polygon","coordinates":{coordinates}}}' if rings else "null"
+        # A polygon without area on the map is not valid: facades are lines.
+        is_upright = row["orientation"] == "vertical" or abs(row["normal_z"]) < 0.001
+        kind = "MultiLineString" if is_upright else "Polygon"
+        geometry = f'{{"type":"{kind}","coordinates":{coordinates}}}' if rings else "null"
         features.append(
             f'\n{{"type":"Feature","id":{row["id"]},"geometry":{geometry},"properties":'
             f"{json.dumps(properties, separators=(',', ':'))}}}")
