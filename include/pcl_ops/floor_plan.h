@@ -113,6 +113,7 @@ struct FloorPlan {
  * Klein, *Automatic reconstruction of parametric building models from indoor point
  * clouds*, Computers & Graphics 54, 2016, without their optimization).
  * \param[in] cloud the input cloud the planes were found in
+ * \param[in] planes as a detector gives them
  * \param[in] kinds what they are, as \ref planeKinds says; walls, floors, ceilings and
  * roofs make the plan
  * \param[in] up against gravity, any length but 0
