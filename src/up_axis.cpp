@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** \brief What counts of a plane. */
+/** \brief What the estimate uses of a plane. */
 struct Face {
   Vector3d normal, centroid;
   Matrix3d covariance;
@@ -210,7 +210,7 @@ evidenceFor (const Vector3d& up,
   const double along_gaze =
       gaze.dot (up) * gaze.dot (up) / (spread + gaze.squaredNorm());
   const double skewness = third_moment / std::pow (variance, 1.5);
-  // Maximum likelihood on 300 simulated rooms, with a weak prior on small weights.
+  // Maximum likelihood on 300 simulated rooms, with a weak prior towards weights of 0.
   return 13.0 * facingShare (faces, up, limit) + 1.5 * vertical - 13.0 * along_gaze -
          11.0 * variance / spread + 0.8 * std::clamp (skewness, -2.0, 2.0);
 }

@@ -14,13 +14,14 @@ namespace pcl_ops::apps {
 /** \brief Two planes that may be one surface, by their positions in a list. */
 struct OverlappingPlanes {
   std::size_t larger, smaller;
-  /** \brief The larger one of both distances from a centroid to the other plane [m]. */
+  /** \brief The larger of the two distances from a centroid to the other plane [m]. */
   double distance;
 };
 
-/** \brief Of planes that are parallel within 7 degrees, not farther apart than three
- * times the noise of the noisier one, and whose outlines overlap or are a few spacings
- * of their points apart: the two of which the smaller one has most points.
+/** \brief Finds two planes that may be one surface: parallel within 7 degrees, no
+ * farther apart than three times the noise of the noisier one, with outlines that
+ * overlap or are a few spacings of their points apart. Of several such pairs it takes
+ * the one whose smaller plane has most points.
  * \param[in] planes by falling size */
 std::optional<OverlappingPlanes>
 findOverlapping (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);

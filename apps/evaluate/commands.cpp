@@ -20,7 +20,7 @@ printHelp (const std::vector<Command>& commands)
 {
   constexpr int width_of_calls = 28;
   std::cout << "Usage: pcl_ops_evaluate COMMAND [arguments] [options]\n"
-               "Compares plane detectors as the paper of OPS does (Sun & Mordohai, "
+               "Compares planes and labels as the paper of OPS does (Sun & Mordohai, "
                "ICRA 2019).\n"
                "\n"
                "Commands:\n";

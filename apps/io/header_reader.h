@@ -25,8 +25,8 @@ splitWords (std::string_view line,
             std::vector<std::string_view>& words);
 
 /** \brief Reads a cloud file: lines of its header, bytes, and lines of numbers, of
- * which what is no number is refused; PCL's readers make points at zero or without
- * coordinates of it. Words the complaints. */
+ * which a word that is no number is refused; PCL's readers would make points at zero or
+ * without coordinates of it. The reader also words the error messages. */
 class HeaderReader {
 public:
   /** \param[in] format e.g. "PCD", for the complaints */
@@ -83,8 +83,8 @@ public:
   }
 
   /** \brief Goes on to the next line of numbers.
-   * \return false where it has not a single character
-   * \throws WorkError if there is none */
+   * \return false if the line is empty
+   * \throws WorkError at the end of the file */
   bool
   nextNumbers ()
   {
@@ -120,8 +120,10 @@ public:
   bool
   isNumber (std::size_t word) const;
 
-  /** \throws WorkError unless the line has so many numbers, and nothing else but
-   * words where \p may_be_words says so */
+  /** \brief Checks how many words the line has; whether they are numbers only \ref
+   * readNumber checks.
+   * \throws WorkError if there are more or fewer. It names the first word that is no
+   * number, except where \p may_be_words allows one, and else how many there are. */
   void
   expectNumbers (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
 
@@ -152,7 +154,8 @@ public:
   bool
   nextWords ();
 
-  /** \brief Of points: as many as PCL's indices can tell apart. */
+  /** \brief A number of points from a text.
+   * \throws WorkError if it is no number, or more than PCL's indices can tell apart */
   std::uint64_t
   count (const std::string& what, const std::string& text) const;
 

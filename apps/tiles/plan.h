@@ -24,7 +24,7 @@ hasChanged (const PlannedInput& input);
 
 /** \brief What all parts of a run have to agree on. */
 struct Plan {
-  /** \brief By name. */
+  /** \brief Ordered by name. */
   std::vector<PlannedInput> inputs;
   /** \brief Its place is near the points of the first input. */
   TileGrid grid;
@@ -43,7 +43,8 @@ struct Plan {
 /** \brief A file that has a plan, or will have. */
 struct PlanFile {
   std::string name;
-  /** \brief What to do where it has another one than it should. */
+  /** \brief Advice that ends the error message where the file has another plan than it
+   * should. */
   std::string fix;
 };
 
@@ -58,7 +59,8 @@ struct PlanOptions {
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options);
 
-/** \brief What a file of it has: that of plans with which runs leave the same files. */
+/** \brief The content of a plan file. Runs of plans with equal text leave the same
+ * files. */
 std::string
 toText (const Plan& plan);
 

@@ -13,8 +13,8 @@ namespace pcl_ops::apps {
 
 using CellKey = std::array<std::int64_t, 3>;
 
-/** \brief Which tile: its cells begin at so many times the cells of a tile, along x and
- * along y. */
+/** \brief Number of a tile along x and y: its first cell is the number times \ref
+ * TileGrid::cells_of_tile. */
 using TileKey = std::array<std::int64_t, 2>;
 
 /** \brief Cells on a lattice from absolute zero, and square tiles of whole columns of
@@ -32,7 +32,8 @@ struct TileGrid {
   /** \brief Along an edge of a tile: a multiple of \ref cells_of_coarsest and at least
    * \ref halo. */
   std::int64_t cells_of_tile = 0;
-  /** \brief Near the points, in whole coarsest voxels. */
+  /** \brief A cell near the points, the same for all tiles, from which frames are
+   * counted: a whole number of coarsest voxels along each axis. */
   CellKey place{};
 
   /** \brief Edge of a tile [m]. */
@@ -86,8 +87,8 @@ struct TileGrid {
     return along (0) && along (1);
   }
 
-  /** \brief Where zero of a tile's frame is: of what is in the tile the nearest to the
-   * place all tiles share, in whole coarsest voxels. */
+  /** \brief The cell at the zero of a tile's frame: \ref place, or if that is outside
+   * the tile the cell of the tile that is nearest to it, in whole coarsest voxels. */
   CellKey
   frameOf (const TileKey& tile) const
   {

@@ -15,11 +15,16 @@ struct Relief {
   double
   height (double x, double y) const
   {
+    // Unequal lengths, so that hills do not repeat.
+    constexpr double longer_along_y = 1.3;
+    constexpr double length_of_short_waves = 0.5; // over that of the long ones
+    constexpr double height_of_short_waves = 0.35;
     const double turns = 2.0 * pi / length;
-    const double long_waves =
-        std::sin (turns * x + phases[0]) * std::cos (turns / 1.3 * y + phases[1]);
-    const double short_waves = std::sin (turns / 0.5 * (x + y) + phases[2]);
-    return amplitude * (long_waves + 0.35 * short_waves);
+    const double long_waves = std::sin (turns * x + phases[0]) *
+                              std::cos (turns / longer_along_y * y + phases[1]);
+    const double short_waves =
+        std::sin (turns / length_of_short_waves * (x + y) + phases[2]);
+    return amplitude * (long_waves + height_of_short_waves * short_waves);
   }
 };
 

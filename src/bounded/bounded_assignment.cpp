@@ -13,7 +13,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Each with moments of all planes.
+// Voxels of a piece of work. Each piece holds moments of all planes: few large ones.
 constexpr std::size_t voxels_at_once = 4096;
 
 // Points, the planes each may be on, and where the labels go.
@@ -22,7 +22,7 @@ struct Assignment {
   const VoxelGrid& grid;
   const BoundedPlanes& planes;
   const std::vector<PlaneBand>& bands;
-  // A threshold that was asked for is promised to every point.
+  // With a given threshold each point is tested by itself: it is promised to all.
   bool every_point_counts;
   Labels& labels;
 
@@ -72,7 +72,7 @@ bandsOf (const BoundedPlanes& planes,
 {
   std::vector<PlaneBand> bands;
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    // That of a plane without voxels here is 0.
+    // A plane without voxels here has noise 0.
     const double noise = std::max (planes.noise[p], smallest_noise);
     bands.emplace_back (
         planes.planes[p], noise, std::min (noise_factor * noise, largest_band));

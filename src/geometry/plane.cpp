@@ -74,7 +74,8 @@ fitPlane (const Moments& moments)
   constexpr double smallest_width = 1e-5;
   if (!(variances[1] > smallest_width * smallest_width * variances[2]))
     return std::nullopt;
-  // Of a ball or a rod many directions would do, and the closed form has none.
+  // Where the two smallest variances are equal, as of a ball or a rod, the closed form
+  // returns a zero normal: take any of the directions that would do.
   if (axes.normal.isZero())
     axes.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> (covariance)
                       .eigenvectors()

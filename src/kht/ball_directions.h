@@ -101,8 +101,8 @@ struct BallDirections {
                             std::cos (phi));
   }
 
-  /** \brief The direction at the other side of the ball; its own opposite is the first
-   * again. */
+  /** \brief The direction at the other side of the ball: opposite (opposite (d)) is d.
+   */
   std::uint32_t
   opposite (std::uint32_t direction) const
   {
@@ -153,7 +153,7 @@ struct HoughSpace {
   /** \brief Length of a bin of rho [m]. */
   double rho_step = 0.0;
 
-  /** \brief The middle of a bin; bin -1 is the first one seen from the other side. */
+  /** \brief The middle of a bin; bin -1 is bin 0 of the opposite direction. */
   double
   rhoOf (int bin) const
   {

@@ -12,13 +12,14 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Of a few points in a leaf noise is measured no finer than this.
+// The least noise to assume in a leaf: a few points in it can look flatter than they
+// are.
 double
 minNoise (const LeafCloud& cloud, const CoordinateSteps& steps, std::size_t leaf)
 {
   constexpr double rounding = 0.003;     // of the edge
-  constexpr double usual = 0.03;         // of the edge
-  constexpr double times_expected = 2.0; // but sparse leaves are wide
+  constexpr double usual = 0.03;         // of the edge, but no more than
+  constexpr double times_expected = 2.0; // the expected noise: sparse leaves are wide
   constexpr double share_of_a_step = 0.5;
   const double edge = cloud.edge[leaf];
   const double expected = cloud.expectedNoise (leaf, cloud.moments[leaf].count);

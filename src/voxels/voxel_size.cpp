@@ -23,8 +23,8 @@ countOccupied (const Coordinates& positions, double voxel_size)
   return voxels;
 }
 
-// Without what lies many times farther from the origin, which is near most points, than
-// half of them do: outliers would fill a voxel each, however large.
+// Drops outliers, which would fill a voxel each, however large it is: points that are
+// many times farther from the origin than the median. The origin is near most points.
 Coordinates
 withoutOutliers (const Coordinates& positions)
 {
@@ -56,7 +56,7 @@ double
 voxelSizeFor (const Coordinates& positions, double wanted_voxels)
 {
   constexpr std::size_t looked_at = 8192;
-  // Several of the points looked at share a voxel: an empty one is empty indeed.
+  // Some ten of the sampled points per voxel: hardly an occupied voxel has none.
   constexpr double counted_voxels = 800.0;
   const Coordinates some = withoutOutliers (samplePoints (positions, looked_at));
   if (some.size() == 0)

@@ -57,7 +57,7 @@ TEST (CellScatter, OfWhiteNoiseIsNotUneven)
   EXPECT_LT (unevenness, 0.15e-3) << "of 144 points each";
 }
 
-TEST (CellScatter, IsAsUnevenAsBumpsOfTheSizeOfItsEighthsAreHigh)
+TEST (CellScatter, IsAsUnevenAsTheBumpsOfTheSizeOfItsEighths)
 {
   const auto cells = cellsOf20cm (checkerboard (1_cm, anywhere));
   EXPECT_EQ (cells.size(), 100u);
@@ -86,6 +86,7 @@ TEST (CellScatter, NeedsMorePointsThanAPlane)
 
 TEST (CellScatter, OfACellComesAfterThoseOfTheCellsInIt)
 {
+  // Each cell follows smaller ones that it holds, or lies behind the cell before it.
   const auto cells = scatterOf (gridsOf ({ground}, 120));
   for (std::size_t i = 1; i < cells.size(); ++i) {
     const std::uint32_t end = cells[i].begin + cells[i].count;
@@ -100,7 +101,7 @@ TEST (CellScatter, OfACellComesAfterThoseOfTheCellsInIt)
 
 TEST (CellScatter, IsMeasuredOfManyCells)
 {
-  // More cells than are looked at at once; the last of them, too.
+  // More cells than a batch of the measurement holds (512).
   const auto cells = scatterOf (gridsOf ({ground}, 360, 1_cm));
   EXPECT_GT (cells.size(), 1600u);
   for (const CellScatter& cell : cells)

@@ -29,8 +29,8 @@ cellsOfLevels (const std::vector<double>& noises)
   return cells;
 }
 
-/** \brief Of a plane as large as a cell of a level.
- * \param[in] level from that of 10 cm on */
+/** \brief Expected noise of a plane with 36 points in 10 cm that is as large as a cell.
+ * \param[in] level of the cell; 0 is 10 cm, -1 is 5 cm */
 double
 noiseOfSize (const ExpectedNoise& noise, int level)
 {
@@ -78,8 +78,9 @@ TEST (ExpectedNoise, IsLargerThanAnyCloudWhereNoCellTells)
   std::vector<CellScatter> narrow = cellsOfNoise (1_mm, 36, level_of_10_cm);
   for (CellScatter& cell : narrow)
     cell.is_wide = false;
+  constexpr int too_few = 5;
   for (const auto& cells : {std::vector<CellScatter>(),
-                            cellsOfNoise (1_mm, 36, level_of_10_cm, 5),
+                            cellsOfNoise (1_mm, 36, level_of_10_cm, too_few),
                             narrow}) {
     const ExpectedNoise noise (cells, finest_cell);
     EXPECT_GT (noise.of (densityOf10cm (36), 36), huge_noise);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t smallest_region = 50;
 constexpr double max_distance = 0.05; // to a region's plane [m]
-/** By which the points of a region have grown when its plane is fitted again. */
+/** A region's plane is fitted again whenever its points have grown by this factor. */
 constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
@@ -53,7 +53,7 @@ surfelsOf (const XyzCloud& cloud, int neighbors)
   return surfels;
 }
 
-/** They are taken from then on. */
+/** Grows the region of a seed, and marks its points as taken. */
 pcl::PointIndices
 regionFrom (pcl::index_t seed,
             const std::vector<Surfel>& surfels,

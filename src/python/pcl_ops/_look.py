@@ -57,7 +57,7 @@ def write_html(
     title: by default the name of the file.
     up: vector against gravity.
     viewpoint: where the sensor was.
-    max_points: of more points some are shown, an even sample with points of each plane.
+    max_points: of more points than this an even sample is shown, with points of each plane.
 
     Raises OSError where the file cannot be written; it is complete, or as it was.
     """
@@ -80,7 +80,7 @@ def write_html(
         "planes": [_described(i + 1, plane, upwards) for i, plane in enumerate(planes)],
         "edges": [{"from": edge.start.tolist(), "to": edge.end.tolist()}
                   for edge in find_plane_edges(planes)[0]]}
-    from . import _page  # as the reader, for those who write one
+    from . import _page  # here, so that only those who write a page load it
 
     single, origin = single_precision(array)
     _page.save(os.fsencode(path), json.dumps(description), single, origin, numbers, len(planes),

@@ -96,7 +96,7 @@ TEST (Thickness, DoesNotDependOnTheOrderOfThePoints)
 
 TEST (Thickness, IsTheSameForFewProbesAsForMany)
 {
-  // Few are searched for without sorting the points.
+  // For up to 50 probes neighbors are searched for without sorting the points.
   const XyzCloud cloud = square (0.05, noise);
   const double few = thicknessOf (cloud, {planeOf (cloud)}, 50).at (0).noise,
                more = thicknessOf (cloud, {planeOf (cloud)}, 51).at (0).noise;

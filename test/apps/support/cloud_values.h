@@ -10,7 +10,7 @@
 
 #include <charconv>
 
-/** \brief The values of a field that a cloud must have, of each point. */
+/** \brief The value of a field at each point; throws if the cloud has no such field. */
 inline std::vector<double>
 valuesOf (const pcl_ops::apps::FileCloud& cloud, const std::string& name)
 {
