@@ -97,9 +97,6 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   line.add ("quiet", options.quiet).help ("print nothing");
   bool pieces = false;
   line.add ("pieces", pieces).help ("not here: planes.json has parts of planes");
-  std::string floor_plan;
-  line.add ("plan FILE", floor_plan)
-      .help ("not here: pcl_ops_segment draws floor plans");
   declareChoice (line, options.planes.choice);
   if (!line.parse (argc, argv))
     return false;
@@ -107,7 +104,8 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
     throw UsageError ("--pieces",
                       "needs all points of a plane at once, which tiles have not; see "
                       "parts in planes.json, or run pcl_ops_segment on one file");
-  if (!floor_plan.empty())
+  // --plan is the plan of the tiles here.
+  if (hasExtension (options.plan_file, {".dxf", ".svg", ".geojson"}))
     throw UsageError ("--plan",
                       "needs the points of walls at one height, which tiles have not; "
                       "run pcl_ops_segment --plan on a file of the building");
