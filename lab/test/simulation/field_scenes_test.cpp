@@ -44,6 +44,14 @@ rmsOf (const LabeledCloud& cloud)
 
 } // namespace
 
+TEST (Relief, IsAsHighAsItsAmplitudeAQuarterOfAWaveFromZero)
+{
+  Relief relief;
+  relief.amplitude = 2.0;
+  EXPECT_NEAR (relief.height (0.25 * relief.length, 0.0), 2.0, 1e-9);
+  EXPECT_NEAR (relief.height (0.0, 0.0), 0.0, 1e-9);
+}
+
 TEST (Airborne, RoofsErrInHeightByTheNoise)
 {
   const SimulatedCloud survey = scanAirborne (makeAirborne (2), 50'000, 1.0, 7);
