@@ -202,6 +202,18 @@ TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
   EXPECT_EQ (thick, 2u);
 }
 
+TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
+{
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
+  flat.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 3}).wall ({8, 3}, {0, 3});
+  flat.wall ({0, 3}, {0, 0}).wall ({5, 0}, {5, 3});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 15.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].area, 9.0, 0.01);
+}
+
 TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
 {
   Building room;
