@@ -210,16 +210,26 @@ columnsOf (const Json& plane)
   const Json& normal = plane.at ("normal");
   const Json& extent = plane.at ("extent");
   std::vector<std::pair<std::string, Json>> columns = {
-      {"id", plane.at ("id")},          {"orientation", plane.at ("orientation")},
-      {"kind", plane.at ("kind")},      {"points", plane.at ("points")},
-      {"a", coefficients.at (0)},       {"b", coefficients.at (1)},
-      {"c", coefficients.at (2)},       {"d", coefficients.at (3)},
-      {"centroid_x", centroid.at (0)},  {"centroid_y", centroid.at (1)},
-      {"centroid_z", centroid.at (2)},  {"normal_x", normal.at (0)},
-      {"normal_y", normal.at (1)},      {"normal_z", normal.at (2)},
-      {"rms", plane.at ("rms")},        {"area", plane.at ("area")},
-      {"length", extent.at ("length")}, {"width", extent.at ("width")},
-      {"slope", plane.at ("slope")},    {"aspect", plane.at ("aspect")},
+      {"id", plane.at ("id")},
+      {"orientation", plane.at ("orientation")},
+      {"kind", plane.value ("kind", Json())}, // lists of earlier versions have none
+      {"points", plane.at ("points")},
+      {"a", coefficients.at (0)},
+      {"b", coefficients.at (1)},
+      {"c", coefficients.at (2)},
+      {"d", coefficients.at (3)},
+      {"centroid_x", centroid.at (0)},
+      {"centroid_y", centroid.at (1)},
+      {"centroid_z", centroid.at (2)},
+      {"normal_x", normal.at (0)},
+      {"normal_y", normal.at (1)},
+      {"normal_z", normal.at (2)},
+      {"rms", plane.at ("rms")},
+      {"area", plane.at ("area")},
+      {"length", extent.at ("length")},
+      {"width", extent.at ("width")},
+      {"slope", plane.at ("slope")},
+      {"aspect", plane.at ("aspect")},
       {"height", plane.at ("height")}};
   // Of a piece: the plane it lies on.
   if (plane.contains ("plane"))

@@ -89,14 +89,16 @@ otherValues ()
   return values;
 }
 
-/** Leaves each parameter but two as it is for most bytes, else takes another value. */
+/** Leaves each parameter but three as it is for most bytes, else takes another value.
+ */
 template <typename Parameters>
 void
 vary (ByteReader& bytes, Parameters& parameters)
 {
   python::visit_parameters (parameters, [&] (const std::string& name, auto& value) {
     using Value = std::decay_t<decltype (value)>;
-    if (name == "threads" || name == "sampling")
+    // Neither these nor what came after the corpus, whose bytes would mean others.
+    if (name == "threads" || name == "sampling" || name == "min_points")
       return;
     const auto chosen = bytes.take<std::uint8_t>();
     if (chosen < 128)

@@ -83,7 +83,8 @@ TEST (PlaneRegularization, IsNearThatOfCgal)
     EXPECT_LT (angleBetween (found.planes[i].normal, normals[i]), 0.1_deg);
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_NEAR (found.planes[i].normal.dot (found.planes[j].normal), 0.0, 1e-12);
-      EXPECT_NEAR (normals[i].dot (normals[j]), 0.0, 1e-6) << "CGAL's";
+      // CGAL leaves a thousandth of a radian.
+      EXPECT_NEAR (normals[i].dot (normals[j]), 0.0, 2e-3) << "CGAL's";
     }
   }
 }
