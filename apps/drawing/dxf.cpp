@@ -18,12 +18,26 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief How many bytes follow the first one of a character in UTF-8. */
+int
+bytesThatFollow (unsigned char first)
+{
+  constexpr unsigned first_of_two = 0xc0;
+  constexpr unsigned first_of_three = 0xe0;
+  constexpr unsigned first_of_four = 0xf0;
+  if (first >= first_of_four)
+    return 3;
+  if (first >= first_of_three)
+    return 2;
+  return first >= first_of_two ? 1 : 0;
+}
+
 /** \brief Text in ASCII: other characters as \U+XXXX, as DXF has them. */
 std::string
 asciiOf (const std::string& text)
 {
-  constexpr unsigned first_of_two = 0xc0, first_of_three = 0xe0, first_of_four = 0xf0;
-  constexpr unsigned bits_that_follow = 0x3f, ascii = 0x80;
+  constexpr unsigned bits_that_follow = 0x3f;
+  constexpr unsigned ascii = 0x80;
   std::string written;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto first = static_cast<unsigned char> (text[i]);
@@ -31,10 +45,7 @@ asciiOf (const std::string& text)
       written += first < ' ' ? ' ' : text[i];
       continue;
     }
-    const int more = first >= first_of_four    ? 3
-                     : first >= first_of_three ? 2
-                     : first >= first_of_two   ? 1
-                                               : 0;
+    const int more = bytesThatFollow (first);
     unsigned code = first & (bits_that_follow >> more);
     for (int k = 0; k < more && i + 1 < text.size(); ++k)
       code = code << 6U | (static_cast<unsigned char> (text[++i]) & bits_that_follow);
@@ -64,7 +75,8 @@ public:
   DxfText&
   place (int code, const Eigen::Vector3d& at)
   {
-    constexpr int to_y = 10, to_z = 20;
+    constexpr int to_y = 10;
+    constexpr int to_z = 20;
     return put (code, at.x()).put (code + to_y, at.y()).put (code + to_z, at.z());
   }
 
@@ -116,7 +128,8 @@ boxAround (const Drawing& drawing)
 void
 putHeader (const Eigen::AlignedBox3d& box, DxfText& dxf)
 {
-  constexpr int meters = 6, metric = 1;
+  constexpr int meters = 6;
+  constexpr int metric = 1;
   dxf.put (0, "SECTION").put (2, "HEADER");
   dxf.put (9, "$ACADVER").put (1, "AC1015");
   dxf.put (9, "$HANDSEED").put (5, "FFFFFF");
@@ -165,8 +178,10 @@ putEntry (const char* type,
 void
 putView (const Eigen::AlignedBox3d& box, DxfText& dxf)
 {
-  constexpr double margin = 1.1, aspect = 1.5;
-  const Eigen::Vector3d middle = box.center(), sizes = box.sizes();
+  constexpr double margin = 1.1;
+  constexpr double aspect = 1.5;
+  const Eigen::Vector3d middle = box.center();
+  const Eigen::Vector3d sizes = box.sizes();
   putTable ("VPORT", 1, dxf, [&] (const std::string& table) {
     putEntry ("VPORT", "AcDbViewportTableRecord", "*Active", table, dxf);
     dxf.put (10, 0.0).put (20, 0.0).put (11, 1.0).put (21, 1.0);
@@ -301,7 +316,8 @@ putLine (const DrawnLine& line, DxfText& dxf)
       dxf.put (10, corner.x()).put (20, corner.y());
     return;
   }
-  constexpr int in_space = 8, vertex_in_space = 32;
+  constexpr int in_space = 8;
+  constexpr int vertex_in_space = 32;
   const std::string handle = putEntity ("POLYLINE", line.layer, dxf);
   dxf.kind ("AcDb3dPolyline").put (66, 1).place (10, Eigen::Vector3d::Zero());
   dxf.put (70, in_space + closed);
@@ -316,7 +332,8 @@ putLine (const DrawnLine& line, DxfText& dxf)
 void
 putText (const DrawnText& text, DxfText& dxf)
 {
-  constexpr int centered = 1, in_the_middle = 2;
+  constexpr int centered = 1;
+  constexpr int in_the_middle = 2;
   putEntity ("TEXT", text.layer, dxf);
   dxf.kind ("AcDbText").place (10, text.at).put (40, text.height);
   dxf.put (1, asciiOf (text.text)).put (72, centered).place (11, text.at);

@@ -35,7 +35,8 @@ heightOf (const PlanRoom& room)
 void
 addTexts (const PlanRoom& room, Drawing& drawing)
 {
-  constexpr double largest = 0.2, share_of_width = 0.06; // [m]
+  constexpr double largest = 0.2;
+  constexpr double share_of_width = 0.06; // [m]
   const double size = std::min (largest, share_of_width * std::sqrt (room.area));
   std::vector<std::string> lines = {str (boost::format ("%.2f m\u00b2") % room.area)};
   constexpr double closed = 0.95; // of the outline

@@ -71,7 +71,8 @@ paperFor (const Drawing& drawing)
       box.extend (corner.head<2>().eval());
   if (box.isEmpty())
     box = {Eigen::Vector2d (0, 0), Eigen::Vector2d (1, 1)};
-  constexpr double width = 380.0, height = 250.0; // of A3 without margins [mm]
+  constexpr double width = 380.0;
+  constexpr double height = 250.0; // of A3 without margins [mm]
   const Eigen::Vector2d sizes = millimeters * box.sizes();
   const double least = std::max (sizes.x() / width, sizes.y() / height);
   const double usual[] = {20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000};
@@ -91,8 +92,8 @@ putBar (const Paper& paper, std::ostream& svg)
       length *= factor;
       break;
     }
-  const double y = paper.size().y() - margin,
-               width = length * millimeters / paper.scale;
+  const double y = paper.size().y() - margin;
+  const double width = length * millimeters / paper.scale;
   svg << "<path d=\"M" << margin << ' ' << y - 1.5 << "v1.5h" << width
       << "v-1.5\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>\n<text x=\""
       << margin + width + 3 << "\" y=\"" << y << "\" font-size=\"4\">" << length

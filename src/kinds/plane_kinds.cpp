@@ -93,13 +93,15 @@ isInRectangle (const PlaneShape& shape, const Vector3d& point)
 bool
 standsBefore (const PlaneShape& front, const PlaneShape& wall)
 {
-  constexpr double least_cosine = 0.9;            // some 25 degrees
-  constexpr double nearest = 0.1, farthest = 1.0; // relief of a wall, furniture [m]
-  constexpr int steps = 4;                        // of samples from the middle
+  constexpr double least_cosine = 0.9; // some 25 degrees
+  constexpr double nearest = 0.1;
+  constexpr double farthest = 1.0; // relief of a wall, furniture [m]
+  constexpr int steps = 4;         // of samples from the middle
   const double cosine = front.normal.dot (wall.normal);
   if (cosine < least_cosine || wall.area <= front.area || wall.high < front.high)
     return false;
-  int before = 0, all = 0;
+  int before = 0;
+  int all = 0;
   for (int i = -steps; i <= steps; ++i)
     for (int j = -steps; j <= steps; ++j) {
       const Vector3d sample = front.center +
@@ -119,8 +121,9 @@ isWall (const PlaneShape& shape,
         const std::vector<PlaneShape>& shapes,
         const std::vector<Story>& stories)
 {
-  constexpr double smallest_at_ceiling = 0.5, smallest = 1.0; // [m]
-  constexpr double lowest_wall = 1.3;                         // [m]
+  constexpr double smallest_at_ceiling = 0.5;
+  constexpr double smallest = 1.0;    // [m]
+  constexpr double lowest_wall = 1.3; // [m]
   const double rise = shape.high - shape.low;
   for (const Story& story : stories)
     if (story.ceiling && rise >= smallest_at_ceiling &&
@@ -147,8 +150,10 @@ isRoofAt (double height, const std::vector<PlaneShape>& shapes)
 bool
 isCeiling (const PlaneShape& shape, const Story& story)
 {
-  constexpr double smallest_part = 0.3, smallest_alone = 1.0; // [m^2]
-  constexpr double smallest_high = 0.1, high = 2.3; // above cupboards [m^2], [m]
+  constexpr double smallest_part = 0.3;
+  constexpr double smallest_alone = 1.0; // [m^2]
+  constexpr double smallest_high = 0.1;
+  constexpr double high = 2.3; // above cupboards [m^2], [m]
   const double rise = shape.middle - story.floor;
   if (rise < headroom)
     return false;
@@ -163,9 +168,11 @@ isCeiling (const PlaneShape& shape, const Story& story)
 bool
 isTable (const PlaneShape& shape, double rise)
 {
-  constexpr double lowest = 0.3, highest = 1.3;   // [m]
-  constexpr double smallest = 0.1, largest = 6.0; // [m^2]
-  constexpr double narrowest = 0.2;               // [m]
+  constexpr double lowest = 0.3;
+  constexpr double highest = 1.3; // [m]
+  constexpr double smallest = 0.1;
+  constexpr double largest = 6.0;   // [m^2]
+  constexpr double narrowest = 0.2; // [m]
   return !shape.faces_down && rise >= lowest && rise <= highest &&
          shape.area >= smallest && shape.area <= largest && shape.width >= narrowest;
 }
@@ -173,9 +180,11 @@ isTable (const PlaneShape& shape, double rise)
 bool
 isRamp (const PlaneShape& shape, const Story& story)
 {
-  constexpr double flattest = 2.5 * pi / 180.0, steepest = 35.0 * pi / 180.0;
-  constexpr double smallest = 0.5;                      // [m^2]
-  constexpr double least_rise = 0.15, most_below = 0.2; // [m]
+  constexpr double flattest = 2.5 * pi / 180.0;
+  constexpr double steepest = 35.0 * pi / 180.0;
+  constexpr double smallest = 0.5; // [m^2]
+  constexpr double least_rise = 0.15;
+  constexpr double most_below = 0.2; // [m]
   return !shape.faces_down && shape.slope >= flattest && shape.slope <= steepest &&
          shape.area >= smallest && shape.high - shape.low >= least_rise &&
          std::abs (shape.low - story.floor) <= most_below;
@@ -194,8 +203,9 @@ levelKind (const PlaneShape& shape,
            const std::vector<PlaneShape>& shapes,
            const std::vector<Story>& stories)
 {
-  constexpr double smallest_step = 1.0, smallest_slab = 2.0; // [m^2]
-  constexpr double same_floor = 0.1;                         // [m]
+  constexpr double smallest_step = 1.0;
+  constexpr double smallest_slab = 2.0; // [m^2]
+  constexpr double same_floor = 0.1;    // [m]
   const Story& story = storyAt (stories, shape.middle);
   const double rise = shape.middle - story.floor;
   if (rise < same_floor || (rise < step && shape.area >= smallest_step)) {

@@ -60,7 +60,9 @@ levelsOf (std::vector<LevelPlane> planes)
       });
   std::vector<Level> levels;
   for (std::size_t first = 0, next = 0; first < planes.size(); first = next) {
-    double area = 0.0, moment = 0.0, area_from_below = 0.0;
+    double area = 0.0;
+    double moment = 0.0;
+    double area_from_below = 0.0;
     while (next < planes.size() &&
            planes[next].height - planes[first].height <= same_level) {
       area += planes[next].area;

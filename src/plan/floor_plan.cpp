@@ -49,7 +49,8 @@ public:
   pointsAt (double height) const
   {
     constexpr double half_band = 0.1; // [m]
-    PlanPoints points, one;
+    PlanPoints points;
+    PlanPoints one;
     for (std::size_t i = 0; i < cloud_.size; ++i) {
       one.clear();
       add (i, one);
@@ -148,14 +149,22 @@ append (PlanPoints& points, const PlanPoints& others)
   points.insert (points.end(), others.begin(), others.end());
 }
 
+bool
+isLevel (PlaneKind kind)
+{
+  return kind == PlaneKind::Table || kind == PlaneKind::Slab || kind == PlaneKind::Ramp;
+}
+
 /** \brief What covers the rooms at a cut: roofs where there are some and no ceilings,
  * as the ground lies around a house; else floors and ceilings. */
 Cover
 coverAt (const std::vector<Seen>& planes, double floor, double height)
 {
-  constexpr double step = 0.6, highest = 6.0; // below the floor, over the cut [m]
+  constexpr double step = 0.6;
+  constexpr double highest = 6.0; // below the floor, over the cut [m]
   Cover cover;
-  PlanPoints roofs, level;
+  PlanPoints roofs;
+  PlanPoints level;
   for (const Seen& plane : planes) {
     const bool is_above = plane.height > height && plane.height < height + highest;
     const bool is_below = plane.height <= height && plane.height > floor - step;
@@ -165,10 +174,7 @@ coverAt (const std::vector<Seen>& planes, double floor, double height)
       append (cover.ceiling, plane.points);
     if (plane.kind == PlaneKind::Floor && is_below)
       append (cover.floor, plane.points);
-    const bool is_level = plane.kind == PlaneKind::Table ||
-                          plane.kind == PlaneKind::Slab ||
-                          plane.kind == PlaneKind::Ramp;
-    if (is_level && is_below)
+    if (isLevel (plane.kind) && is_below)
       append (level, plane.points);
   }
   if (!roofs.empty() && cover.ceiling.empty()) {
@@ -186,10 +192,12 @@ IsHidden
 hiddenBy (PlanPoints points)
 {
   return [points = std::move (points)] (const PlanLine& line, const Interval& gap) {
-    constexpr double nearest = 0.05, farthest = 0.8; // from the wall [m]
-    constexpr double edge = 0.1;                     // of a bin [m]
+    constexpr double nearest = 0.05;
+    constexpr double farthest = 0.8; // from the wall [m]
+    constexpr double edge = 0.1;     // of a bin [m]
     const std::size_t bins = static_cast<std::size_t> (gap.length() / edge) + 1;
-    std::vector<char> before (bins, 0), behind (bins, 0);
+    std::vector<char> before (bins, 0);
+    std::vector<char> behind (bins, 0);
     for (const Vector3d& point : points) {
       const double distance = line.distance (point.head<2>());
       const double place = line.place (point.head<2>());

@@ -14,6 +14,13 @@ namespace {
 /** \brief What is nearer to a line than this lies on it [m]. */
 constexpr double on_line = 1e-7;
 
+/** \brief Whether a line lies between two points, by their signed distances to it. */
+bool
+isBetween (double begin, double end)
+{
+  return (begin > on_line && end < -on_line) || (begin < -on_line && end > on_line);
+}
+
 /** \brief The part of a cell on one side of a line.
  * \param[in] sign 1: before it, -1: behind it
  * \param[in] number of the line
@@ -24,19 +31,19 @@ partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t num
   PlanCell part;
   const std::size_t corners = cell.corners.size();
   for (std::size_t i = 0; i < corners; ++i) {
-    const Eigen::Vector2d &from = cell.corners[i],
-                          &to = cell.corners[(i + 1) % corners];
-    const double begin = sign * line.distance (from), end = sign * line.distance (to);
-    const bool is_in = begin >= -on_line, is_next_in = end >= -on_line;
+    const Eigen::Vector2d& from = cell.corners[i];
+    const Eigen::Vector2d& to = cell.corners[(i + 1) % corners];
+    const double begin = sign * line.distance (from);
+    const double end = sign * line.distance (to);
+    const bool is_in = begin >= -on_line;
+    const bool is_next_in = end >= -on_line;
     if (is_in) {
       part.corners.push_back (from);
       // Along the line itself the side stays what it was.
       const bool leaves = !is_next_in && begin <= on_line;
       part.lines.push_back (leaves ? number : cell.lines[i]);
     }
-    const bool crosses =
-        (begin > on_line && end < -on_line) || (begin < -on_line && end > on_line);
-    if (crosses) {
+    if (isBetween (begin, end)) {
       part.corners.push_back (from + begin / (begin - end) * (to - from));
       part.lines.push_back (is_in ? number : cell.lines[i]);
     }
@@ -45,6 +52,20 @@ partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t num
   if (part.corners.size() < 3 || areaOf (part.corners) < smallest)
     return {};
   return part;
+}
+
+/** \brief Whether a line divides a cell. */
+bool
+divides (const PlanLine& line, const PlanCell& cell)
+{
+  bool is_before = false;
+  bool is_behind = false;
+  for (const Eigen::Vector2d& corner : cell.corners) {
+    const double distance = line.distance (corner);
+    is_before = is_before || distance > on_line;
+    is_behind = is_behind || distance < -on_line;
+  }
+  return is_before && is_behind;
 }
 
 /** \brief What tells a side, whichever cell has it. */
@@ -59,19 +80,14 @@ struct SideKey {
 std::vector<PlanCell>
 cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines)
 {
-  const Eigen::Vector2d low = box.min(), high = box.max();
+  const Eigen::Vector2d low = box.min();
+  const Eigen::Vector2d high = box.max();
   std::vector<PlanCell> cells = {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}},
                                   {no_line, no_line, no_line, no_line}}};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::vector<PlanCell> next;
     for (const PlanCell& cell : cells) {
-      bool is_before = false, is_behind = false;
-      for (const Eigen::Vector2d& corner : cell.corners) {
-        const double distance = lines[i].distance (corner);
-        is_before = is_before || distance > on_line;
-        is_behind = is_behind || distance < -on_line;
-      }
-      if (!is_before || !is_behind) {
+      if (!divides (lines[i], cell)) {
         next.push_back (cell);
         continue;
       }

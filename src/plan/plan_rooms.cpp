@@ -17,14 +17,18 @@ namespace {
 
 using Eigen::Vector2d;
 
+// Share of a side that divides rooms, and of the outline of one, that is a wall.
+constexpr double min_walled = 0.5;
+
 /** \brief Which squares of a grid have points. */
 class CoveredSquares {
 public:
   CoveredSquares (const PlanPoints& points, const Eigen::AlignedBox2d& box)
   {
-    constexpr double smallest = 0.1, most_squares = 4e6; // [m]
+    constexpr double smallest = 0.1; // edge of a square [m]
+    constexpr double max_squares = 4e6;
     const Vector2d sizes = box.sizes();
-    edge_ = std::max (smallest, std::sqrt (sizes.x() * sizes.y() / most_squares));
+    edge_ = std::max (smallest, std::sqrt (sizes.x() * sizes.y() / max_squares));
     low_ = box.min();
     columns_ = static_cast<std::size_t> (sizes.x() / edge_) + 1;
     rows_ = static_cast<std::size_t> (sizes.y() / edge_) + 1;
@@ -45,11 +49,15 @@ public:
       middle += corner / static_cast<double> (cell.corners.size());
     }
     // Samples in proportion to the cell, so that slivers have some, too.
-    constexpr int fewest = 3, most = 60;
+    constexpr int min_samples = 3;
+    constexpr int max_samples = 60;
     const Vector2d wanted = (box.sizes() / edge_).array().ceil();
-    const int columns = std::clamp (static_cast<int> (wanted.x()), fewest, most);
-    const int rows = std::clamp (static_cast<int> (wanted.y()), fewest, most);
-    int all = 0, covered = 0;
+    const int columns =
+        std::clamp (static_cast<int> (wanted.x()), min_samples, max_samples);
+    const int rows =
+        std::clamp (static_cast<int> (wanted.y()), min_samples, max_samples);
+    int all = 0;
+    int covered = 0;
     const auto ask = [&] (const Vector2d& place) {
       ++all;
       covered += has_points_[squareAt (place)];
@@ -113,7 +121,8 @@ public:
   void
   join (std::size_t first, std::size_t second)
   {
-    const std::size_t one = rootOf (first), other = rootOf (second);
+    const std::size_t one = rootOf (first);
+    const std::size_t other = rootOf (second);
     parents_[std::max (one, other)] = std::min (one, other);
   }
 
@@ -145,7 +154,8 @@ walledLength (const Side& side,
   if (side.line == no_line)
     return 0.0;
   const PlanLine& line = faces[side.line].line;
-  const double from = line.place (side.from), to = line.place (side.to);
+  const double from = line.place (side.from);
+  const double to = line.place (side.to);
   return lengthWithin ({std::min (from, to), std::max (from, to)}, walls[side.line]);
 }
 
@@ -170,38 +180,72 @@ withoutStraightCorners (const PlanarPoints& ring)
   return corners;
 }
 
+/** \brief Sides by where they begin, each to be taken once. */
+class SidesByBegin {
+public:
+  explicit SidesByBegin (const std::vector<Side>& sides) : is_used_ (sides.size(), 0)
+  {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      by_begin_.emplace (placeOf (sides[i].from), i);
+  }
+
+  bool
+  take (std::size_t side)
+  {
+    if (is_used_[side] != 0)
+      return false;
+    is_used_[side] = 1;
+    return true;
+  }
+
+  /** \brief A side that begins at an end and is left. */
+  std::optional<std::size_t>
+  nextOf (const Vector2d& end) const
+  {
+    // Coordinates may be rounded apart by one step.
+    const auto [x, y] = placeOf (end);
+    for (long long dx = -1; dx <= 1; ++dx)
+      for (long long dy = -1; dy <= 1; ++dy)
+        if (const auto side = leftAt ({x + dx, y + dy}))
+          return side;
+    return {};
+  }
+
+private:
+  using Place = std::pair<long long, long long>;
+
+  static Place
+  placeOf (const Vector2d& point)
+  {
+    constexpr double step = 1e-4; // [m]
+    return {std::llround (point.x() / step), std::llround (point.y() / step)};
+  }
+
+  std::optional<std::size_t>
+  leftAt (const Place& place) const
+  {
+    const auto [first, last] = by_begin_.equal_range (place);
+    for (auto found = first; found != last; ++found)
+      if (is_used_[found->second] == 0)
+        return found->second;
+    return {};
+  }
+
+  std::multimap<Place, std::size_t> by_begin_;
+  std::vector<char> is_used_;
+};
+
 /** \brief Sides put end to end. */
 PlanarRings
 ringsOf (const std::vector<Side>& sides)
 {
-  constexpr double step = 1e-4; // [m]
-  const auto key = [] (const Vector2d& place) {
-    return std::pair (std::llround (place.x() / step), std::llround (place.y() / step));
-  };
-  std::multimap<std::pair<long long, long long>, std::size_t> by_begin;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    by_begin.emplace (key (sides[i].from), i);
-  std::vector<char> is_used (sides.size(), 0);
-  // Coordinates may be rounded apart by one step.
-  const auto next_of = [&] (const Vector2d& end) -> std::optional<std::size_t> {
-    const auto [x, y] = key (end);
-    for (long long dx = -1; dx <= 1; ++dx)
-      for (long long dy = -1; dy <= 1; ++dy) {
-        const auto [first, last] = by_begin.equal_range ({x + dx, y + dy});
-        for (auto found = first; found != last; ++found)
-          if (!is_used[found->second])
-            return found->second;
-      }
-    return {};
-  };
+  SidesByBegin left (sides);
   PlanarRings rings;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     PlanarPoints ring;
-    for (std::optional<std::size_t> side = i; side && !is_used[*side];
-         side = next_of (sides[*side].to)) {
-      is_used[*side] = 1;
+    for (std::optional<std::size_t> side = i; side && left.take (*side);
+         side = left.nextOf (sides[*side].to))
       ring.push_back (sides[*side].from);
-    }
     if (PlanarPoints corners = withoutStraightCorners (ring); corners.size() >= 3)
       rings.push_back (std::move (corners));
   }
@@ -236,7 +280,8 @@ isWithin (const PlanarPoints& ring, const Vector2d& place)
 {
   bool is_within = false;
   for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
-    const Vector2d &a = ring[i], &b = ring[last];
+    const Vector2d& a = ring[i];
+    const Vector2d& b = ring[last];
     if ((a.y() > place.y()) != (b.y() > place.y()) &&
         place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
       is_within = !is_within;
@@ -288,6 +333,94 @@ cellsBetween (const std::vector<WallFace>& faces,
   return cellsOf (box, lines);
 }
 
+/** \brief Walls and the cells that their lines divide a plan into. */
+struct DividedPlan {
+  const std::vector<WallFace>& faces;
+  std::vector<Intervals> walls;
+  std::vector<PlanCell> cells;
+  std::vector<char> is_inside; // of each cell
+};
+
+/** \brief Cells that no wall divides are of one room. */
+CellSets
+joinCells (const DividedPlan& plan)
+{
+  CellSets sets (plan.cells.size());
+  for (const auto& [first, second, i] : commonSides (plan.cells)) {
+    const Side side = sideOf (plan.cells[first], i);
+    const double length = (side.to - side.from).norm();
+    if (plan.is_inside[first] && plan.is_inside[second] &&
+        walledLength (side, plan.faces, plan.walls) < min_walled * length)
+      sets.join (first, second);
+  }
+  return sets;
+}
+
+/** \brief The cell beyond each side of a cell, by the numbers of both. */
+std::map<std::pair<std::size_t, std::size_t>, std::size_t>
+neighborsOf (const std::vector<PlanCell>& cells)
+{
+  constexpr double rounding = 1e-3; // [m]
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> neighbors;
+  for (const auto& [first, second, i] : commonSides (cells)) {
+    neighbors[{first, i}] = second;
+    const Side side = sideOf (cells[first], i);
+    for (std::size_t j = 0; j < cells[second].corners.size(); ++j)
+      if (const Side other = sideOf (cells[second], j);
+          (other.from - side.to).norm() < rounding &&
+          (other.to - side.from).norm() < rounding)
+        neighbors[{second, j}] = first;
+  }
+  return neighbors;
+}
+
+/** \brief What the cells of one room have together. */
+struct JoinedCells {
+  std::size_t largest;
+  std::vector<Side> outline; // between the room and what is not of it
+};
+
+std::map<std::size_t, JoinedCells>
+outlinesOf (const DividedPlan& plan, CellSets& sets)
+{
+  const std::vector<PlanCell>& cells = plan.cells;
+  const auto neighbors = neighborsOf (cells);
+  std::map<std::size_t, JoinedCells> rooms;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!plan.is_inside[c])
+      continue;
+    const std::size_t root = sets.rootOf (c);
+    JoinedCells& room = rooms.emplace (root, JoinedCells{c, {}}).first->second;
+    if (areaOf (cells[c].corners) > areaOf (cells[room.largest].corners))
+      room.largest = c;
+    for (std::size_t i = 0; i < cells[c].corners.size(); ++i) {
+      const auto neighbor = neighbors.find ({c, i});
+      if (neighbor == neighbors.end() || !plan.is_inside[neighbor->second] ||
+          sets.rootOf (neighbor->second) != root)
+        room.outline.push_back (sideOf (cells[c], i));
+    }
+  }
+  return rooms;
+}
+
+/** \brief A room of joined cells; without rings where walls are too few or it is
+ * smaller than asked. */
+PlanRoom
+roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest)
+{
+  double length = 0.0;
+  double walled = 0.0;
+  for (const Side& side : joined.outline) {
+    length += (side.to - side.from).norm();
+    walled += walledLength (side, plan.faces, plan.walls);
+  }
+  PlanRoom room = roomWithin (joined.outline, plan.cells[joined.largest]);
+  if (room.area < smallest || walled < min_walled * length)
+    return {};
+  room.enclosed = walled / length;
+  return room;
+}
+
 } // namespace
 
 std::vector<PlanRoom>
@@ -296,63 +429,22 @@ roomsOf (const std::vector<WallFace>& faces,
          const Cover& cover,
          double smallest)
 {
-  constexpr double least_cover = 0.5;       // of a cell that is in a room
-  constexpr double least_wall = 0.5;        // of a side that divides, and of an outline
-  constexpr std::size_t most_walls = 1'000; // cells grow with their square
-  if (spans.empty() || spans.size() > most_walls)
+  constexpr double min_cover = 0.5;        // of a cell that is in a room
+  constexpr std::size_t max_walls = 1'000; // cells grow with their square
+  if (spans.empty() || spans.size() > max_walls)
     return {};
-  const std::vector<Intervals> walls = wallsOnLines (faces.size(), spans);
+  DividedPlan plan{faces, wallsOnLines (faces.size(), spans), {}, {}};
   const Eigen::AlignedBox2d box = boxAround (faces, spans);
-  const std::vector<PlanCell> cells = cellsBetween (faces, walls, box);
+  plan.cells = cellsBetween (faces, plan.walls, box);
   const CoveredSquares squares (cover.points, box);
-  std::vector<char> is_inside;
-  for (const PlanCell& cell : cells)
-    is_inside.push_back (squares.shareOf (cell) >= least_cover ? 1 : 0);
-  CellSets sets (cells.size());
-  for (const auto& [first, second, i] : commonSides (cells)) {
-    const Side side = sideOf (cells[first], i);
-    const double length = (side.to - side.from).norm();
-    if (is_inside[first] && is_inside[second] &&
-        walledLength (side, faces, walls) < least_wall * length)
-      sets.join (first, second);
-  }
-  // Sides between a room and what is not of it.
-  std::map<std::size_t, std::vector<Side>> outlines;
-  std::map<std::size_t, std::size_t> largest;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> neighbors;
-  for (const auto& [first, second, i] : commonSides (cells)) {
-    neighbors[{first, i}] = second;
-    const Side side = sideOf (cells[first], i);
-    for (std::size_t j = 0; j < cells[second].corners.size(); ++j)
-      if (const Side other = sideOf (cells[second], j);
-          (other.from - side.to).norm() < 1e-3 && (other.to - side.from).norm() < 1e-3)
-        neighbors[{second, j}] = first;
-  }
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (!is_inside[c])
-      continue;
-    const std::size_t root = sets.rootOf (c);
-    const auto known = largest.emplace (root, c).first;
-    if (areaOf (cells[c].corners) > areaOf (cells[known->second].corners))
-      known->second = c;
-    for (std::size_t i = 0; i < cells[c].corners.size(); ++i) {
-      const auto neighbor = neighbors.find ({c, i});
-      if (neighbor == neighbors.end() || !is_inside[neighbor->second] ||
-          sets.rootOf (neighbor->second) != root)
-        outlines[root].push_back (sideOf (cells[c], i));
-    }
-  }
+  for (const PlanCell& cell : plan.cells)
+    plan.is_inside.push_back (squares.shareOf (cell) >= min_cover ? 1 : 0);
+  CellSets sets = joinCells (plan);
   std::vector<PlanRoom> rooms;
-  for (const auto& [root, sides] : outlines) {
-    double length = 0.0, walled = 0.0;
-    for (const Side& side : sides) {
-      length += (side.to - side.from).norm();
-      walled += walledLength (side, faces, walls);
-    }
-    PlanRoom room = roomWithin (sides, cells[largest[root]]);
-    if (room.rings.empty() || room.area < smallest || walled < least_wall * length)
+  for (const auto& [root, joined] : outlinesOf (plan, sets)) {
+    PlanRoom room = roomOf (joined, plan, smallest);
+    if (room.rings.empty())
       continue;
-    room.enclosed = walled / length;
     room.floor = heightIn (room.rings.front(), cover.floor);
     room.ceiling = heightIn (room.rings.front(), cover.ceiling);
     rooms.push_back (std::move (room));

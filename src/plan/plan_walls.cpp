@@ -31,7 +31,8 @@ snapped (double end,
          const std::vector<WallFace>& faces,
          double max_snap)
 {
-  double nearest = end, least = max_snap;
+  double nearest = end;
+  double least = max_snap;
   for (const WallFace& other : faces) {
     const std::optional<double> place = meetingPlace (face.line, other.line);
     if (!place || std::abs (*place - end) > least)
@@ -114,9 +115,10 @@ thicknessOf (const WallSpan& wall,
              const std::vector<WallFace>& faces,
              const std::vector<WallSpan>& spans)
 {
-  constexpr double thinnest = 0.03, thickest = 0.7; // [m]
-  constexpr double opposite = -0.996;               // cosine, 5 degrees
-  constexpr double least_common = 0.3;              // [m]
+  constexpr double thinnest = 0.03;
+  constexpr double thickest = 0.7;     // [m]
+  constexpr double opposite = -0.996;  // cosine, 5 degrees
+  constexpr double least_common = 0.3; // [m]
   const PlanLine& line = faces[wall.face].line;
   std::optional<double> thickness;
   for (const WallSpan& other : spans) {

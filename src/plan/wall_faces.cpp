@@ -74,7 +74,8 @@ addTo (WallFace& face, const WallFace& part)
 bool
 isRecessOf (const WallFace& leaf, const WallFace& wall)
 {
-  constexpr double deepest = 0.45, flattest = 0.02; // [m]
+  constexpr double deepest = 0.45;
+  constexpr double flattest = 0.02; // [m]
   constexpr double most_covered = 0.25;
   if (!isParallel (leaf, wall) || leaf.points.size() >= wall.points.size())
     return false;
@@ -98,7 +99,8 @@ faceOf (const Eigen::Vector3d& normal,
         std::size_t plane,
         double height)
 {
-  constexpr double spacings_of_gap = 6.0, half_band = 0.05; // [m]
+  constexpr double spacings_of_gap = 6.0;
+  constexpr double half_band = 0.05; // [m]
   WallFace face;
   face.planes = {plane};
   const Eigen::Vector2d front = normal.head<2>().normalized();
@@ -111,7 +113,8 @@ faceOf (const Eigen::Vector3d& normal,
   const double spacing = spacingOf (face.points);
   face.spacing = spacings_of_gap * spacing;
   const double band = std::max (half_band, 3.0 * spacing);
-  std::vector<double> seen, cut;
+  std::vector<double> seen;
+  std::vector<double> cut;
   for (const Eigen::Vector2d& point : face.points) {
     seen.push_back (point.x());
     if (std::abs (point.y() - height) <= band)

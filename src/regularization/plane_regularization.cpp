@@ -263,7 +263,8 @@ private:
          const DirectionGroup& group,
          std::size_t direction)
   {
-    double points = 0.0, mean = 0.0;
+    double points = 0.0;
+    double mean = 0.0;
     for (const std::size_t i : level) {
       points += planes_[i].moments.count;
       mean += planes_[i].moments.count * placeOf (i, group);
