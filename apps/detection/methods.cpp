@@ -301,8 +301,10 @@ reportOf (const std::string& preset, Parameters parameters)
     Settings& setting = settings[keyOf (nameOf (option.usage))];
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype (number)>>)
       setting = written;
+    else if (written)
+      setting = *written;
     else
-      setting = written ? Settings (*written) : Settings ("auto");
+      setting = "auto"; // it follows the cloud
   });
   return settings;
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
+#include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_kinds.h>
 #include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/up_axis.h>
@@ -44,6 +45,9 @@ struct Detected {
   std::vector<PlaneSegment> planes;
   /** \brief What each is among all that were found; empty where nobody asked. */
   std::vector<PlaneKind> kinds;
+  /** \brief Their convex outlines, in the frame of the cloud's file; empty where nobody
+   * asked. */
+  std::vector<PlaneExtent> extents;
   /** \brief How each was moved by regularizePlanes; empty where none was. */
   std::vector<PlaneMove> moves;
   /** \brief Where \ref planes are pieces: for each the position of the plane it lies on

@@ -162,6 +162,7 @@ keepChosen (const PlaneChoice& choice,
   std::vector<PlaneSegment> kept;
   std::vector<std::size_t> lies_on;
   std::vector<PlaneKind> kinds;
+  std::vector<PlaneExtent> extents;
   std::vector<PlaneMove> moves;
   detected.settings.update (choice.given);
   for (const std::size_t i : chosenOf (
@@ -169,6 +170,8 @@ keepChosen (const PlaneChoice& choice,
     kept.push_back (std::move (detected.planes[i]));
     if (!detected.kinds.empty())
       kinds.push_back (detected.kinds[i]);
+    if (!detected.extents.empty())
+      extents.push_back (std::move (detected.extents[i]));
     if (!detected.moves.empty())
       moves.push_back (detected.moves[i]);
     if (!detected.lies_on.empty())
@@ -176,6 +179,7 @@ keepChosen (const PlaneChoice& choice,
   }
   detected.planes = std::move (kept);
   detected.kinds = std::move (kinds);
+  detected.extents = std::move (extents);
   detected.moves = std::move (moves);
   detected.lies_on = std::move (lies_on);
   if (detected.planes.empty() && dropped.found > 0)

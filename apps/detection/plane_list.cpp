@@ -212,7 +212,7 @@ columnsOf (const Json& plane)
   std::vector<std::pair<std::string, Json>> columns = {
       {"id", plane.at ("id")},
       {"orientation", plane.at ("orientation")},
-      {"kind", plane.value ("kind", Json())}, // lists of earlier versions have none
+      {"kind", plane.value ("kind", Json())}, // a list may be without
       {"points", plane.at ("points")},
       {"a", coefficients.at (0)},
       {"b", coefficients.at (1)},
@@ -308,8 +308,8 @@ toGeoJsonLines (const Polygons& polygons, int decimals)
 bool
 isUpright (const Json& plane)
 {
-  constexpr double least_cosine = 0.001;
-  return std::abs (plane.at ("normal").at (2).get<double>()) < least_cosine ||
+  constexpr double min_cosine = 0.001;
+  return std::abs (plane.at ("normal").at (2).get<double>()) < min_cosine ||
          plane.at ("orientation") == toString (Orientation::Vertical);
 }
 
@@ -318,8 +318,10 @@ toCsv (const Json& planes, const MapOptions& options)
 {
   std::string csv;
   // A list without planes has the columns of a plane, too.
-  const Json any_plane = planes.empty() ? planeObject (0, {}, {}, {}) : planes.front();
-  for (const auto& [name, value] : columnsOf (any_plane))
+  Json example = planeObject (0, {}, {}, {});
+  if (!planes.empty())
+    example = planes.front();
+  for (const auto& [name, value] : columnsOf (example))
     csv += name + ",";
   csv += "wkt\n";
   const int decimals = decimalsFor (planes);

@@ -81,7 +81,9 @@ toFeature (const char* type, Json coordinates, Json properties)
 Json
 lengthOrNull (const std::optional<double>& length)
 {
-  return length ? Json (rounded (*length)) : Json();
+  if (!length)
+    return nullptr;
+  return rounded (*length);
 }
 
 Json

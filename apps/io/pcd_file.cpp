@@ -165,8 +165,11 @@ public:
     while (in_ < compressed_.size()) {
       const std::size_t head = compressed_[in_];
       ++in_;
-      const bool is_right = head < literals ? copyLiterals (head + 1) : repeat (head);
-      if (!is_right)
+      if (head < literals) {
+        if (!copyLiterals (head + 1))
+          return false;
+      }
+      else if (!repeat (head))
         return false;
     }
     return out_ == bytes_.size();

@@ -147,14 +147,14 @@ regularize (Detected& detected)
   detected.moves = std::move (found.moves);
 }
 
-/** \brief What planes are, by their convex outlines in the file's frame. */
-std::vector<PlaneKind>
-kindsOf (const ShiftedCloud& shifted, const Detected& detected)
+/** \brief Says what planes are, by their convex outlines, which are kept. */
+void
+nameKinds (const ShiftedCloud& shifted, Detected& detected)
 {
-  std::vector<PlaneExtent> extents;
   for (const PlaneSegment& plane : detected.planes)
-    extents.push_back (extentInFile (shifted, plane, "convex"));
-  return planeKinds (detected.planes, extents, detected.up.cast<double>());
+    detected.extents.push_back (extentInFile (shifted, plane, "convex"));
+  detected.kinds =
+      planeKinds (detected.planes, detected.extents, detected.up.cast<double>());
 }
 
 /** \brief Why so few points are on planes, with the fix. What is wrong with a cloud
@@ -202,7 +202,7 @@ segmentCloud (const SegmentOptions& options,
     report.detected.advice = likeliestCause (shifted, report);
   if (options.regularize)
     regularize (report.detected);
-  report.detected.kinds = kindsOf (shifted, report.detected);
+  nameKinds (shifted, report.detected);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);
@@ -213,8 +213,10 @@ segmentCloud (const SegmentOptions& options,
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
   if (give_ids)
     give_ids (sensor.isZero (0.0) ? shifted.shift : sensor, report);
-  if (!task.outputs.planes.empty() || !task.outputs.mesh.empty() ||
-      !task.outputs.view.empty())
+  if (options.hull == "convex")
+    report.extents = report.detected.extents;
+  else if (!task.outputs.planes.empty() || !task.outputs.mesh.empty() ||
+           !task.outputs.view.empty())
     std::transform (
         planes.begin(), planes.end(), std::back_inserter (report.extents), extent_of);
   begin ("writing");

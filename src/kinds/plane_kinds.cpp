@@ -93,12 +93,12 @@ isInRectangle (const PlaneShape& shape, const Vector3d& point)
 bool
 standsBefore (const PlaneShape& front, const PlaneShape& wall)
 {
-  constexpr double least_cosine = 0.9; // some 25 degrees
+  constexpr double min_cosine = 0.9; // some 25 degrees
   constexpr double nearest = 0.1;
   constexpr double farthest = 1.0; // relief of a wall, furniture [m]
   constexpr int steps = 4;         // of samples from the middle
   const double cosine = front.normal.dot (wall.normal);
-  if (cosine < least_cosine || wall.area <= front.area || wall.high < front.high)
+  if (cosine < min_cosine || wall.area <= front.area || wall.high < front.high)
     return false;
   int before = 0;
   int all = 0;
@@ -183,11 +183,11 @@ isRamp (const PlaneShape& shape, const Story& story)
   constexpr double flattest = 2.5 * pi / 180.0;
   constexpr double steepest = 35.0 * pi / 180.0;
   constexpr double smallest = 0.5; // [m^2]
-  constexpr double least_rise = 0.15;
-  constexpr double most_below = 0.2; // [m]
+  constexpr double min_rise = 0.15;
+  constexpr double max_below = 0.2; // [m]
   return !shape.faces_down && shape.slope >= flattest && shape.slope <= steepest &&
-         shape.area >= smallest && shape.high - shape.low >= least_rise &&
-         std::abs (shape.low - story.floor) <= most_below;
+         shape.area >= smallest && shape.high - shape.low >= min_rise &&
+         std::abs (shape.low - story.floor) <= max_below;
 }
 
 bool
@@ -244,9 +244,9 @@ kindOf (const PlaneShape& shape,
 bool
 continues (const PlaneShape& part, const PlaneShape& wall)
 {
-  constexpr double least_cosine = 0.985; // 10 degrees
-  constexpr double farthest = 0.1;       // from the plane of the wall [m]
-  return part.normal.dot (wall.normal) >= least_cosine &&
+  constexpr double min_cosine = 0.985; // 10 degrees
+  constexpr double farthest = 0.1;     // from the plane of the wall [m]
+  return part.normal.dot (wall.normal) >= min_cosine &&
          std::abs (wall.normal.dot (part.center - wall.center)) <= farthest;
 }
 

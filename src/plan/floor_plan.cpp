@@ -105,7 +105,7 @@ seenPlanes (const PlanCloud& cloud,
 double
 lowestFloor (const std::vector<Seen>& planes)
 {
-  constexpr double least_share = 0.2; // of the points of the largest
+  constexpr double min_share = 0.2; // of the points of the largest
   std::size_t largest = 0;
   double lowest_point = 0.0;
   bool has_wall = false;
@@ -123,7 +123,7 @@ lowestFloor (const std::vector<Seen>& planes)
   for (const Seen& plane : planes)
     if (plane.kind == PlaneKind::Floor &&
         static_cast<double> (plane.points.size()) >=
-            least_share * static_cast<double> (largest)) {
+            min_share * static_cast<double> (largest)) {
       lowest = has_floor ? std::min (lowest, plane.height) : plane.height;
       has_floor = true;
     }

@@ -16,9 +16,9 @@ namespace {
 std::optional<double>
 meetingPlace (const PlanLine& line, const PlanLine& other)
 {
-  constexpr double least_sine = 0.26; // 15 degrees
+  constexpr double min_sine = 0.26; // 15 degrees
   const double sine = cross (line.along, other.along);
-  if (std::abs (sine) < least_sine)
+  if (std::abs (sine) < min_sine)
     return {};
   return cross (other.origin - line.origin, other.along) / sine;
 }
@@ -116,9 +116,9 @@ thicknessOf (const WallSpan& wall,
              const std::vector<WallSpan>& spans)
 {
   constexpr double thinnest = 0.03;
-  constexpr double thickest = 0.7;     // [m]
-  constexpr double opposite = -0.996;  // cosine, 5 degrees
-  constexpr double least_common = 0.3; // [m]
+  constexpr double thickest = 0.7;    // [m]
+  constexpr double opposite = -0.996; // cosine, 5 degrees
+  constexpr double min_common = 0.3;  // [m]
   const PlanLine& line = faces[wall.face].line;
   std::optional<double> thickness;
   for (const WallSpan& other : spans) {
@@ -129,7 +129,7 @@ thicknessOf (const WallSpan& wall,
                          line.place (back.at (other.whole.from))};
     const double from = std::max (wall.whole.from, there.from);
     const double to = std::min (wall.whole.to, there.to);
-    if (to - from < least_common)
+    if (to - from < min_common)
       continue;
     const Eigen::Vector2d middle = line.at (0.5 * (from + to));
     const double apart = -back.distance (middle);

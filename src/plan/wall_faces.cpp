@@ -76,7 +76,7 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
 {
   constexpr double deepest = 0.45;
   constexpr double flattest = 0.02; // [m]
-  constexpr double most_covered = 0.25;
+  constexpr double max_covered = 0.25;
   if (!isParallel (leaf, wall) || leaf.points.size() >= wall.points.size())
     return false;
   const Interval whole{leaf.seen.front().from, leaf.seen.back().to};
@@ -88,7 +88,7 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
                        wall.line.place (leaf.line.at (whole.to))};
   return there.from >= wall.seen.front().from - smallest_gap &&
          there.to <= wall.seen.back().to + smallest_gap &&
-         lengthWithin (there, wall.cut) <= most_covered * there.length();
+         lengthWithin (there, wall.cut) <= max_covered * there.length();
 }
 
 } // namespace
