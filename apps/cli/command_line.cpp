@@ -122,6 +122,16 @@ takeValue (const Option& option, const char* const*& token, const char* const* e
   return is_joined ? text.substr (equals + 1) : *++token;
 }
 
+[[noreturn]] void
+refuseAmbiguous (const std::string& start, const std::vector<const Option*>& candidates)
+{
+  std::vector<std::string> names;
+  for (const Option* candidate : candidates)
+    names.push_back ("--" + candidate->name);
+  throw UsageError ("--" + start,
+                    "is ambiguous; write " + boost::join (names, " or ") + " in full");
+}
+
 /** \brief The option of that name, or the only one whose name begins so. */
 const Option&
 find (const std::vector<OptionGroup>& groups, const std::string& start)
@@ -136,14 +146,8 @@ find (const std::vector<OptionGroup>& groups, const std::string& start)
     }
   if (candidates.empty() || start.empty())
     throw UsageError ("--" + start, "is no option of this program; see --help");
-  if (candidates.size() > 1) {
-    std::vector<std::string> names;
-    for (const Option* candidate : candidates)
-      names.push_back ("--" + candidate->name);
-    throw UsageError ("--" + start,
-                      "is ambiguous; write " + boost::join (names, " or ") +
-                          " in full");
-  }
+  if (candidates.size() > 1)
+    refuseAmbiguous (start, candidates);
   return *candidates.front();
 }
 

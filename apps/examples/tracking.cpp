@@ -23,7 +23,8 @@ main (int argc, char** argv)
 
   pcl_ops::PlaneTracker tracker;
   // A frame of the sensor in the room: where it is, and where odometry says it is.
-  Eigen::Isometry3d truth = Eigen::Isometry3d::Identity(), odometry = truth;
+  Eigen::Isometry3d truth = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d odometry = truth;
   for (int i = 0; i < 5; ++i) {
     const Cloud::Ptr frame (new Cloud);
     pcl::transformPointCloud (*room, *frame, truth.inverse().matrix().cast<float>());

@@ -110,7 +110,8 @@ std::string
 noteOnMoves (const std::vector<PlaneMove>& moves)
 {
   std::size_t moved = 0;
-  double angle = 0.0, distance = 0.0;
+  double angle = 0.0;
+  double distance = 0.0;
   for (const PlaneMove& move : moves)
     if (move.is_moved) {
       ++moved;

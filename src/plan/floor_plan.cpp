@@ -155,34 +155,49 @@ isLevel (PlaneKind kind)
   return kind == PlaneKind::Table || kind == PlaneKind::Slab || kind == PlaneKind::Ramp;
 }
 
+/** \brief The points of all planes that are such. */
+template <typename IsSuch>
+PlanPoints
+pointsOf (const std::vector<Seen>& planes, const IsSuch& isSuch)
+{
+  PlanPoints points;
+  for (const Seen& plane : planes)
+    if (isSuch (plane))
+      append (points, plane.points);
+  return points;
+}
+
 /** \brief What covers the rooms at a cut: roofs where there are some and no ceilings,
  * as the ground lies around a house; else floors and ceilings. */
 Cover
 coverAt (const std::vector<Seen>& planes, double floor, double height)
 {
-  constexpr double step = 0.6;
-  constexpr double highest = 6.0; // below the floor, over the cut [m]
+  constexpr double step = 0.6;    // below the floor [m]
+  constexpr double highest = 6.0; // over the cut [m]
+  const auto is_below = [&] (const Seen& plane) {
+    return plane.height <= height && plane.height > floor - step;
+  };
   Cover cover;
-  PlanPoints roofs;
-  PlanPoints level;
-  for (const Seen& plane : planes) {
-    const bool is_above = plane.height > height && plane.height < height + highest;
-    const bool is_below = plane.height <= height && plane.height > floor - step;
-    if (plane.kind == PlaneKind::Roof && plane.height > height)
-      append (roofs, plane.points);
-    if (plane.kind == PlaneKind::Ceiling && is_above)
-      append (cover.ceiling, plane.points);
-    if (plane.kind == PlaneKind::Floor && is_below)
-      append (cover.floor, plane.points);
-    if (isLevel (plane.kind) && is_below)
-      append (level, plane.points);
-  }
+  cover.floor = pointsOf (planes, [&] (const Seen& plane) {
+    return plane.kind == PlaneKind::Floor && is_below (plane);
+  });
+  cover.ceiling = pointsOf (planes, [&] (const Seen& plane) {
+    return plane.kind == PlaneKind::Ceiling && plane.height > height &&
+           plane.height < height + highest;
+  });
+  PlanPoints roofs = pointsOf (planes, [&] (const Seen& plane) {
+    return plane.kind == PlaneKind::Roof && plane.height > height;
+  });
   if (!roofs.empty() && cover.ceiling.empty()) {
     cover.points = std::move (roofs);
     return cover;
   }
-  for (const PlanPoints* part : {&cover.floor, &cover.ceiling, &level})
-    append (cover.points, *part);
+  const PlanPoints level = pointsOf (planes, [&] (const Seen& plane) {
+    return isLevel (plane.kind) && is_below (plane);
+  });
+  append (cover.points, cover.floor);
+  append (cover.points, cover.ceiling);
+  append (cover.points, level);
   return cover;
 }
 

@@ -12,7 +12,8 @@ namespace pcl_ops::evaluation {
 Planes
 planesByOpen3d (const PeerTask& task)
 {
-  constexpr int points_of_sample = 3, iterations = 1000;
+  constexpr int points_of_sample = 3;
+  constexpr int iterations = 1000;
 #ifdef _OPENMP
   omp_set_num_threads (1); // as all others here
 #endif
