@@ -11,28 +11,18 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief A plane with its leaves, their moments and how they bend. */
-struct PlaneParts {
-  std::int32_t number;
-  const Plane& plane;
-  const Indices& leaves;
-  double variance; // mean squared distance of the points [m^2]
-  LeafBending bending;
-};
-
 // Between which angles another plane is the same surface, which goes on.
 class FaceTurn {
 public:
-  explicit FaceTurn (const PlaneParts& own)
+  FaceTurn (const LeafBending& bending, std::size_t leaves)
   {
     // Turned by less it is the same plane, by more than so many times the slope of the
     // plane's own bend it is another face.
     constexpr double min_turn = 4.0 * M_PI / 180.0;
     constexpr double max_turn_in_slopes = 5.9;
     constexpr double right_turn = 1.5;
-    const LeafBending& bending = own.bending;
     const double uncertain_bend =
-        2.0 * bending.left / std::sqrt (static_cast<double> (own.leaves.size()));
+        2.0 * bending.left / std::sqrt (static_cast<double> (leaves));
     const double slope = (bending.amplitude + uncertain_bend) / bending.half_extent;
     least_cosine_ = std::cos (std::min (right_turn, max_turn_in_slopes * slope));
     most_cosine_ = std::cos (min_turn);
@@ -62,15 +52,29 @@ planeAt (std::uint32_t leaf,
   return surfels[leaf].exists() ? &surfels[leaf].plane : nullptr;
 }
 
+// Whether a leaf lies beside another along a plane, not above it: clutter above a wall
+// is no continuation of it.
+bool
+isBeside (const Moments& own, const Moments& other, const Plane& plane)
+{
+  constexpr double max_rise = 0.35; // over the distance along the plane
+  const Eigen::Vector3d step = other.centroid() - own.centroid();
+  const double height = plane.normal.dot (step);
+  const double along = step.squaredNorm() - height * height;
+  return height * height <= max_rise * max_rise * along;
+}
+
 PlaneBorder
 borderOf (const LeafCloud& cloud,
           const LeafPlanes& planes,
           const std::vector<LeafSurfel>& surfels,
-          const PlaneParts& own)
+          const PlaneParts& own,
+          const FaceTurn& turn)
 {
   // What is farther away than this ends a plane.
   constexpr double max_noises = 7.0;
-  const FaceTurn turn (own);
+  const double far =
+      max_noises * max_noises * meanSquaredDistance (own.moments, own.plane); // [m^2]
   PlaneBorder border;
   for (const std::uint32_t leaf : own.leaves) {
     bool is_inner = true;
@@ -80,10 +84,10 @@ borderOf (const LeafCloud& cloud,
       is_inner = false;
       border.links += 1.0;
       const Plane* const beyond = planeAt (k, planes, surfels);
-      if (meanSquaredDistance (cloud.moments[k], own.plane) >=
-          max_noises * max_noises * own.variance)
+      if (meanSquaredDistance (cloud.moments[k], own.plane) >= far)
         border.ends += 1.0;
-      else if (beyond != nullptr && turn.goesOn (own.plane, *beyond))
+      else if (beyond != nullptr && turn.goesOn (own.plane, *beyond) &&
+               isBeside (cloud.moments[leaf], cloud.moments[k], own.plane))
         border.goes_on += 1.0;
     }
     if (is_inner)
@@ -93,8 +97,11 @@ borderOf (const LeafCloud& cloud,
 }
 
 // A linear rule: tests one after the other lose planes (src/doc/decisions.md).
-bool
-isKept (const PlaneParts& own, const PlaneBorder& border, std::size_t points_of_cloud)
+double
+balance (const LeafBending& bending,
+         const PlaneBorder& border,
+         double leaves,
+         std::size_t points_of_cloud)
 {
   constexpr double max_bend = 5.0;
   constexpr double of_going_on = 6.5;
@@ -106,22 +113,48 @@ isKept (const PlaneParts& own, const PlaneBorder& border, std::size_t points_of_
   constexpr double of_ending = 4.6;
   constexpr double of_inner = 6.8;
   constexpr double rounding = 1e-5; // of half the extent
-  const auto leaves = static_cast<double> (own.leaves.size());
   const double leaves_by_chance =
       usual_leaves *
       std::pow (static_cast<double> (points_of_cloud) / usual_points, growth);
   const double links = std::max (1.0, border.links);
   const double bend =
-      own.bending.amplitude / (own.bending.left + rounding * own.bending.half_extent);
+      bending.amplitude / (bending.left + rounding * bending.half_extent);
   const double against =
       std::min (max_bend, bend) + of_going_on * border.goes_on / links;
   const double in_favor = of_size * std::log10 (leaves / leaves_by_chance) +
                           of_ending * border.ends / links +
                           of_inner * border.inner_leaves / leaves;
-  return against < in_favor;
+  return in_favor - against;
 }
 
 } // namespace
+
+std::vector<PlaneParts>
+partsOfPlanes (const LeafCloud& cloud, const LeafPlanes& planes)
+{
+  std::vector<PlaneParts> parts;
+  const std::vector<Moments> moments = momentsOfPlanes (cloud, planes);
+  for (std::size_t p = 0; p < planes.planes.size(); ++p)
+    parts.push_back ({static_cast<std::int32_t> (p), planes.planes[p], {}, moments[p]});
+  for (std::uint32_t i = 0; i < cloud.size(); ++i)
+    if (planes.plane_of_leaf[i] != no_plane)
+      parts[planes.plane_of_leaf[i]].leaves.push_back (i);
+  return parts;
+}
+
+double
+evidenceOf (const LeafCloud& cloud,
+            const LeafPlanes& planes,
+            const std::vector<LeafSurfel>& surfels,
+            const PlaneParts& own)
+{
+  const LeafBending bending = bendingOfLeaves (cloud, own.leaves, own.plane);
+  const FaceTurn turn (bending, own.leaves.size());
+  return balance (bending,
+                  borderOf (cloud, planes, surfels, own, turn),
+                  static_cast<double> (own.leaves.size()),
+                  cloud.points->size());
+}
 
 std::vector<char>
 keptPlanes (const LeafCloud& cloud,
@@ -130,24 +163,10 @@ keptPlanes (const LeafCloud& cloud,
             const std::vector<std::size_t>& points)
 {
   constexpr std::size_t min_points = 10;
-  std::vector<Indices> leaves (planes.planes.size());
-  for (std::uint32_t i = 0; i < cloud.size(); ++i)
-    if (planes.plane_of_leaf[i] != no_plane)
-      leaves[planes.plane_of_leaf[i]].push_back (i);
-  const std::vector<Moments> moments = momentsOfPlanes (cloud, planes);
   std::vector<char> is_kept (planes.planes.size(), 0);
-  for (std::size_t p = 0; p < is_kept.size(); ++p) {
-    if (points[p] < min_points || leaves[p].empty())
-      continue;
-    const Plane& plane = planes.planes[p];
-    const PlaneParts parts{static_cast<std::int32_t> (p),
-                           plane,
-                           leaves[p],
-                           meanSquaredDistance (moments[p], plane),
-                           bendingOfLeaves (cloud, leaves[p], plane)};
-    is_kept[p] =
-        isKept (parts, borderOf (cloud, planes, surfels, parts), cloud.points->size());
-  }
+  for (const PlaneParts& own : partsOfPlanes (cloud, planes))
+    is_kept[own.number] = points[own.number] >= min_points && !own.leaves.empty() &&
+                          evidenceOf (cloud, planes, surfels, own) > 0.0;
   return is_kept;
 }
 

@@ -20,13 +20,36 @@ struct PlaneBorder {
   double inner_leaves = 0.0;
 };
 
-/** \brief Which planes are kept: those for which more speaks than against them.
+/** \brief A plane as evidence has it: with its leaves, in ascending order, and the
+ * moments of their points. */
+struct PlaneParts {
+  std::int32_t number;
+  Plane plane;
+  Indices leaves;
+  Moments moments;
+};
+
+/** \brief The leaves and moments of each plane; planes without leaves have none. */
+std::vector<PlaneParts>
+partsOfPlanes (const LeafCloud& cloud, const LeafPlanes& planes);
+
+/** \brief What speaks for a plane less what speaks against it; a plane is kept where
+ * more speaks for it.
  *
  * Against a plane speak its bend over its noise, and the share of its border where it
  * goes on smoothly; for it its size, the share of its border where it ends, and the
  * share of its leaves that are inside. Tests one after the other lose planes that fail
  * one of them by little.
- * \param[in] surfels of leaves without a plane
+ * \param[in] planes where the leaves of \p own have its number
+ * \param[in] surfels of leaves without a plane */
+double
+evidenceOf (const LeafCloud& cloud,
+            const LeafPlanes& planes,
+            const std::vector<LeafSurfel>& surfels,
+            const PlaneParts& own);
+
+/** \brief Which planes are kept: those with enough points for which more speaks than
+ * against them (\ref evidenceOf).
  * \param[in] points of each plane */
 std::vector<char>
 keptPlanes (const LeafCloud& cloud,

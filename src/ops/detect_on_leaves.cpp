@@ -3,6 +3,7 @@
 #include "ops/detect_on_leaves.h"
 
 #include "leaves/common_errors.h"
+#include "leaves/evidence_joining.h"
 #include "leaves/leaf_growing.h"
 #include "leaves/leaf_halving.h"
 #include "leaves/leaf_joining.h"
@@ -355,6 +356,21 @@ finishPlanes (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
   relax (rounds, cloud, planes);
 }
 
+// Together more may speak for planes than for either.
+void
+joinUnsure (const Rounds& rounds,
+            const LeafCloud& cloud,
+            const std::vector<LeafSurfel>& surfels,
+            LeafPlanes& planes)
+{
+  const unsigned threads = rounds.parameters.threads;
+  const std::vector<char> changed = joinByEvidence (cloud, surfels, planes);
+  if (std::find (changed.begin(), changed.end(), 1) == changed.end())
+    return;
+  measureNoise (cloud, threads, planes, &changed);
+  relax (rounds, cloud, planes);
+}
+
 // Planes stay as thin as the noise of their surroundings asks for: hills are joined of
 // pieces each of which is.
 void
@@ -497,6 +513,7 @@ detectOnLeaves (const Points& points,
   timed (times.merging, [&] {
     finishPlanes (rounds, cloud, planes);
     split (rounds, cloud, planes);
+    joinUnsure (rounds, cloud, surfels, planes);
   });
   found = timed (times.assignment, [&] {
     return merge (assign (rounds, points, cloud, planes, surfels), parameters);

@@ -64,6 +64,20 @@ TEST (PlaneEvidence, DropsAFacetWhoseSurroundingsHaveNoPlane)
   EXPECT_EQ (keptIn (scene), std::vector<char>{0});
 }
 
+TEST (PlaneEvidence, KeepsAShelfBelowClutter)
+{
+  // What lies 6 cm above is near, and turned by 8 degrees: a continuation, were it
+  // beside the shelf.
+  Coordinates points = pointsOver (40_cm, 2_cm, [] (double, double) { return 5_cm; });
+  const Coordinates above =
+      pointsOver (40_cm, 2_cm, [] (double x, double) { return 15_cm + 0.14 * x; });
+  for (std::size_t i = 0; i < above.size(); ++i)
+    points.add (above.x[i], above.y[i], above.z[i]);
+  LeafScene scene (points);
+  scene.addPlane (ground, 0.0, [] (const auto& at) { return at.z() < 0.1; });
+  EXPECT_EQ (keptIn (scene), std::vector<char>{1});
+}
+
 TEST (PlaneEvidence, DropsTinyPlanesAmongOthers)
 {
   LeafScene scene ({ground}, 5_mm);
