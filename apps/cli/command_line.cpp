@@ -343,7 +343,8 @@ CommandLine::parse (int argc, const char* const* argv)
     const std::string name = nameIn (*token);
     const Option& option = find (groups_, name);
     options.emplace_back (&option, takeValue (option, token, end));
-    if (!given_.insert (option.name).second)
+    const bool is_new = given_.insert (option.name).second;
+    if (!is_new && !option.may_be_repeated)
       throw UsageError ("--" + option.name, "is given twice; keep one");
   }
   if (isGiven ("help") || isGiven ("help-all"))

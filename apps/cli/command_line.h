@@ -128,6 +128,7 @@ struct Option {
   std::string meaning = {};
   /** \brief Another name that is taken, which the help leaves out; empty for none. */
   std::string old_name = {};
+  bool may_be_repeated = false;
 
   Option&
   help (const std::string& text)
@@ -140,6 +141,14 @@ struct Option {
   onceCalled (const std::string& other_name)
   {
     old_name = other_name;
+    return *this;
+  }
+
+  /** \brief It may be given several times, each of which is stored. */
+  Option&
+  repeated ()
+  {
+    may_be_repeated = true;
     return *this;
   }
 };

@@ -57,6 +57,15 @@ TEST (CommandLine, TakesOneDashTwoDashesEqualsAndTheStartOfAName)
   }
 }
 
+TEST (CommandLine, StoresEachValueOfAnOptionThatMayBeRepeated)
+{
+  std::string all;
+  CommandLine line ("detect", "Detects.", "1.2.3");
+  line.add ("add TEXT", [&all] (const std::string& text) { all += text; }).repeated();
+  EXPECT_TRUE (parse (line, {"--add", "a", "--add=b"}));
+  EXPECT_EQ (all, "ab");
+}
+
 TEST (CommandLine, TakesTheNameAnOptionOnceHadAndCountsBothAsOne)
 {
   double size = 0.0;
