@@ -17,10 +17,10 @@ namespace pcl_ops::evaluation {
 
 using namespace apps;
 
-PlaneLabels
-labelsIn (const pcl::PCLPointCloud2& cloud,
-          const std::string& file,
-          const std::string& name)
+std::vector<double>
+labelNumbersIn (const pcl::PCLPointCloud2& cloud,
+                const std::string& file,
+                const std::string& name)
 {
   const int index = pcl::getFieldIndex (cloud, name);
   if (index < 0)
@@ -32,10 +32,22 @@ labelsIn (const pcl::PCLPointCloud2& cloud,
   if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
     throw WorkError (file,
                      "its " + name + " is no integer of up to 4 bytes; convert it");
+  std::vector<double> numbers (sizeOf (cloud));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = type.read (&cloud.data[i * cloud.point_step + field.offset]);
+  return numbers;
+}
+
+PlaneLabels
+labelsIn (const pcl::PCLPointCloud2& cloud,
+          const std::string& file,
+          const std::string& name)
+{
   constexpr double largest = std::numeric_limits<std::uint32_t>::max();
-  PlaneLabels labels (std::size_t (cloud.width) * cloud.height);
+  const std::vector<double> numbers = labelNumbersIn (cloud, file, name);
+  PlaneLabels labels (numbers.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const double label = type.read (&cloud.data[i * cloud.point_step + field.offset]);
+    const double label = numbers[i];
     if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
       throw WorkError (file,
                        "point " + std::to_string (i) + " has " +

@@ -15,8 +15,15 @@ struct LabeledCloud : apps::ShiftedCloud {
   PlaneLabels labels = {};
 };
 
-/** The whole numbers of a field of a cloud, which is integer or, of a text, a column of
- * that name.
+/** The numbers of a field of a cloud, which is integer or, of a text, a column of that
+ * name.
+ * \throw apps::WorkError naming the file that has no such field */
+std::vector<double>
+labelNumbersIn (const pcl::PCLPointCloud2& cloud,
+                const std::string& file,
+                const std::string& name = "label");
+
+/** The same as whole numbers from 0 on.
  * \throw apps::WorkError naming the file that has no such field, or other numbers */
 PlaneLabels
 labelsIn (const pcl::PCLPointCloud2& cloud,

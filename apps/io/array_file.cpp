@@ -9,6 +9,7 @@
 
 #include "cloud_formats.h"
 #include "header_reader.h"
+#include "number_list.h"
 
 #include <algorithm>
 #include <array>
@@ -114,6 +115,17 @@ typeCalled (const std::string& name)
   });
 }
 
+const NumberType&
+typeOf (const std::string& file, const NpyHeader& header)
+{
+  const NumberType* const type = typeCalled (header.type);
+  if (type == nullptr)
+    throw WorkError (file,
+                     "has no plain numbers that are little endian; save "
+                     "array.astype ('<f4')");
+  return *type;
+}
+
 /** \brief Lets columns be fields, and dimensions in front of them width and height.
  * \throws WorkError unless the file has just these numbers */
 void
@@ -123,11 +135,7 @@ declarePoints (const std::string& file,
                pcl::PCLPointCloud2& points)
 {
   constexpr std::uint64_t most = std::numeric_limits<pcl::index_t>::max();
-  const NumberType* const type = typeCalled (header.type);
-  if (type == nullptr)
-    throw WorkError (file,
-                     "has no plain numbers that are little endian; save "
-                     "array.astype ('<f4')");
+  const NumberType& type = typeOf (file, header);
   const std::size_t dimensions = header.shape.size();
   const std::uint64_t columns = header.shape.empty() ? 0 : header.shape.back();
   if (dimensions < 2 || dimensions > 3 || columns < 3 || columns > max_columns)
@@ -139,13 +147,13 @@ declarePoints (const std::string& file,
   if (width * height == 0)
     reader.failEmpty();
   const std::uint64_t bytes = reader.fileSize() - reader.position();
-  if (width * height > most || width * height * columns > bytes / type->size)
+  if (width * height > most || width * height * columns > bytes / type.size)
     reader.failTruncated();
-  if (width * height * columns * type->size != bytes)
+  if (width * height * columns * type.size != bytes)
     reader.fail ("it has more numbers than its shape says");
   for (std::uint64_t i = 0; i < columns; ++i)
     addField (i < 3 ? std::string (1, "xyz"[i]) : "field_" + std::to_string (i + 1),
-              type->id,
+              type.id,
               points);
   points.width = static_cast<pcl::uindex_t> (width);
   points.height = static_cast<pcl::uindex_t> (height);
@@ -205,6 +213,33 @@ readNpy (const std::string& file)
   if (header.is_fortran)
     cloud.points.data = fromFortran (cloud.points);
   return cloud;
+}
+
+std::vector<double>
+readNpyNumbers (const std::string& file)
+{
+  HeaderReader reader (file, "NumPy");
+  const NpyHeader header = readNpyHeader (reader);
+  const NumberType& type = typeOf (file, header);
+  const std::vector<std::uint64_t>& shape = header.shape;
+  const bool is_list =
+      shape.size() == 1 || (shape.size() == 2 && (shape[0] == 1 || shape[1] == 1));
+  if (!is_list)
+    throw WorkError (file,
+                     "has an array of another shape than (N,); save a number for each "
+                     "point");
+  const std::uint64_t count = *std::max_element (shape.begin(), shape.end());
+  const std::uint64_t bytes = reader.fileSize() - reader.position();
+  if (count > bytes / type.size)
+    reader.failTruncated();
+  if (count * type.size != bytes)
+    reader.fail ("it has more numbers than its shape says");
+  std::vector<std::uint8_t> data (bytes);
+  reader.read (data.data(), data.size());
+  std::vector<double> numbers (count);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = type.read (&data[i * type.size]);
+  return numbers;
 }
 
 } // namespace pcl_ops::apps

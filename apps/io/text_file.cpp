@@ -6,6 +6,7 @@
 
 #include "cloud_formats.h"
 #include "header_reader.h"
+#include "number_list.h"
 #include "output_file.h"
 #include "point_rows.h"
 #include <cli/errors.h>
@@ -319,6 +320,18 @@ FileCloud
 readTextCloud (const std::string& file)
 {
   return {TextReader (file).read()};
+}
+
+std::vector<double>
+readTextNumbers (const std::string& file)
+{
+  HeaderReader reader (file, "text");
+  std::vector<double> numbers;
+  while (reader.nextWords()) {
+    reader.expectNumbers (1);
+    numbers.push_back (reader.number (0));
+  }
+  return numbers;
 }
 
 } // namespace pcl_ops::apps

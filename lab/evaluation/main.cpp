@@ -4,6 +4,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <evaluate/commands.h>
+#include <evaluation/detectors/own_labels.h>
 #include <evaluation/edges_command.h>
 #include <evaluation/report/evaluation_run.h>
 #include <io/output_file.h>
@@ -11,6 +12,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace {
 
@@ -31,33 +33,39 @@ parseShift (const std::string& text)
           .data());
 }
 
-/** \return false if the answer was --help or --version */
-bool
-readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
-{
+/** What the options of a run say that is not in its plan as it is. */
+struct RunOptions {
   std::string folder;
   std::vector<std::string> data_sets;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  std::string detectors = "all";
-  CommandLine line (
-      "pcl_ops_evaluate run",
-      "Runs detectors over data sets and writes results.csv, of which report.py makes\n"
-      "tables and plots. Run it again to go on after a stop: rows that are there are\n"
-      "not computed again.",
-      PCL_OPS_VERSION);
-  line.addArgument ("OUTPUT", folder, "folder of the results");
-  line.addArguments ("DATASET", data_sets, data_set_help);
-  line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
+  std::string detectors;
+  std::vector<std::string> own_labels; // NAME=FOLDER
+};
+
+void
+declareOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
+{
+  line.addArgument ("OUTPUT", options.folder, "folder of the results");
+  line.addArguments ("DATASET", options.data_sets, data_set_help);
+  line.addUpAxis (options.up)
+      .help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   line.add ("truth-neighbors K", plan.truth.neighbors, from (3).upTo (10'000))
       .help ("neighborhood of grown truth (100)");
   line.add ("min-plane-points N", plan.truth.min_points, from (0))
       .help ("true planes with fewer points are none (50)");
-  line.add ("detectors LIST", detectors)
-      .help ("names and groups, see pcl_ops_evaluate detectors (all)");
+  line.add ("detectors LIST", options.detectors)
+      .help ("names and groups, see pcl_ops_evaluate detectors, or none (all; none "
+             "with --results)");
+  line.add ("results NAME=FOLDER",
+            [&options] (auto& text) { options.own_labels.push_back (text); })
+      .help ("labels of a detector of yours: DATA_SET/CLOUD or CLOUD .npy, .txt or "
+             ".pcd; may be given several times")
+      .repeated();
   line.add ("jobs N", plan.jobs, from (1).upTo (256))
       .help ("clouds at a time; only 1 leaves times undisturbed (1)");
   line.add ("labels FOLDER", plan.labels_folder)
-      .help ("save each new result, and the truth, as a labeled cloud");
+      .help ("save each new result, and the truth, as a labeled cloud; with "
+             "--detectors none the truth only");
   line.add ("threshold M", plan.settings.peer_threshold, above (0))
       .help ("distance to a plane that detectors of others are given (0.05)");
   line.add ("peers-noise M", plan.settings.peer_noise, above (0))
@@ -72,15 +80,50 @@ readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
             [&plan] (const std::string& text) { plan.shift = parseShift (text); })
       .help ("added to all points: voxels begin elsewhere in them (0,0,0)");
   line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
+}
+
+/** The configurations that are named, and the labels that are given. */
+std::vector<Configuration>
+configurationsOf (const RunOptions& options)
+{
+  const char* const by_default = options.own_labels.empty() ? "all" : "none";
+  std::vector<Configuration> configurations =
+      selectConfigurations (options.detectors.empty() ? by_default : options.detectors);
+  std::set<std::string> names;
+  for (const std::string& name_and_folder : options.own_labels) {
+    configurations.push_back (ownLabels (name_and_folder));
+    const std::string& name = configurations.back().name;
+    if (!names.insert (name).second)
+      throw UsageError ("--results",
+                        "'" + name + "' is given twice; give each another name");
+  }
+  return configurations;
+}
+
+/** \return false if the answer was --help or --version */
+bool
+readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
+{
+  CommandLine line (
+      "pcl_ops_evaluate run",
+      "Runs detectors over data sets and writes results.csv, of which report.py makes\n"
+      "tables and plots. Run it again to go on after a stop: rows that are there are\n"
+      "not computed again, but for --results.",
+      PCL_OPS_VERSION);
+  RunOptions options;
+  declareOptions (line, options, plan);
   if (!line.parse (argc, argv))
     return false;
-  plan.configurations = selectConfigurations (detectors);
-  for (const std::string& data_set : data_sets) {
-    const DataSet clouds = dataSetOf (data_set, up);
+  plan.configurations = configurationsOf (options);
+  if (plan.configurations.empty() && plan.labels_folder.empty())
+    throw UsageError ("--detectors",
+                      "none leaves nothing to do; give --labels or --results, too");
+  for (const std::string& data_set : options.data_sets) {
+    const DataSet clouds = dataSetOf (data_set, options.up);
     plan.clouds.insert (plan.clouds.end(), clouds.begin(), clouds.end());
   }
-  makeFolder (folder);
-  plan.file = (std::filesystem::path (folder) / "results.csv").string();
+  makeFolder (options.folder);
+  plan.file = (std::filesystem::path (options.folder) / "results.csv").string();
   return true;
 }
 

@@ -190,7 +190,7 @@ selectConfigurations (const std::string& list)
   std::set<std::string> names;
   std::istringstream stream (list);
   for (std::string name; std::getline (stream, name, ',');) {
-    bool is_known = false;
+    bool is_known = name == "none";
     for (const Configuration& configuration : allConfigurations()) {
       const std::set<std::string>& groups = configuration.groups;
       const bool is_meant = name == configuration.name || groups.count (name) > 0 ||

@@ -36,6 +36,8 @@ struct RunSettings {
   unsigned threads = 1;
   /** Of OPS; none: that of its configuration. */
   std::optional<double> sampling_rate = std::nullopt;
+  /** Of the cloud, as in results.csv. */
+  std::string data_set = {}, cloud_name = {};
 };
 
 /** [ms] */
@@ -70,6 +72,8 @@ struct Configuration {
   bool is_peer = false;
   bool needs_image = false;
   std::string version = {}; // empty: of this project
+  /** Of \ref ownLabels, which may be others by the next run. */
+  bool is_own = false;
 };
 
 /** By groups:
@@ -86,7 +90,8 @@ struct Configuration {
 const std::vector<Configuration>&
 allConfigurations ();
 
-/** \param[in] list of names and groups, "ops,table4"; "all" for all but the ablation
+/** \param[in] list of names and groups, "ops,table4"; "all" for all but the ablation,
+ * "none" for none
  * \throw apps::UsageError for an unknown name */
 std::vector<Configuration>
 selectConfigurations (const std::string& list);

@@ -312,6 +312,8 @@ struct Evaluation {
   {
     // Known without loading the cloud only where its rows say which truth it has.
     const auto is_there = [&] (const Configuration& configuration) {
+      if (configuration.is_own)
+        return false;
       for (const std::string& truth :
            {grownTruth(), std::string ("exact"), std::string ("none")})
         if (results.has (keyOf (source, truth, configuration)))
@@ -319,7 +321,8 @@ struct Evaluation {
       return false;
     };
     const std::vector<Configuration>& all = plan.configurations;
-    if (std::all_of (all.begin(), all.end(), is_there)) {
+    const bool only_saves = all.empty() && !plan.labels_folder.empty();
+    if (!only_saves && std::all_of (all.begin(), all.end(), is_there)) {
       count (&EvaluationSummary::clouds);
       return;
     }
@@ -386,6 +389,8 @@ struct Evaluation {
     RunSettings settings = plan.settings;
     settings.up = cloud.loaded.up;
     settings.image = cloud.loaded.image;
+    settings.data_set = cloud.source.data_set;
+    settings.cloud_name = cloud.source.name;
     const std::optional<DetectorRun> run =
         runLimited (configuration, cloud.loaded.cloud, settings, plan.time_limit);
     if (!run) {
@@ -403,7 +408,7 @@ struct Evaluation {
   {
     const std::string key =
         keyOf (cloud.source, truthNameOf (cloud.loaded), configuration);
-    if (results.has (key))
+    if (!configuration.is_own && results.has (key))
       return;
     RowNumbers row;
     try {

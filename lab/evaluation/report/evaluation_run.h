@@ -17,7 +17,8 @@ struct EvaluationPlan {
   RunSettings settings;
   unsigned time_limit = 600; // of a detector of others on a cloud [s]; 0: none
   unsigned jobs = 1;         // clouds at a time
-  /** For DATA_SET/CLOUD/CONFIGURATION.pcd of new rows, and truth.pcd; empty: none. */
+  /** For DATA_SET/CLOUD/CONFIGURATION.pcd of new rows, and truth.pcd, which is all that
+   * is done without configurations; empty: none. */
   std::string labels_folder = {};
   /** Added to every point: voxels begin elsewhere in the same cloud [m]. */
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
@@ -30,7 +31,8 @@ struct EvaluationSummary {
   std::size_t broken_clouds = 0, failed_runs = 0, stopped_runs = 0;
 };
 
-/** Runs every configuration on every cloud for which a CSV file has no row yet. Clouds
+/** Runs every configuration on every cloud for which a CSV file has no row yet; one's
+ * own labels get another row each time, of which the last counts. Clouds
  * that cannot be loaded and detectors that fail are said and counted, the rest goes on.
  * The file gets each row at once and whole, as soon as it is known, so that a stop
  * loses none; a last line that an interruption left incomplete is removed.

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -167,6 +168,37 @@ TEST_F (EvaluationRunTest, ADetectorThatFailsAndAPeerThatCrashesAreSaidAndCounte
   for (const char* message :
        {"failing failed on a: no memory", "failing here failed on a: no memory"})
     EXPECT_TRUE (contains (messages.str(), message));
+}
+
+TEST_F (EvaluationRunTest, ToldOfNoDetectorItOnlySavesTheClouds)
+{
+  plan.configurations.clear();
+  plan.labels_folder = folder / "labels";
+  EXPECT_EQ (run().clouds, 2u);
+  for (const char* cloud : {"a", "b"})
+    EXPECT_TRUE (
+        std::filesystem::exists (folder / "labels/rows/" + cloud + "/truth.pcd"));
+  EXPECT_EQ (lines (contentOf (file)), 1u) << "the header alone";
+}
+
+TEST_F (EvaluationRunTest, OnesOwnLabelsAreAskedForByCloudAndReadAgain)
+{
+  std::set<std::string> asked;
+  Configuration own = labeling ("own", 10, calls);
+  own.is_own = true;
+  own.run = [&, labels = own.run] (const auto& cloud, const RunSettings& settings) {
+    asked.insert (settings.data_set + '/' + settings.cloud_name);
+    return labels (cloud, settings);
+  };
+  plan.configurations = {own};
+  run();
+  EXPECT_EQ (asked, (std::set<std::string>{"rows/a", "rows/b"}));
+  plan.configurations[0].run = labeling ("own", 5, calls).run;
+  EXPECT_EQ (run().new_rows, 2u);
+  EXPECT_TRUE (std::regex_search (contentOf (file), // up to segmentation accuracy
+                                  std::regex ("a,exact,own,42,10,1,1,7,1,1,(.*\n)*"
+                                              ".*a,exact,own,42,10,1,1,7,1,0.5,")))
+      << contentOf (file);
 }
 
 TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "own_labels.h"
+
+#include <boost/format.hpp>
+
+#include <cli/errors.h>
+#include <detection/methods.h>
+#include <io/number_list.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+namespace pcl_ops::evaluation {
+
+using namespace apps;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** The first that there is of the files that may have the labels of a cloud. */
+std::string
+fileOfLabels (const std::string& folder, const RunSettings& cloud)
+{
+  std::vector<std::string> names = {cloud.cloud_name};
+  if (hasCloudExtension (cloud.cloud_name))
+    names.push_back (fs::path (cloud.cloud_name).replace_extension().string());
+  for (const fs::path& place : {fs::path (folder) / cloud.data_set, fs::path (folder)})
+    for (const std::string& name : names)
+      for (const char* extension : {".npy", ".txt", ".pcd"}) {
+        const fs::path file = place / (name + extension);
+        if (fs::is_regular_file (file))
+          return file.string();
+      }
+  throw WorkError (folder,
+                   "has neither " + cloud.data_set + "/" + names.back() + ".npy nor " +
+                       names.back() + ".npy, nor such a .txt or .pcd; save the labels");
+}
+
+std::vector<double>
+numbersIn (const std::string& file)
+{
+  const std::string extension = fs::path (file).extension().string();
+  if (extension == ".npy")
+    return readNpyNumbers (file);
+  if (extension == ".txt")
+    return readTextNumbers (file);
+  return labelNumbersIn (loadCloud (file).points, file);
+}
+
+/** Planes numbered from 1 on, in the order of their labels. */
+PlaneLabels
+planesOfNumbers (const std::vector<double>& numbers, const std::string& file)
+{
+  // This and more is a -1 that has lost its sign.
+  constexpr double too_large = std::numeric_limits<std::uint32_t>::max();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!(std::abs (numbers[i]) < too_large && numbers[i] == std::floor (numbers[i])))
+      throw WorkError (
+          file,
+          (boost::format ("point %1% has the label %2$.10g; give whole numbers below "
+                          "4294967295, negative ones in a type with a sign") %
+           i % numbers[i])
+              .str());
+  const bool has_negative = std::any_of (
+      numbers.begin(), numbers.end(), [] (double number) { return number < 0.0; });
+  const double lowest_plane = has_negative ? 0.0 : 1.0;
+  std::map<double, std::uint32_t> planes;
+  for (const double number : numbers)
+    if (number >= lowest_plane)
+      planes[number] = 0;
+  std::uint32_t count = 0;
+  for (auto& plane : planes)
+    plane.second = ++count;
+  PlaneLabels labels (numbers.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (numbers[i] >= lowest_plane)
+      labels[i] = planes[numbers[i]];
+  return labels;
+}
+
+/** Those of the finite points, of which there are so many. */
+PlaneLabels
+ofFinitePoints (PlaneLabels labels,
+                std::size_t points,
+                const XyzCloud::ConstPtr& image,
+                const std::string& file)
+{
+  if (labels.size() == points)
+    return labels;
+  if (image && labels.size() == image->size())
+    return selectLabels (labels, finitePointsOf (*image));
+  throw WorkError (file,
+                   "has " + std::to_string (labels.size()) + " labels, the cloud " +
+                       std::to_string (points) +
+                       " finite points; give one for each, in the order of truth.pcd");
+}
+
+DetectorRun
+runOf (const PlaneLabels& labels)
+{
+  DetectorRun run;
+  run.labels = labels;
+  run.planes_before_merging = planeIds (labels).size();
+  for (const auto& stage : detection_stages)
+    run.durations.*stage.second = std::numeric_limits<double>::quiet_NaN();
+  return run;
+}
+
+/** \throw UsageError for a name that is taken, or cannot be in tables and file names */
+void
+checkName (const std::string& name)
+{
+  const auto is_wrong = [] (char c) {
+    return std::string (",/\\|\"").find (c) != std::string::npos || (c >= 0 && c < ' ');
+  };
+  if (name.empty() || std::any_of (name.begin(), name.end(), is_wrong))
+    throw UsageError ("--results",
+                      "'" + name +
+                          "' is no name without , / \\ | and quotes; give NAME=FOLDER");
+  bool is_taken = name == "truth" || name == "all" || name == "none";
+  for (const Configuration& known : allConfigurations())
+    is_taken = is_taken || known.name == name || known.groups.count (name) > 0;
+  if (is_taken)
+    throw UsageError ("--results",
+                      "'" + name + "' is a name of pcl_ops_evaluate; give another");
+}
+
+} // namespace
+
+Configuration
+ownLabels (const std::string& name_and_folder)
+{
+  const std::size_t equals = name_and_folder.find ('=');
+  if (equals == std::string::npos || equals + 1 == name_and_folder.size())
+    throw UsageError ("--results",
+                      "'" + name_and_folder + "' has no folder; give NAME=FOLDER");
+  const std::string name = name_and_folder.substr (0, equals);
+  const std::string folder = name_and_folder.substr (equals + 1);
+  checkName (name);
+  std::error_code error;
+  if (!fs::is_directory (folder, error))
+    throw WorkError (folder, "is no folder; give that of the files of labels");
+  Configuration configuration;
+  configuration.name = name;
+  configuration.is_own = true;
+  configuration.run = [folder] (const auto& cloud, const RunSettings& settings) {
+    const std::string file = fileOfLabels (folder, settings);
+    const PlaneLabels labels = planesOfNumbers (numbersIn (file), file);
+    return runOf (ofFinitePoints (labels, cloud->size(), settings.image, file));
+  };
+  return configuration;
+}
+
+} // namespace pcl_ops::evaluation
