@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The plots of report.py, by matplotlib."""
+import csv
 from collections import defaultdict
 
 import matplotlib
@@ -20,6 +21,7 @@ OURS = ("ops", "ops-3-30", "kht", "fspf")
 IN_STRIP = ("truth", "ops", "pcl-sac", "pcl-region-growing", "cgal-ransac",
             "cgal-region-growing", "open3d", "voxel-octree")
 MEASURED = "-measured"
+OWN_COLOR = "C2"
 
 
 def finish(axes, x_label, y_label, file):
@@ -40,7 +42,19 @@ def save(figure, file):
     plt.close(figure)
 
 
+def draw_own(axes, accuracies):
+    """Labels of one's own tell no time: a line at the accuracy of each, with its name."""
+    for name, accuracy in accuracies.items():
+        axes.axhline(accuracy, color=OWN_COLOR, linestyle="--", linewidth=1.2)
+        axes.annotate(name, (0, accuracy), xycoords=("axes fraction", "data"), xytext=(4, 3),
+                      textcoords="offset points", fontsize=10, color=OWN_COLOR)
+
+
 def plot_accuracy(name, means, folder):
+    own = {configuration: mean for configuration, mean in means.items()
+           if mean["clouds"] and np.isnan(mean["detection_ms"])}
+    means = {configuration: mean for configuration, mean in means.items()
+             if configuration not in own}
     for metric in ("classification_accuracy", "segmentation_accuracy"):
         label = metric.replace("_", " ") + " [%]"
         axes = plt.subplots()[1]
@@ -52,6 +66,7 @@ def plot_accuracy(name, means, folder):
             axes.scatter(*zip(*points.values()), label=family)
             for configuration, point in points.items():
                 axes.annotate(configuration, point, fontsize=5)
+        draw_own(axes, {configuration: 100 * mean[metric] for configuration, mean in own.items()})
         finish(axes, "time [s]", label, folder / f"{metric}_over_time.png")
 
         axes = plt.subplots()[1]
@@ -89,18 +104,23 @@ def label_dots(axes, dots):
 
 
 def plot_comparison(rows, folder):
-    """F-score over the time per million points, a panel each for rooms and streets."""
+    """F-score over the time per million points, a panel each for rooms and streets or, where
+    there are none, for the first two data sets."""
     rows = [row for row in rows if row["f_score"]]
-    names = [name for name in ("rooms", "streets") if name in {row["data_set"] for row in rows}]
+    data_sets = list(dict.fromkeys(row["data_set"] for row in rows))
+    names = [name for name in ("rooms", "streets") if name in data_sets] or data_sets[:2]
     if not names:
         return
+    has_own = any(row["values"] == "own" for row in rows)
+    best = max(float(row["f_score"]) for row in rows)
     figure, panels = plt.subplots(1, len(names), sharey=True, squeeze=False,
                                   figsize=(6.4 * len(names), 5), layout="constrained")
     for axes, name in zip(panels[0], names):
         dots = {row["method"]: (float(row["seconds_per_million_points"]), float(row["f_score"]))
-                for row in rows if row["data_set"] == name}
-        axes.set_title(f"{name} with exact truth", fontsize=12)
-        axes.set(xscale="log", ylim=(0, 0.9))
+                for row in rows if row["data_set"] == name and row["values"] != "own"}
+        is_simulated = name in ("rooms", "streets")
+        axes.set_title(f"{name} with exact truth" if is_simulated else name, fontsize=12)
+        axes.set(xscale="log", ylim=(0, max(0.9, best + 0.05)))
         axes.xaxis.set_major_formatter("{x:g}")
         axes.margins(x=0.15)
         axes.grid(True, alpha=0.3)
@@ -113,6 +133,8 @@ def plot_comparison(rows, folder):
             if usual != method and usual in dots:
                 axes.plot(*zip(dots[usual], dot), color=color, linewidth=0.7, alpha=0.5)
             labels.append(("" if usual != method else NAMES.get(method, method), dot, color))
+        draw_own(axes, {row["method"]: float(row["f_score"]) for row in rows
+                        if row["data_set"] == name and row["values"] == "own"})
         axes.set_xlabel("processor time per million points [s]", fontsize=11)
         figure.canvas.draw()
         label_dots(axes, labels)
@@ -120,6 +142,9 @@ def plot_comparison(rows, folder):
     marks = [panels[0][0].scatter([], [], color="gray", s=45, label="values of tutorials"),
              panels[0][0].scatter([], [], color="gray", s=45, facecolors="none",
                                   label="values measured from the cloud")]
+    if has_own:
+        marks += panels[0][0].plot([], [], color=OWN_COLOR, linestyle="--",
+                                   label="labels of one's own, no time")
     panels[0][0].legend(handles=marks, fontsize=10, loc="upper right")
     save(figure, folder / "figure.png")
 
@@ -185,14 +210,26 @@ def better_of(truth, files):
     return picture_of(points, colors[best], origin, axes)
 
 
+def own_names(folder):
+    """Names of the labels of one's own that were compared."""
+    file = folder / "comparison.csv"
+    if not file.exists():
+        return []
+    with open(file, newline="", encoding="utf-8") as stream:
+        return list(dict.fromkeys(row["method"] for row in csv.DictReader(stream)
+                                  if row["values"] == "own"))
+
+
 def plot_strips(_, folder):
     """Of each cloud in labels/ (pcl_ops_evaluate run --labels): every method's planes."""
+    own = own_names(folder)
     for truth in sorted((folder / "labels").rglob("truth.pcd")):
         results = defaultdict(list)
-        for name in IN_STRIP:
-            for file in (truth.with_name(name + end + ".pcd") for end in ("", MEASURED)):
-                if file.is_file():
-                    results[name].append(file)
+        for name, end in [(name, end) for name in IN_STRIP for end in ("", MEASURED)
+                          if name + end not in own] + [(name, "") for name in own]:
+            file = truth.with_name(name + end + ".pcd")
+            if file.is_file():
+                results[name].append(file)
         columns = (len(results) + 1) // 2
         figure, panels = plt.subplots(2, columns, squeeze=False, figsize=(3.2 * columns, 5.3),
                                       gridspec_kw={"left": 0, "right": 1, "bottom": 0, "top": 0.95,

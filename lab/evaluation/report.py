@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """report.py FOLDER: tables and plots of what a program wrote into the folder.
 
-Of results.csv (pcl_ops_evaluate run) report.md: for each data set all metrics, the tables of
-the paper with its figures beside ours, numbers of planes, true planes found by size, and
-times of the stages; comparison.csv, a row for each data set and method, with versions of
+Of results.csv (pcl_ops_evaluate run) report.md: for each data set all metrics, numbers of
+planes, true planes found by size, times of the stages and, where it is of a kind the paper has,
+the tables of the paper with its figures beside ours; comparison.csv, a row for each data set and method, with versions of
 detectors.txt (pcl_ops_evaluate detectors); plots of the accuracy over time and over the
-sampling rate. Of comparison.csv, where it has rooms or streets, figure.png: all methods on
-both. Of labels/ (pcl_ops_evaluate run --labels) strips of pictures. Of scaling.csv
+sampling rate. Of comparison.csv figure.png: all methods on rooms and streets or, where there
+are none, on the first two data sets. Of labels/ (pcl_ops_evaluate run --labels) strips of pictures. Of scaling.csv
 (pcl_ops_benchmark --scaling) throughput.png and plots of the time over what grows.
 """
 import csv
@@ -23,6 +23,8 @@ except ImportError:
     figures = None
 
 TRUE_PLANES = 25.38  # of the paper, per cloud
+# The beginnings of the names of data sets that the paper's figures stand beside.
+OF_PAPER = ("sunrgbd", "rooms", "streets", "simulated")
 STAGES = ("search", "normals", "extraction", "assignment", "merging", "detection")
 
 
@@ -37,6 +39,11 @@ def rows_of(file):
 PAPER = {row["configuration"]: {"table": row["table"], **{
     name: float(value or "nan") for name, value in list(row.items())[2:]}}
          for row in rows_of(pathlib.Path(__file__).with_name("paper.csv"))}
+
+
+def latest(rows):
+    """Of rows on the same labels, as one's own have one for each run, the last."""
+    return list({tuple(list(row.values())[:5]): row for row in rows}.values())
 
 
 def means_of(rows):
@@ -90,6 +97,10 @@ def metrics_table(name, means):
     return table(name, ["configuration", "clouds", "stopped", *METRICS, "total s"], rows)
 
 
+def is_of_paper(data_set):
+    return data_set.partition("-")[0] in OF_PAPER
+
+
 def paper_tables(name, means):
     tables, best = defaultdict(list), []
     for configuration, paper in PAPER.items():
@@ -114,18 +125,25 @@ def paper_tables(name, means):
                           ["configuration", "accuracy %", "paper"], best)
 
 
+def planes_table(name, means, has_paper):
+    """Numbers of planes, ours and those of the paper unless it has none like these."""
+    columns = [("before merging", "planes_before_merging", False),
+               ("paper", "planes_before_merging", True), ("found", "result_planes", False),
+               ("paper", "planes", True), ("truth", "truth_planes", False)]
+    columns = [column for column in columns if has_paper or not column[2]]
+    rows = [[configuration] + [text((PAPER.get(configuration, {}) if is_paper else mean)
+                                    .get(column, math.nan), 2) for _, column, is_paper in columns]
+            for configuration, mean in means.items()]
+    title = f"Planes per cloud (the paper's truth: {TRUE_PLANES})" if has_paper else \
+        "Planes per cloud"
+    return table(f"{title}: {name}", ["configuration"] + [title for title, *_ in columns], rows)
+
+
 def other_tables(name, means):
-    planes, stages = [], []
+    report, stages = "", []
     for configuration, mean in means.items():
-        paper = PAPER.get(configuration, {})
-        planes.append([configuration, *(text(of.get(column, math.nan), 2) for of, column in (
-            (mean, "planes_before_merging"), (paper, "planes_before_merging"),
-            (mean, "result_planes"), (paper, "planes"), (mean, "truth_planes")))])
         stages.append([configuration] + [text(mean[stage + "_ms"] / 1e3, 4) for stage in STAGES] +
                       [text(1e3 * mean["detection_ms"] / mean["points"], 3)])
-    report = table(f"Planes per cloud (the paper's truth: {TRUE_PLANES}): {name}",
-                   ["configuration", "before merging", "paper", "found", "paper", "truth"],
-                   planes)
     for by, unit in (("points", ""), ("width", " [m]")):
         prefix = f"planes_by_{by}_"
         classes = [column[len(prefix):] for column in next(iter(means.values()))
@@ -143,8 +161,15 @@ def other_tables(name, means):
 SUMMARY = ("classification_accuracy", "segmentation_accuracy", "f_score", "f_score_75")
 
 
-def values_of(method):
+def is_own(mean):
+    """Whether the labels are of a detector of one's own, which tell no time."""
+    return mean["clouds"] > 0 and math.isnan(mean["detection_ms"])
+
+
+def values_of(method, mean):
     """Where the values of a method's parameters come from."""
+    if is_own(mean):
+        return "own"
     if method.startswith(("pcl-", "cgal-", "open3d", "voxel-octree")):
         return "cloud" if method.endswith("-measured") else "tutorial"
     return "paper" if "-" in method else "default"
@@ -161,8 +186,9 @@ def write_comparison(means_of_sets, folder):
                         "seconds_per_million_points"))
         for data_set, means in means_of_sets.items():
             for method, mean in means.items():
-                seconds = 1e3 * mean["detection_ms"] / mean["points"] if mean["clouds"] else ""
-                table.writerow([data_set, method, versions.get(method, ""), values_of(method),
+                has_time = mean["clouds"] > 0 and not is_own(mean)
+                seconds = 1e3 * mean["detection_ms"] / mean["points"] if has_time else ""
+                table.writerow([data_set, method, versions.get(method, ""), values_of(method, mean),
                                 mean["clouds"], mean["stopped"]] +
                                ["" if math.isnan(mean[column]) else round(mean[column], 4)
                                 for column in SUMMARY] + [seconds and f"{seconds:.3g}"])
@@ -170,13 +196,16 @@ def write_comparison(means_of_sets, folder):
 
 def report_results(all_rows, folder):
     groups = defaultdict(list)
-    for row in all_rows:
+    for row in latest(all_rows):
         groups[row["data_set"], row["truth"]].append(row)
     report, means_of_sets = "", {}
     for (data_set, truth), rows in sorted(groups.items()):
         name = f"{data_set}, truth {truth}"
         means = means_of_sets[data_set] = means_of(rows)
-        report += metrics_table(name, means) + paper_tables(name, means) + other_tables(name, means)
+        report += metrics_table(name, means)
+        if is_of_paper(data_set):
+            report += paper_tables(name, means)
+        report += planes_table(name, means, is_of_paper(data_set)) + other_tables(name, means)
         if figures:
             plots = folder / f"{data_set}-{truth}"
             plots.mkdir(exist_ok=True)
