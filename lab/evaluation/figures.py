@@ -28,7 +28,8 @@ def finish(axes, x_label, y_label, file):
     axes.set_xlabel(x_label)
     axes.set_ylabel(y_label)
     axes.grid(True)
-    axes.legend(fontsize=7)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(fontsize=7)
     axes.figure.savefig(file, dpi=120, bbox_inches="tight")
     plt.close(axes.figure)
 

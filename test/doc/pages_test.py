@@ -172,6 +172,26 @@ class Pages(unittest.TestCase):
                 for command in commands:
                     self.run_in(folder, command)
 
+    def test_the_page_for_ones_own_detector_gives_it_a_row(self):
+        page = SOURCES / "src/doc/compare.md"
+        has_numpy = subprocess.run([sys.executable, "-c", "import numpy"], check=False,
+                                   stderr=subprocess.DEVNULL).returncode == 0
+        if not has_numpy:
+            self.skipTest("the example of the page needs NumPy")
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            (here / "lab").symlink_to((SOURCES / "lab").resolve())
+            (here / "python3").symlink_to(sys.executable)
+            (here / "detector.py").write_text("\n".join(code_of(page, "python")))
+            commands = code_of(page, "sh")
+            self.assertLessEqual(len(commands), 4)
+            for command in commands:
+                self.run_in(folder, f'PATH="$PWD:$PATH"; {command}')
+            with open(here / "out/comparison.csv", newline="", encoding="utf-8") as stream:
+                rows = {row["method"]: row for row in csv.DictReader(stream)}
+        self.assertEqual(rows["mine"]["values"], "own")
+        self.assertGreater(float(rows["mine"]["classification_accuracy"]), 0.5)
+
     def test_links_lead_to_files_and_sections(self):
         for page in PAGES:
             for name, section in re.findall(r"\]\(([^)#:]+)(?:#([^)]+))?\)",
