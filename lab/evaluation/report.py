@@ -85,6 +85,7 @@ METRICS = {"class. %": "classification_accuracy", "segm. %": "segmentation_accur
            "mean IoU": "mean_iou", "PQ": "panoptic_quality", "over": "over_segmentation",
            "under": "under_segmentation", "noise": "noise", "missed": "missed",
            "off planes %": "points_off_planes_called_planes",
+           "VOI": "variation_of_information", "RI": "rand_index", "SC": "segmentation_covering",
            "on planes %": "on_planes_share", "thick, factor %": "thick_factor_share",
            "thick, length %": "thick_length_share", "rms of largest": "rms_largest"}
 

@@ -5,6 +5,7 @@
 #include <pcl/common/point_tests.h>
 
 #include "assignment.h"
+#include "partitions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -411,6 +412,8 @@ compareLabels (const XyzCloud& cloud,
     metrics.named.emplace_back (name + "_75", value);
   metrics.named.emplace_back ("points_off_planes_called_planes",
                               fraction (off_planes - off_in_both, off_planes, 0.0));
+  for (const auto& [name, value] : partitionMetrics (confusion))
+    metrics.named.emplace_back (name, value);
   const std::vector<double> sizes (confusion.truth.points.begin(),
                                    confusion.truth.points.end());
   metrics.by_size = classesOf (at_50, at_75, sizes, point_limits);

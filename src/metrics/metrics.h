@@ -119,8 +119,8 @@ struct Metrics {
   /** Under their published names, in order, which the page on accuracy defines: three
    * accuracies, then metrics of planes as instances at an intersection over union of
    * 0.5 and, with suffix _75, at 0.75. Where both sides have no plane the result is
-   * perfect, where one has none it has found nothing. The last are the points on no
-   * true plane that the result has on one / such points. */
+   * perfect, where one has none it has found nothing. Then the points on no true plane
+   * that the result has on one / such points, and \ref partitionMetrics. */
   NamedValues named = {};
   /** By number of points. */
   SizeClasses by_size = {};

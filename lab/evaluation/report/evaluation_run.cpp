@@ -89,7 +89,11 @@ columnsOfNumbers ()
       columns.push_back (std::string (metric) + at_iou);
   for (const auto& stage : detection_stages)
     columns.push_back (std::string (stage.first) + "_ms");
-  columns.emplace_back ("points_off_planes_called_planes");
+  for (const char* metric : {"points_off_planes_called_planes",
+                             "variation_of_information",
+                             "rand_index",
+                             "segmentation_covering"})
+    columns.emplace_back (metric);
   for (const char* size_class : {"by_points_below_200",
                                  "by_points_below_500",
                                  "by_points_below_1000",

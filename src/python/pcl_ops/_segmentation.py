@@ -174,7 +174,8 @@ def evaluate(
     Returns a dict of fractions: classification_accuracy, segmentation_accuracy,
     segmentation_accuracy_all, and precision, recall, f_score, mean_iou, panoptic_quality,
     over_segmentation, under_segmentation, noise and missed at an intersection over union
-    of 0.5 and, ending in _75, of 0.75; points_off_planes_called_planes; and the numbers
+    of 0.5 and, ending in _75, of 0.75; points_off_planes_called_planes; rand_index and
+    segmentation_covering; variation_of_information [bits]; and the numbers
     points, truth_planes and result_planes.
     """
     array, shape = points_array(points), np.shape(points)[:-1]

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "partitions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+/** Points in common of each true plane (rows) with each part of the result (columns),
+ * of which the last has the points that are on no found plane. */
+struct CommonPoints {
+  std::vector<double> of_truth, of_result; // points of each part
+  std::vector<Overlap> pairs;
+  double all = 0.0;
+};
+
+CommonPoints
+commonPoints (const Confusion& confusion)
+{
+  const auto no_found_plane = std::uint32_t (confusion.result.size());
+  CommonPoints common;
+  common.pairs = confusion.overlaps;
+  common.of_truth.assign (confusion.truth.points.begin(), confusion.truth.points.end());
+  std::vector<std::size_t> on_none = confusion.truth.points;
+  for (const Overlap& pair : confusion.overlaps)
+    on_none[pair.truth] -= pair.points;
+  for (std::uint32_t plane = 0; plane < on_none.size(); ++plane)
+    if (on_none[plane] > 0)
+      common.pairs.push_back ({plane, no_found_plane, on_none[plane]});
+  common.of_result.assign (no_found_plane + 1, 0.0);
+  for (const Overlap& pair : common.pairs) {
+    common.of_result[pair.result] += double (pair.points);
+    common.all += double (pair.points);
+  }
+  return common;
+}
+
+/** H (T | R) + H (R | T) = 2 H (T, R) - H (T) - H (R) [bits] */
+double
+variationOfInformation (const CommonPoints& common)
+{
+  double bits = 0.0;
+  for (const Overlap& pair : common.pairs) {
+    const double points = double (pair.points);
+    bits -= points * (std::log2 (points / common.of_truth[pair.truth]) +
+                      std::log2 (points / common.of_result[pair.result]));
+  }
+  return std::max (0.0, bits / common.all);
+}
+
+double
+pairsOf (double points)
+{
+  return points * (points - 1.0) / 2.0;
+}
+
+double
+randIndex (const CommonPoints& common)
+{
+  double together_in_both = 0.0;
+  double together_in_one = 0.0;
+  for (const Overlap& pair : common.pairs)
+    together_in_both += pairsOf (double (pair.points));
+  for (const std::vector<double>* parts : {&common.of_truth, &common.of_result})
+    for (const double points : *parts)
+      together_in_one += pairsOf (points);
+  const double all = pairsOf (common.all);
+  return all > 0.0 ? (all - together_in_one + 2.0 * together_in_both) / all : 1.0;
+}
+
+double
+segmentationCovering (const CommonPoints& common)
+{
+  std::vector<double> best_of_truth (common.of_truth.size(), 0.0);
+  std::vector<double> best_of_result (common.of_result.size(), 0.0);
+  for (const Overlap& pair : common.pairs) {
+    const double both = double (pair.points);
+    const double iou =
+        both / (common.of_truth[pair.truth] + common.of_result[pair.result] - both);
+    best_of_truth[pair.truth] = std::max (best_of_truth[pair.truth], iou);
+    best_of_result[pair.result] = std::max (best_of_result[pair.result], iou);
+  }
+  double covered = 0.0;
+  for (std::size_t plane = 0; plane < best_of_truth.size(); ++plane)
+    covered += common.of_truth[plane] * best_of_truth[plane];
+  for (std::size_t part = 0; part < best_of_result.size(); ++part)
+    covered += common.of_result[part] * best_of_result[part];
+  return covered / (2.0 * common.all);
+}
+
+} // namespace
+
+NamedValues
+partitionMetrics (const Confusion& confusion)
+{
+  const CommonPoints common = commonPoints (confusion);
+  const bool has_planes = common.all > 0.0;
+  return {
+      {"variation_of_information", has_planes ? variationOfInformation (common) : 0.0},
+      {"rand_index", has_planes ? randIndex (common) : 1.0},
+      {"segmentation_covering", has_planes ? segmentationCovering (common) : 1.0}};
+}
+
+} // namespace pcl_ops::evaluation
