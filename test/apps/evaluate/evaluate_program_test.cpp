@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <numbers/random.h>
 #include <support/answers.h>
+#include <support/labeled_floor.h>
 
 #include <array>
 
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 /** pcl_ops_evaluate, the files of inputs and some clouds. */
 class EvaluateProgram : public AnswersFolder {
@@ -15,10 +17,46 @@ protected:
   EvaluateProgram() : AnswersFolder (PCL_OPS_EVALUATE_PROGRAM)
   {
     fs::copy (PCL_OPS_INPUTS, folder_.path(), fs::copy_options::recursive);
+    writeFloors();
     writeNoisyClouds();
+    folder_.write ("one_pose.txt", "0 0 0 0 0 0 0 1\n");
+    folder_.write ("brace.json", "{");
+    folder_.write ("numbers.json", "[1]");
+    folder_.write ("planes_3.json", R"({"planes": 3})");
   }
 
 private:
+  void
+  writeFloors () const
+  {
+    const std::string floor = floorOfOnePlane();
+    folder_.write ("floor.xyz", floor);
+    folder_.write ("halves.xyz", floorOfTwoPlanes());
+    folder_.write ("none.xyz", labeledFloor ([] (int) { return 0; }));
+    folder_.write ("larger.xyz", floor + "1,1,1,1\n");
+    folder_.write ("moved.xyz", withFirstPoint ("9,0,0,1", floor));
+    folder_.write ("broken.xyz", withFirstPoint ("0,0,0,1.5", floor));
+    folder_.write ("incomplete.xyz", withoutFivePoints ("nan,0,0,1\n"));
+    folder_.write ("incomplete_found.xyz", withoutFivePoints ("nan,0,0,0\n"));
+  }
+
+  static std::string
+  withFirstPoint (const std::string& point, const std::string& floor)
+  {
+    return "x,y,z,label\n" + point + floor.substr (floor.find ("\n0.02,"));
+  }
+
+  /** The floor, whose first five points are these instead. */
+  static std::string
+  withoutFivePoints (const std::string& point)
+  {
+    const std::string floor = floorOfOnePlane();
+    std::string text = "x,y,z,label\n";
+    for (int i = 0; i < 5; ++i)
+      text += point;
+    return text + floor.substr (floor.find ("0.1,0,"));
+  }
+
   /** A plane of 40 x 40 points, 2 cm apart, with 1 cm of noise that is the same for 4 x
    * 4 of them, seen from above in 40 clouds, in every second by a sensor that is turned
    * by 90 degrees. */
@@ -53,5 +91,86 @@ INSTANTIATE_TEST_SUITE_P (All,
                           nameOfAnswers);
 
 TEST_P (EvaluateProgram, IsAsTheTableSays) { expectAnswers(); }
+
+/** A key of the second plane of a.json, a wrong value in its place, null for none, and
+ * what pcl_ops_evaluate says of that. */
+struct WrongValue {
+  std::string test, key;
+  Json value;
+  std::string complaint;
+
+  friend std::ostream&
+  operator<< (std::ostream& stream, const WrongValue& wrong)
+  {
+    return stream << wrong.key << ": " << wrong.value;
+  }
+};
+
+/** Lists of planes of which one has a wrong value. */
+class ListOfPlanes : public ProgramFolder,
+                     public testing::WithParamInterface<WrongValue> {
+protected:
+  ListOfPlanes() : ProgramFolder (PCL_OPS_EVALUATE_PROGRAM) {}
+};
+
+// Values above 1e150 could not be squared.
+INSTANTIATE_TEST_SUITE_P (
+    RefusedFor,
+    ListOfPlanes,
+    testing::Values (
+        WrongValue{"NoId", "id", nullptr, "id is missing"},
+        WrongValue{"NoOrientation", "orientation", nullptr, "orientation is missing"},
+        WrongValue{"NoPoints", "points", nullptr, "points is missing"},
+        WrongValue{"NoCentroid", "centroid", nullptr, "centroid is missing"},
+        WrongValue{"NoRms", "rms", nullptr, "rms is missing"},
+        WrongValue{
+            "NoCoefficients", "coefficients", nullptr, "coefficients is missing"},
+        WrongValue{"NegativeId", "id", -1, "id is no whole number from 0"},
+        WrongValue{"ZeroPoints", "points", 0, "points is too small"},
+        WrongValue{"HugePoints", "points", 1e200, "points is too large"},
+        WrongValue{"TextAsRms", "rms", "x", "rms is no number"},
+        WrongValue{"HugeRms", "rms", 1e200, "rms is too large"},
+        WrongValue{"TwoCoordinates", "centroid", {1, 2}, "centroid has not 3 numbers"},
+        WrongValue{"TextAsZ", "centroid", {1, 2, "x"}, "centroid[2] is no number"},
+        WrongValue{"HugeX", "centroid", {1e308, 0, 0}, "centroid[0] is too large"},
+        WrongValue{"NoNormal",
+                   "coefficients",
+                   {0, 0, 0, 1},
+                   "coefficients has the normal 0 0 0"},
+        WrongValue{"HugeNormal",
+                   "coefficients",
+                   {1e308, 1e308, 1e308, 1},
+                   "coefficients[0] is too large"},
+        WrongValue{"UnknownOrientation",
+                   "orientation",
+                   "steep",
+                   "orientation is not horizontal, vertical or other"},
+        WrongValue{
+            "NumberAsCorner", "hull", {Json{1, 2, 3}, Json (4)}, "hull[1] is no list"},
+        WrongValue{"HugeCorner",
+                   "hull",
+                   {{0, 0, 0}, {1, 0, 0}, {1, -1e200, 0}},
+                   "hull[2][1] is too large"}),
+    [] (const auto& info) { return info.param.test; });
+
+TEST_P (ListOfPlanes, NamesTheWrongValue)
+{
+  const std::string right = contentOf (PCL_OPS_INPUTS "/a.json");
+  Json list = Json::parse (right);
+  Json& plane = list.at ("planes").at (1);
+  const WrongValue& wrong = GetParam();
+  if (wrong.value.is_null())
+    plane.erase (wrong.key);
+  else
+    plane[wrong.key] = wrong.value;
+  folder_.write ("a.json", right);
+  folder_.write ("bad.json", list.dump());
+  const Outcome done = shell ("pcl_ops_evaluate planes a.json bad.json");
+  EXPECT_EQ (done.exit_code, 1);
+  const std::string complaint =
+      "pcl_ops_evaluate: bad.json: planes[1]." + wrong.complaint;
+  EXPECT_EQ (done.err.substr (0, complaint.size()), complaint);
+  EXPECT_EQ (lines (done.err), 1u);
+}
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "segment_program.h"
+#include "text_clouds.h"
 #include <detection/plane_list.h>
 #include <io/las_file.h>
 #include <support/answers.h>
@@ -91,6 +92,7 @@ protected:
   SegmentAnswers() : AnswersFolder (PCL_OPS_SEGMENT_PROGRAM)
   {
     saveKindsOfFiles();
+    saveTexts();
     saveScenes();
     saveRooms();
     saveSequences();
@@ -124,6 +126,30 @@ protected:
     }
     folder_.write ("in.csv", "x,y,z,number\n" + squareText (50, 120.789, ","));
     folder_.write ("utm.xyz", squareText (points_of_side, 100));
+  }
+
+  void
+  saveTexts () const
+  {
+    folder_.write ("north_east.xyz", slopeText (1, 1));
+    folder_.write ("south_east.xyz", slopeText (1, -1));
+    folder_.write ("south_west.xyz", slopeText (-1, -1));
+    folder_.write ("north_west.xyz", slopeText (-1, 1));
+    folder_.write ("lonlat.xyz", degreesText());
+    folder_.write ("columns.csv", columnsText());
+    folder_.write ("odd.pcd", pcdOfManyTypes());
+    folder_.write ("one.ptx", scanText (99, 1));
+    folder_.write ("two.ptx", scanText (99, 1) + scanText (104, -1));
+    folder_.write ("floor.off", offText());
+    folder_.write ("far.pcd", farCornerText());
+    folder_.write ("window.xyz", windowText());
+    folder_.write ("tilted.xyz", tiltedFloorText());
+    folder_.write ("with_names.xyz",
+                   "# of today\neasting [m],north,h,i\n" + squareText (50, 100, ","));
+    std::filesystem::create_directory (folder_ / "texts");
+    for (const char* name : {"a.txt", "b.xyz", "notes.csv"})
+      folder_.write (std::string ("texts/") + name,
+                     "\357\273\277" + squareText (50, 100));
   }
 
   void
@@ -317,4 +343,79 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
     EXPECT_EQ (i, drawing.points.size());
     EXPECT_NEAR (drawing.area(), area, 1e-3) << "no face in the window";
   }
+}
+
+TEST_F (Segment, HasAHelpThatFitsOnOneScreen)
+{
+  const std::string help = expectDone ("--help").out;
+  EXPECT_LE (lines (help), 50u);
+  std::istringstream stream (help);
+  for (std::string line; std::getline (stream, line);)
+    EXPECT_LE (line.size(), 80u) << line;
+}
+
+/** \brief A folder of five clouds and a broken one. */
+class SegmentJobs : public Segment {
+protected:
+  SegmentJobs()
+  {
+    std::filesystem::create_directory (folder_ / "scans");
+    for (const char* name : {"a", "b", "c", "d", "e"})
+      save (std::string ("scans/") + name + ".pcd", floorAndWall());
+    folder_.write ("scans/bad.pcd", "no cloud\n");
+  }
+
+  /** \brief Segments the folder, with the outputs in the folder "out" moved away. */
+  Outcome
+  segment (const std::string& options, const std::string& moved_to) const
+  {
+    const Outcome done =
+        shell ("pcl_ops_segment scans --output-dir out --rest {}_rest.pcd " + options);
+    EXPECT_EQ (done.exit_code, 1) << "for the broken cloud";
+    std::filesystem::rename (folder_ / "out", folder_ / moved_to);
+    return done;
+  }
+};
+
+TEST_F (SegmentJobs, WriteTheSameInTheOrderOfTheInputsWhateverTheirNumber)
+{
+  const Outcome one = segment ("", "one");
+  EXPECT_EQ (lines (one.out), 5u);
+  for (const char* jobs : {"4", "0"}) {
+    SCOPED_TRACE (jobs);
+    const std::string folder = std::string ("jobs_") + jobs;
+    const Outcome several = segment (std::string ("--jobs ") + jobs, folder);
+    EXPECT_EQ (several.out, one.out);
+    EXPECT_EQ (several.err, one.err);
+    // Lists of planes in JSON have times.
+    const Outcome same = shell ("diff -r -x '*.json' one " + folder);
+    EXPECT_EQ (same.exit_code, 0) << same.out;
+  }
+}
+
+// Three planes meet in three edges and one corner.
+TEST_F (Segment, DrawsTheCornerOnceAtWhichAllEdgesEnd)
+{
+  folder_.write ("far.pcd", farCornerText());
+  expectDone ("far.pcd --edges e.ply");
+  const std::string ply = contentOf (folder_ / "e.ply");
+  std::istringstream body (ply.substr (ply.find ("end_header\n") + 11));
+  std::string corner;
+  std::getline (body, corner);
+  const std::vector<double> place = numbersIn (corner);
+  EXPECT_NEAR (place.at (0), 448'261.25, 0.01);
+  EXPECT_NEAR (place.at (1), 5'411'932.5, 0.1);
+  EXPECT_NEAR (place.at (2), 312.125, 0.005);
+  std::string line;
+  for (int other_end = 1; other_end <= 3; ++other_end)
+    std::getline (body, line);
+  std::set<std::pair<double, double>> planes;
+  for (int edge = 0; edge < 3; ++edge) {
+    std::getline (body, line);
+    const std::vector<double> numbers = numbersIn (line); // two ends, two planes
+    EXPECT_EQ (std::min (numbers.at (0), numbers.at (1)), 0.0) << "the corner";
+    planes.emplace (numbers.at (2), numbers.at (3));
+  }
+  EXPECT_EQ (planes,
+             (std::set<std::pair<double, double>>{{1.0, 2.0}, {1.0, 3.0}, {2.0, 3.0}}));
 }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <map>
 
 namespace {
@@ -47,6 +48,44 @@ saveEast (const std::string& file)
   apps::saveLas (file, east, 0.01, far_away + Eigen::Vector3d (5000, -5000, 0));
 }
 
+/** \brief A square of 50 x 50 points in text. */
+std::string
+squareOfPoints (double distance)
+{
+  std::ostringstream text;
+  for (int i = 0; i < 2500; ++i)
+    text << distance * (i % 50) << ' ' << distance * (i / 50) << " 0\n";
+  return text.str();
+}
+
+/** \brief A roof of 100 m by 28 m in text, 3 cm thick, with a slope of 45 degrees. */
+std::string
+steepRoof ()
+{
+  apps::Random random (3);
+  std::ostringstream text;
+  text << std::fixed << std::setprecision (3);
+  const Eigen::Vector2d along (0.866, 0.5);
+  const Eigen::Vector2d upwards (-0.5, 0.866);
+  for (int i = 0; i < 60'000; ++i) {
+    const double height = 20.0 * random.unit();
+    const Eigen::Vector2d place = 100.0 * random.unit() * along + height * upwards;
+    text << 691'000 + place.x() << ' ' << 5'334'000 + place.y() << ' '
+         << height + 0.03 * random.unit() << '\n';
+  }
+  return text.str();
+}
+
+/** \brief 20,000 points at one place. */
+std::string
+pointsAtOnePlace ()
+{
+  std::string text;
+  for (int i = 0; i < 20'000; ++i)
+    text += "1 1 0\n";
+  return text;
+}
+
 /** \brief A folder with the files of answers.tsv. */
 class TilesAnswers : public AnswersFolder {
 protected:
@@ -62,11 +101,51 @@ protected:
     save (folder_ / "yonder.las", all, {0, 1e12, 0});
     save (folder_ / "one.las", {all.begin(), all.end() - 600});
     save (folder_ / "two.las", {all.begin() + 600, all.end()});
+    folder_.write ("floor.xyz", squareOfPoints (0.1));
+    folder_.write ("one_place.xyz", pointsAtOnePlace());
+    folder_.write ("stray.xyz", "1 1e300 1\nnan 1 1\n" + squareOfPoints (0.04));
+    folder_.write ("roof.xyz", steepRoof());
     if (!apps::hasLaszip())
       return;
     std::ofstream stream (folder_ / "wall.laz", std::ios::binary);
     apps::compressLas (folder_ / "wall.las", stream);
   }
+};
+
+/** \brief A plan whose tiles have a wrong number of voxels along an edge. */
+class WrongPlan : public ProgramFolder,
+                  public testing::WithParamInterface<std::int64_t> {
+protected:
+  WrongPlan() : ProgramFolder (PCL_OPS_TILES_PROGRAM)
+  {
+    save (folder_ / "wall.las", wall());
+  }
+};
+
+/** \brief The finished run of a town of four files, and what is chosen of its planes.
+ */
+class ChosenPlanes : public ProgramFolder {
+protected:
+  ChosenPlanes() : ProgramFolder (PCL_OPS_TILES_PROGRAM)
+  {
+    shell ("pcl_ops_simulate town --scene town --points 60000 --tiles 4");
+    said_ = expectDone ("town --output-dir out --tile 30").out;
+    shell ("cp -r out before");
+    const nlohmann::json list =
+        nlohmann::json::parse (contentOf (folder_ / "out/planes.json"));
+    planes_ = list.at ("planes").size();
+  }
+
+  /** \brief What a finished run is asked for is written beside it alone. */
+  void
+  expectRunUnchanged () const
+  {
+    const Outcome done = shell ("diff -r before out");
+    EXPECT_EQ (done.exit_code, 0) << done.out;
+  }
+
+  std::string said_;
+  std::size_t planes_ = 0;
 };
 
 /** \brief A town found in one tile and in many. */
@@ -170,4 +249,75 @@ TEST_F (TownInTiles, EachLargePlaneIsTheSameWithinAPercentAndAMillimeter)
     EXPECT_LE (std::abs (normal.dot (between)), max_offset);
   }
   EXPECT_GT (large_planes, 10u);
+}
+
+// Along its edge, a tile has whole voxels of the coarsest size, and neither few nor too
+// many of the finest.
+INSTANTIATE_TEST_SUITE_P (VoxelsAlongATile,
+                          WrongPlan,
+                          testing::Values (0, -40, 13, 4'000'000'000));
+
+TEST_P (WrongPlan, IsRefused)
+{
+  expectDone ("wall.las --output-dir out --cell 0.5 --plan plan.json");
+  nlohmann::json plan = nlohmann::json::parse (contentOf (folder_ / "plan.json"));
+  ASSERT_TRUE (plan.contains ("cells_of_tile"));
+  plan["cells_of_tile"] = GetParam();
+  folder_.write ("wrong.json", plan.dump());
+  const Outcome done =
+      shell ("pcl_ops_tiles wall.las --output-dir other --plan wrong.json");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_EQ (
+      done.err,
+      "pcl_ops_tiles: wrong.json: is no plan; remove it or give another --plan\n");
+}
+
+TEST_F (ChosenPlanes, AllAreCountedByTheRun)
+{
+  EXPECT_TRUE (
+      contains (said_, "planes.json, " + std::to_string (planes_) + " planes\n"));
+}
+
+TEST_F (ChosenPlanes, OfASlopeAndAnAreaAreRoofsWithFewCornersFacingUp)
+{
+  expectDone ("town --output-dir out --quiet --planes roofs.geojson --slope 5,80 "
+              "--min-area 20 --simplify 0.5 --crs EPSG:25832");
+  const nlohmann::json roofs =
+      nlohmann::json::parse (contentOf (folder_ / "roofs.geojson"));
+  EXPECT_EQ (roofs["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::25832");
+  EXPECT_GE (roofs["features"].size(), 2u);
+  for (const nlohmann::json& roof : roofs["features"]) {
+    const nlohmann::json& properties = roof.at ("properties");
+    SCOPED_TRACE (properties.at ("id"));
+    EXPECT_EQ (properties.at ("orientation"), "other");
+    EXPECT_GE (properties.at ("area").get<double>(), 20.0);
+    EXPECT_GT (properties.at ("nz").get<double>(), 0.0);
+    EXPECT_LE (roof.at ("geometry").at ("coordinates").at (0).size(), 13u);
+  }
+  expectRunUnchanged();
+}
+
+TEST_F (ChosenPlanes, AreTheSameInACsvAsInAGeojson)
+{
+  const std::string choice =
+      "town --output-dir out --quiet --only other --min-area 20 ";
+  expectDone (choice + "--planes others.csv");
+  expectDone (choice + "--planes others.geojson");
+  const std::size_t header = 1;
+  EXPECT_GT (lines (contentOf (folder_ / "others.csv")), 1 + header);
+  EXPECT_EQ (nlohmann::json::parse (contentOf (folder_ / "others.geojson"))["features"]
+                     .size() +
+                 header,
+             lines (contentOf (folder_ / "others.csv")));
+}
+
+TEST_F (ChosenPlanes, AreCountedBesideAllAndDrawn)
+{
+  const std::string said =
+      expectDone ("town --output-dir out --planes p.csv --image p.png --max-planes 2")
+          .out;
+  EXPECT_TRUE (contains (
+      said, " " + std::to_string (planes_) + " planes; p.csv: 2 planes, dropped "));
+  EXPECT_TRUE (contains (contentOf (folder_ / "p.png"), "PNG\r\n"));
+  EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
 }

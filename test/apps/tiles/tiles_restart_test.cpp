@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <support/answers.h>
+#include <support/program_folder.h>
+
+#include <map>
+#include <set>
 
 namespace {
 
@@ -8,50 +11,281 @@ namespace {
 #define PCL_OPS_MPIEXEC ""
 #endif
 
-/** \brief A folder with the programs of restart.tsv. */
-class TilesRestart : public AnswersFolder {
+namespace fs = std::filesystem;
+
+const std::string tiles = "pcl_ops_tiles town --output-dir out --tile 40";
+
+/** \brief A simulated town of four files, and the folder "whole", which a run left that
+ * nobody stopped. */
+class TilesRestart : public ProgramFolder {
 protected:
-  TilesRestart() : AnswersFolder (PCL_OPS_TILES_PROGRAM)
+  static constexpr int max_writes = 200;
+  static constexpr int code_when_killed = 137;
+
+  TilesRestart() : ProgramFolder (PCL_OPS_TILES_PROGRAM)
   {
-    addScript ("killed_at",
-               "exec env LD_PRELOAD='" PCL_OPS_FAILING_CALLS
-               "' KILLED_AT_WRITE=$first \"$@\"");
-    // A run that is killed late enough to go on is killed early again: else it may end
-    // before it is seen to have written the file.
-    addScript (
-        "stopped_once",
-        "files () { find out -type f ! -name '.*' 2>/dev/null | sort; }\n"
-        "n=1; until [ -e $first ]; do before=$(files); "
-        "./killed_at $n \"$@\" && exit 1; [ $n -lt 200 ] || exit 1; "
-        "if [ \"$before\" = \"$(files)\" ]; then n=$((n + 1)); else n=1; fi; done");
-    addScript ("ranks",
-               "exec env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-               "'" PCL_OPS_MPIEXEC "' --oversubscribe -n $first \"$@\"");
-    const Outcome whole =
-        shell ("pcl_ops_simulate town --scene town --points 20000 --tiles 4 && "
-               "pcl_ops_tiles town --output-dir whole --tile 40");
-    EXPECT_EQ (whole.exit_code, 0) << whole.err;
+    expectSuccess ("pcl_ops_simulate town --scene town --points 20000 --tiles 4");
+    expectSuccess ("pcl_ops_tiles town --output-dir whole --tile 40");
   }
 
-private:
-  /** \param[in] script gets its first argument as $first, the others as "$@" */
   void
-  addScript (const std::string& name, const std::string& script) const
+  expectSuccess (const std::string& command) const
   {
-    namespace fs = std::filesystem;
-    folder_.write (name, "#!/bin/sh\nfirst=$1\nshift\n" + script + "\n");
-    fs::permissions (folder_ / name, fs::perms::owner_exec, fs::perm_options::add);
+    const Outcome done = shell (command);
+    EXPECT_EQ (done.exit_code, 0) << command << '\n' << done.err;
+  }
+
+  void
+  expectFailure (const std::string& command, const std::string& complaint) const
+  {
+    const Outcome done = shell (command);
+    EXPECT_EQ (done.exit_code, 1) << command;
+    EXPECT_TRUE (contains (done.err, complaint));
+  }
+
+  /** \brief The command with its n-th write ending it. */
+  static std::string
+  killedAt (int write, const std::string& command)
+  {
+    return "env LD_PRELOAD='" PCL_OPS_FAILING_CALLS "' KILLED_AT_WRITE=" +
+           std::to_string (write) + " " + command;
+  }
+
+  /** \brief Kills a command as often as it takes to have this file written.
+   * A run that is killed late enough to go on is killed early again: else it may end
+   * before it is seen to have written the file. */
+  void
+  stopOnceThereIs (const std::string& file, const std::string& command) const
+  {
+    for (int write = 1; !fs::exists (folder_ / file);) {
+      ASSERT_LT (write, max_writes) << file;
+      const std::set<std::string> before = filesOfRun();
+      ASSERT_NE (shell (killedAt (write, command)).exit_code, 0) << file;
+      if (filesOfRun() == before)
+        ++write;
+      else
+        write = 1;
+    }
+  }
+
+  /** \brief The files in the folder out but those that are being written. */
+  std::set<std::string>
+  filesOfRun () const
+  {
+    std::set<std::string> files;
+    if (!fs::exists (folder_ / "out"))
+      return files;
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator (folder_ / "out"))
+      if (entry.is_regular_file() && entry.path().filename().string()[0] != '.')
+        files.insert (entry.path().string());
+    return files;
+  }
+
+  /** \brief When the files of cells were written. */
+  std::map<std::string, fs::file_time_type>
+  timesOfCells () const
+  {
+    std::map<std::string, fs::file_time_type> times;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator (folder_ / "out/work/cells"))
+      if (entry.path().extension() == ".cells")
+        times[entry.path().string()] = entry.last_write_time();
+    return times;
+  }
+
+  /** \brief Overwrites bytes of all files with an extension. */
+  void
+  overwrite (const std::string& extension,
+             std::streamoff position,
+             const std::string& bytes) const
+  {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator (folder_ / "out/work/planes")) {
+      if (entry.path().extension() != extension)
+        continue;
+      std::fstream file (entry.path(), std::ios::binary | std::ios::in | std::ios::out);
+      file.seekp (position);
+      file << bytes;
+    }
+  }
+
+  /** \brief Files that a killed run was writing have a dot in front. */
+  void
+  expectSameAsWhole (const std::string& folder = "out") const
+  {
+    const Outcome done = shell ("diff -r -x '.*' whole " + folder);
+    EXPECT_EQ (done.exit_code, 0) << done.out;
   }
 };
 
-INSTANTIATE_TEST_SUITE_P (All,
-                          TilesRestart,
-                          testing::ValuesIn (answersIn (PCL_OPS_ANSWERS)),
-                          nameOfAnswers);
+/** \brief The same by several processes. */
+class TilesRanks : public TilesRestart {
+protected:
+  void
+  SetUp () override
+  {
+    if (*PCL_OPS_MPIEXEC == '\0')
+      GTEST_SKIP() << "needs MPI";
+  }
+
+  static std::string
+  byRanks (int ranks, const std::string& command)
+  {
+    return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+           "'" PCL_OPS_MPIEXEC "' --oversubscribe -n " +
+           std::to_string (ranks) + " " + command;
+  }
+};
 
 } // namespace
 
-TEST_P (TilesRestart, IsAsTheTableSays)
+TEST_F (TilesRestart, KilledAgainAndAgainALittleLaterEndsWithTheSameBytes)
 {
-  expectAnswers ({{"with MPI:", *PCL_OPS_MPIEXEC != '\0'}});
+  int write = 1;
+  while (write < max_writes && shell (killedAt (write, tiles)).exit_code != 0)
+    ++write;
+  EXPECT_LT (write, max_writes) << "has never ended";
+  EXPECT_GT (write, 11) << "is killed before and behind the first file of five phases";
+  expectSameAsWhole();
+}
+
+TEST_F (TilesRestart, KeepsWhatIsDone)
+{
+  stopOnceThereIs ("out/work/planes/planes.json", tiles);
+  const auto before = timesOfCells();
+  EXPECT_FALSE (before.empty());
+  EXPECT_EQ (shell (killedAt (5, tiles)).exit_code, code_when_killed);
+  EXPECT_EQ (timesOfCells(), before);
+  expectSuccess (tiles);
+  expectSameAsWhole();
+}
+
+TEST_F (TilesRestart, RemovesItsCellsAtTheEnd)
+{
+  stopOnceThereIs ("out/work/cells/3.cells", tiles);
+  expectSuccess (tiles);
+  EXPECT_FALSE (fs::exists (folder_ / "out/work/cells/3.cells"));
+}
+
+TEST_F (TilesRestart, WritesAFileThatWasRemovedFromAFinishedRunAgain)
+{
+  expectSuccess (tiles);
+  fs::remove (folder_ / "out/town_000_000.las");
+  expectSuccess (tiles);
+  expectSameAsWhole();
+}
+
+TEST_F (TilesRestart, WritesFilesThatWereRemovedFromAStoppedRunAgain)
+{
+  stopOnceThereIs ("out/work/labelled/0", tiles);
+  expectSuccess ("rm out/*.las");
+  expectSuccess (tiles);
+  expectSameAsWhole();
+}
+
+TEST_F (TilesRestart, NamesAFileThatClaimsMoreNumbersThanItsBytes)
+{
+  stopOnceThereIs ("out/work/planes/planes.json", tiles);
+  overwrite (".numbers", 0, std::string (8, '\377'));
+  expectFailure (tiles, ".numbers: is damaged; remove its folder and run it again\n");
+}
+
+TEST_F (TilesRestart, NamesAFileOfLabelsWithoutAPlane)
+{
+  stopOnceThereIs ("out/work/planes/planes.json", tiles);
+  overwrite (".labels", 4, std::string (4, '\177'));
+  expectFailure (tiles, ".labels: is damaged; remove its folder and run it again\n");
+}
+
+TEST_F (TilesRestart, NamesAFileTooShortForAnIndexOfCells)
+{
+  stopOnceThereIs ("out/work/planes/planes.json", tiles);
+  folder_.write ("out/work/cells/0.cells", "1234");
+  expectFailure (tiles, ".cells: is damaged; remove its folder and run it again\n");
+}
+
+TEST_F (TilesRestart, RefusesTheOptionsOfAnotherPlan)
+{
+  stopOnceThereIs ("out/work/cells/3.cells", tiles + " --plan a.json");
+  expectFailure (
+      "pcl_ops_tiles town --output-dir out --tile 30 --plan b.json",
+      "pcl_ops_tiles: out/work/plan.json: is the plan of another run (--tile "
+      "was another one); remove its folder or give another --output-dir\n");
+}
+
+TEST_F (TilesRestart, GoesOnWithItsOwnPlan)
+{
+  stopOnceThereIs ("out/work/cells/3.cells", tiles + " --plan a.json");
+  const auto before = timesOfCells();
+  EXPECT_EQ (shell (killedAt (2, "pcl_ops_tiles town --output-dir out --plan a.json"))
+                 .exit_code,
+             code_when_killed);
+  EXPECT_EQ (timesOfCells(), before);
+  expectSuccess (tiles + " --plan a.json");
+  expectSameAsWhole();
+}
+
+// Else the end of a run with tiles of 30 m would be taken.
+TEST_F (TilesRestart, StartsAnewWithoutItsPlan)
+{
+  stopOnceThereIs ("out/work/cells/3.cells",
+                   "pcl_ops_tiles town --output-dir out --tile 30");
+  fs::remove (folder_ / "out/work/plan.json");
+  expectSuccess (tiles);
+  expectSameAsWhole();
+}
+
+TEST_F (TilesRestart, StartsAnewWithAnotherSizeOfVoxelsWithoutItsPlan)
+{
+  expectSuccess (tiles);
+  fs::remove (folder_ / "out/work/plan.json");
+  expectSuccess ("pcl_ops_tiles town --output-dir out --voxel-size 3");
+  EXPECT_TRUE (
+      contains (contentOf (folder_ / "out/planes.json"), "\"voxel_size\": 3.0,"));
+}
+
+TEST_F (TilesRestart, LeavesAFolderToTheRunThatWorksInIt)
+{
+  fs::create_directory (folder_ / "out");
+  expectFailure (
+      "flock out " + tiles,
+      "pcl_ops_tiles: out: another run works in it; wait until it has ended, "
+      "or give another --output-dir\n");
+  expectSuccess (tiles);
+  expectSameAsWhole();
+}
+
+TEST_F (TilesRanks, WriteTheSameBytesWhateverTheirNumber)
+{
+  for (const int ranks : {1, 2, 3, 4, 8}) {
+    SCOPED_TRACE (ranks);
+    const std::string folder = "ranks" + std::to_string (ranks);
+    expectSuccess (
+        byRanks (ranks, "pcl_ops_tiles town --tile 40 --output-dir " + folder));
+    expectSameAsWhole (folder);
+  }
+}
+
+TEST_F (TilesRanks, EndSoonAfterOneIsLostAndTheNextRunGoesOn)
+{
+  constexpr int code_of_timeout = 124;
+  const Outcome done =
+      shell ("timeout 20 " + byRanks (1, tiles) + " : -n 1 " + killedAt (3, tiles));
+  EXPECT_NE (done.exit_code, 0);
+  EXPECT_NE (done.exit_code, code_of_timeout);
+  EXPECT_FALSE (fs::exists (folder_ / "out/planes.json"));
+  expectSuccess (byRanks (2, tiles));
+  expectSameAsWhole();
+}
+
+TEST_F (TilesRanks, SayOnceWhatIsWrong)
+{
+  const Outcome done =
+      shell (byRanks (2, "pcl_ops_tiles missing.las --output-dir out"));
+  EXPECT_NE (done.exit_code, 0);
+  const std::string complaint = "pcl_ops_tiles: missing.las: does not exist";
+  const std::size_t first = done.err.find (complaint);
+  EXPECT_NE (first, std::string::npos) << done.err;
+  EXPECT_EQ (done.err.find (complaint, first + 1), std::string::npos) << done.err;
 }
