@@ -74,7 +74,7 @@ durationText (double seconds)
   const long total = std::lround (std::max (0.0, seconds));
   using boost::format;
   if (total < minute)
-    return str (format ("%d s") % total);
+    return std::to_string (total) + " s";
   if (total < hour)
     return str (format ("%d min %02d s") % (total / minute) % (total % minute));
   return str (format ("%d h %02d min") % (total / hour) % (total % hour / minute));

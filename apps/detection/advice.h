@@ -4,11 +4,10 @@
 
 #include <pcl/common/point_tests.h>
 
-#include <boost/format.hpp>
-
 #include <Eigen/Geometry>
 
 #include "thickness.h"
+#include <cli/text.h>
 #include <io/shifted_cloud.h>
 #include <numbers/statistics.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
@@ -41,11 +40,14 @@ adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
   const double extent = box.diagonal().norm();
   if (!threshold || extent <= max_extent_in_thresholds * *threshold)
     return "";
-  return str (
-      boost::format ("the cloud is %1% wide: if its unit is the millimeter, give %2% "
-                     "in millimeters, too (threshold now %3%)") %
-      extent % (is_fspf ? "--threshold and --inner-radius" : "--threshold") %
-      *threshold);
+  const char* lengths = is_fspf ? "--threshold and --inner-radius" : "--threshold";
+  return concatenate ("the cloud is ",
+                      extent,
+                      " wide: if its unit is the millimeter, give ",
+                      lengths,
+                      " in millimeters, too (threshold now ",
+                      *threshold,
+                      ")");
 }
 
 /** \brief How many points there typically are in the spheres around points. */
@@ -71,18 +73,24 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
 {
   const double samples = std::floor (parameters.sampling_rate * points.size());
   if (parameters.sampling == Sampling::Points && samples <= parameters.min_samples)
-    return str (
-        boost::format ("only %1% of %2% points were sampled and a plane needs more "
-                       "than --min-inliers %3%: raise --sampling-rate (%4%) or lower "
-                       "--min-inliers") %
-        samples % points.size() % parameters.min_samples % parameters.sampling_rate);
+    return concatenate (
+        "only ",
+        samples,
+        " of ",
+        points.size(),
+        " points were sampled and a plane needs more than --min-inliers ",
+        parameters.min_samples,
+        ": raise --sampling-rate (",
+        parameters.sampling_rate,
+        ") or lower --min-inliers");
   const std::optional<double>& threshold = parameters.distance_threshold;
-  return str (
-      boost::format ("lower --min-inliers (%1%) or raise --sampling-rate (%2%) if the "
-                     "planes are small, raise --threshold (%3%) if the points are "
-                     "noisy") %
-      parameters.min_samples % parameters.sampling_rate %
-      (threshold ? std::to_string (*threshold) : "auto"));
+  return concatenate ("lower --min-inliers (",
+                      parameters.min_samples,
+                      ") or raise --sampling-rate (",
+                      parameters.sampling_rate,
+                      ") if the planes are small, raise --threshold (",
+                      threshold ? std::to_string (*threshold) : "auto",
+                      ") if the points are noisy");
 }
 
 inline std::string
@@ -93,16 +101,20 @@ adviceOn (const FastSamplingPlaneFilteringParameters& parameters,
   const auto& local = parameters.local;
   const double held = medianSphereSize (points, local.outer_radius);
   if (held < local.local_samples)
-    return str (
-        boost::format ("half of the spheres of --outer-radius %1% hold %2% points or "
-                       "fewer and --local-samples %3% are needed: raise the radius or "
-                       "lower the samples") %
-        local.outer_radius % held % local.local_samples);
-  return str (
-      boost::format ("raise --threshold (%1%) or lower --min-inlier-share (%2%) if "
-                     "the points are noisy, lower --outer-radius (%3%) if the planes "
-                     "are small") %
-      *parameters.distance_threshold % local.min_inlier_fraction % local.outer_radius);
+    return concatenate ("half of the spheres of --outer-radius ",
+                        local.outer_radius,
+                        " hold ",
+                        held,
+                        " points or fewer and --local-samples ",
+                        local.local_samples,
+                        " are needed: raise the radius or lower the samples");
+  return concatenate ("raise --threshold (",
+                      *parameters.distance_threshold,
+                      ") or lower --min-inlier-share (",
+                      local.min_inlier_fraction,
+                      ") if the points are noisy, lower --outer-radius (",
+                      local.outer_radius,
+                      ") if the planes are small");
 }
 
 inline std::string
@@ -112,15 +124,18 @@ adviceOn (const KernelHoughTransformParameters& parameters,
 {
   const auto& clusters = parameters.clusters;
   if (found_none)
-    return str (
-        boost::format ("no octree node from --s-level %1% on is flat and has "
-                       "--min-samples %2% points: lower either, or --s-alpha (%3%) if "
-                       "the points are noisy") %
-        clusters.first_level % clusters.min_samples % clusters.s_alpha);
-  return str (
-      boost::format ("few octree nodes are flat: raise --threshold (%1%), or lower "
-                     "--min-samples (%2%) for more of them") %
-      *parameters.distance_threshold % clusters.min_samples);
+    return concatenate ("no octree node from --s-level ",
+                        clusters.first_level,
+                        " on is flat and has --min-samples ",
+                        clusters.min_samples,
+                        " points: lower either, or --s-alpha (",
+                        clusters.s_alpha,
+                        ") if the points are noisy");
+  return concatenate ("few octree nodes are flat: raise --threshold (",
+                      *parameters.distance_threshold,
+                      "), or lower --min-samples (",
+                      clusters.min_samples,
+                      ") for more of them");
 }
 
 /** \brief Which parameter to change where so few of the points with coordinates are on
@@ -201,11 +216,13 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
   constexpr double size_by_spacing = 2.0;
   const double size = size_by_spacing * *spacing;
   const double digit = std::pow (10.0, std::floor (std::log10 (size)));
-  return str (
-      boost::format ("planes are thick: %1$.0f %% of the points on planes are on "
-                     "such as are more than %2% times thicker than their "
-                     "surroundings: give --voxel-size %3%, or more for larger planes") %
-      (100.0 * share) % thick_factor % (digit * std::round (size / digit)));
+  return concatenate ("planes are thick: ",
+                      std::lrint (100.0 * share),
+                      " % of the points on planes are on such as are more than ",
+                      thick_factor,
+                      " times thicker than their surroundings: give --voxel-size ",
+                      digit * std::round (size / digit),
+                      ", or more for larger planes");
 }
 
 } // namespace pcl_ops::apps

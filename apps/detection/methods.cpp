@@ -8,6 +8,7 @@
 #include "overlap.h"
 #include "plane_list.h"
 #include <cli/command_line.h>
+#include <cli/text.h>
 #include <numbers/angles.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/up_axis.h>
@@ -208,9 +209,10 @@ relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters
   const int k = parameters.k;
   if (k > OpsParameters().k && std::size_t (k) > points)
     throw UsageError ("--k",
-                      str (boost::format ("%1% is more than the points of the cloud, "
-                                          "%2%; give a smaller number") %
-                           k % points));
+                      concatenate (k,
+                                   " is more than the points of the cloud, ",
+                                   points,
+                                   "; give a smaller number"));
 }
 
 /** \brief Where one radius is given the other follows: r2 = 2 r1, where the paper finds
@@ -260,10 +262,15 @@ hintOnMinInliers (const GivenNumbers& given,
     return;
   const std::size_t all = detectPlanes (cloud, parameters, sensorOf (cloud)).size();
   if (left != all && min_ratio * left <= all)
-    detected.hints.push_back (
-        str (boost::format ("--min-inliers %1% counts samples, not points, and leaves "
-                            "%2% of %3% planes: --min-points %1% counts points") %
-             asked % left % all));
+    detected.hints.push_back (concatenate ("--min-inliers ",
+                                           asked,
+                                           " counts samples, not points, and leaves ",
+                                           left,
+                                           " of ",
+                                           all,
+                                           " planes: --min-points ",
+                                           asked,
+                                           " counts points"));
 }
 
 std::string

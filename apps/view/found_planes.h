@@ -128,11 +128,13 @@ statusText (const FoundPlanes& found,
 {
   const Detected& detected = found.detected;
   const std::size_t planes = detected.planes.size();
-  std::string text =
-      str (boost::format ("%1%%2% points\n%3%, %4% preset\n%5% plane%6%") %
-           (state.help ? list_of_keys + std::string ("\n\n") : "") %
-           found.labels.size() % methodCalled (state.method).title %
-           state.detector.preset % planes % (planes == 1 ? "" : "s"));
+  std::string text;
+  if (state.help)
+    text = list_of_keys + std::string ("\n\n");
+  text += std::to_string (found.labels.size()) + " points\n";
+  text +=
+      methodCalled (state.method).title + ", " + state.detector.preset + " preset\n";
+  text += std::to_string (planes) + (planes == 1 ? " plane" : " planes");
   std::vector<std::string> notes = detected.hints;
   notes.push_back (detected.up_note);
   if (detected.planes.empty())

@@ -215,8 +215,8 @@ writeFiles (const SimulationOptions& options,
     files += fs::exists (file);
     progress.step();
   }
-  return str (boost::format ("%s: %u points in %u files\n") % options.output % points %
-              files);
+  return options.output + ": " + std::to_string (points) + " points in " +
+         std::to_string (files) + " files\n";
 }
 
 /** Tiles without points have no file. */

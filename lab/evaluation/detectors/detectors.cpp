@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detectors.h"
 
-#include <boost/format.hpp>
 #include <boost/interprocess/anonymous_shared_memory.hpp>
 
 #include "peers.h"
 #include <cli/errors.h>
+#include <cli/text.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
@@ -32,7 +32,7 @@ using Kht = KernelHoughTransform<pcl::PointXYZ>;
 std::string
 rowName (const char* prefix, double first, double second)
 {
-  return str (boost::format ("%1%-%2%-%3%") % prefix % first % second);
+  return concatenate (prefix, '-', first, '-', second);
 }
 
 template <typename Detector>
