@@ -88,7 +88,7 @@ struct LeafScene {
   addPlane (const Surface& surface, double noise, IsSuch&& isSuch)
   {
     addPlane (
-        pcl_ops::planeThrough (surface.centre(), surface.normal()), noise, isSuch);
+        pcl_ops::planeThrough (surface.center(), surface.normal()), noise, isSuch);
   }
 
   /** \brief Puts leaves with such a centroid on a plane, or on no_plane. */

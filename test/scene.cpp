@@ -125,7 +125,7 @@ pcl_ops::Moments
 momentsOf (const Surface& surface, int columns, int rows, double noise)
 {
   pcl_ops::Moments moments;
-  moments.origin = surface.centre();
+  moments.origin = surface.center();
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j) {
       const double height = (i + j) % 2 == 0 ? noise : -noise;
@@ -165,7 +165,7 @@ bool
 isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset)
 {
   return angleBetween (plane.normal, truth.normal()) <= angle &&
-         std::abs (plane.distance (truth.centre())) <= offset;
+         std::abs (plane.distance (truth.center())) <= offset;
 }
 
 void

@@ -74,7 +74,7 @@ struct Surface {
     return corner + s * first + t * second;
   }
   Eigen::Vector3d
-  centre () const
+  center () const
   {
     return at (0.5, 0.5);
   }
@@ -209,7 +209,7 @@ double
 angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second);
 
 /** \brief Whether the plane's normal is within \p angle of the truth's, and the plane
- * passes within \p offset of the truth's centre. */
+ * passes within \p offset of the truth's center. */
 bool
 isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset);
 

@@ -19,12 +19,12 @@ PlaneSegment
 seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
 {
   PlaneSegment plane;
-  plane.centroid = unit * surface.centre();
+  plane.centroid = unit * surface.center();
   plane.moments =
       momentsOf ({unit * surface.corner, unit * surface.first, unit * surface.second},
                  static_cast<int> (surface.first.norm() / 10_cm),
                  static_cast<int> (surface.second.norm() / 10_cm));
-  const bool faces_eye = surface.normal().dot (eye - surface.centre()) > 0.0;
+  const bool faces_eye = surface.normal().dot (eye - surface.center()) > 0.0;
   plane.normal = faces_eye ? surface.normal() : Vector3d (-surface.normal());
   return plane;
 }

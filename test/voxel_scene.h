@@ -29,7 +29,7 @@ struct VoxelScene {
       for (const Surface& surface : plane)
         addGrid (points, surface, 120, noise);
       plane_of_point.resize (points.size(), static_cast<std::int32_t> (planes.size()));
-      addPlane (pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
+      addPlane (pcl_ops::planeThrough (plane[0].center(), plane[0].normal()));
     }
     voxelize();
     const pcl_ops::internal::Indices voxels = voxelsOfPoints (grid());

@@ -12,7 +12,7 @@ using namespace pcl_ops::internal;
 namespace {
 
 const Plane tilted =
-    pcl_ops::planeThrough (ground.centre(), Eigen::Vector3d (0.1, 0, 1).normalized());
+    pcl_ops::planeThrough (ground.center(), Eigen::Vector3d (0.1, 0, 1).normalized());
 
 Plane
 atHeight (double z)

@@ -31,7 +31,7 @@ absorberOfStrip (double height, double noise_of_ground, double noise_of_strip)
   VoxelScene scene ({{ground}});
   addGrid (scene.points, strip, 12);
   scene.voxelize();
-  scene.addPlane (pcl_ops::planeThrough (strip.centre(), strip.normal()));
+  scene.addPlane (pcl_ops::planeThrough (strip.center(), strip.normal()));
   scene.planes.noise = {noise_of_ground, noise_of_strip};
   scene.label (1, [] (const auto& at) { return at.x() > 2.0; });
   return absorbed (scene)[1];

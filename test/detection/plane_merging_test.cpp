@@ -10,30 +10,30 @@ namespace {
 
 constexpr MergingParameters usual{true, 7_deg, 5_cm, {}};
 
-/** \brief A square of 1 m x 1 m about a centre, tilted about the y axis. */
+/** \brief A square of 1 m x 1 m about a center, tilted about the y axis. */
 Surface
-square (const Eigen::Vector3d& centre, double tilt = 0.0, double edge = 1_m)
+square (const Eigen::Vector3d& center, double tilt = 0.0, double edge = 1_m)
 {
   const Eigen::Vector3d first (edge * std::cos (tilt), 0, -edge * std::sin (tilt));
   const Eigen::Vector3d second (0, edge, 0);
-  return {centre - 0.5 * first - 0.5 * second, first, second};
+  return {center - 0.5 * first - 0.5 * second, first, second};
 }
 
 /** \brief Moments of points so far off either side of a square. */
 Moments
-noisySquare (const Eigen::Vector3d& centre,
+noisySquare (const Eigen::Vector3d& center,
              double noise,
              double edge = 1_m,
              double tilt = 0.0)
 {
-  return momentsOf (square (centre, tilt, edge), 10, 10, noise);
+  return momentsOf (square (center, tilt, edge), 10, 10, noise);
 }
 
 /** \brief Moments of steps x steps points of a square without noise. */
 Moments
-exactSquare (const Eigen::Vector3d& centre, double tilt = 0.0, int steps = 10)
+exactSquare (const Eigen::Vector3d& center, double tilt = 0.0, int steps = 10)
 {
-  return momentsOf (square (centre, tilt), steps, steps);
+  return momentsOf (square (center, tilt), steps, steps);
 }
 
 /** \brief The noise decides alone. */
@@ -44,9 +44,9 @@ byNoise (double noise_factor)
 }
 
 PlaneFit
-fitOf (const Eigen::Vector3d& centre, double tilt = 0.0)
+fitOf (const Eigen::Vector3d& center, double tilt = 0.0)
 {
-  return fitPlane (exactSquare (centre, tilt)).value();
+  return fitPlane (exactSquare (center, tilt)).value();
 }
 
 } // namespace

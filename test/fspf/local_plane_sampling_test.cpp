@@ -193,8 +193,8 @@ TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
   Coordinates points;
   addLonePoints (size, points);
   // As a search does whose voxels hold everything.
-  const auto find_itself = [] (std::uint32_t centre, Indices& sphere) {
-    sphere = {centre};
+  const auto find_itself = [] (std::uint32_t center, Indices& sphere) {
+    sphere = {center};
     return std::size_t (3 * 300);
   };
   LocalSamplingParameters parameters;

@@ -43,7 +43,7 @@ errorsOf (const PlaneSegment& plane, const PlaneCovariance& covariance)
   const double along = normal.dot (plane.normal);
   Eigen::Vector3d errors;
   errors.head<2>() = -covariance.axes.transpose() * normal / along;
-  errors[2] = normal.dot (board.centre() - plane.centroid) / along;
+  errors[2] = normal.dot (board.center() - plane.centroid) / along;
   return errors;
 }
 

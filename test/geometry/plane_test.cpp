@@ -23,11 +23,11 @@ momentsOf (const PointList& points, const Eigen::Vector3d& origin)
   return moments;
 }
 
-/** \brief 200 points of a tilted, noisy, elongated patch about a centre. */
+/** \brief 200 points of a tilted, noisy, elongated patch about a center. */
 PointList
-noisyPatch (const Eigen::Vector3d& centre)
+noisyPatch (const Eigen::Vector3d& center)
 {
-  const Surface patch{centre, {3, 0.2, 1}, {-0.1, 1, 0.4}};
+  const Surface patch{center, {3, 0.2, 1}, {-0.1, 1, 0.4}};
   RandomGenerator generator (seedOfTest());
   PointList points;
   for (int i = 0; i < 200; ++i)
@@ -35,7 +35,7 @@ noisyPatch (const Eigen::Vector3d& centre)
   return points;
 }
 
-/** \brief The oracle: SVD of the centred points, in double. */
+/** \brief The oracle: SVD of the centerd points, in double. */
 struct SvdPlane {
   Eigen::Vector3d centroid, normal, variances;
 };
@@ -56,18 +56,18 @@ planeBySvd (const PointList& points)
 
 } // namespace
 
-TEST (FitPlane, AgreesWithAnSvdOfTheCentredPoints)
+TEST (FitPlane, AgreesWithAnSvdOfTheCenterdPoints)
 {
   // Near zero, a thousand kilometers away, and in other units.
   const struct {
-    Eigen::Vector3d centre;
+    Eigen::Vector3d center;
     double unit, angle, length, share;
   } rows[] = {{{1, 2, 3}, 1.0, 1e-9, 1e-12, 1e-9},
               {{1e6, -1e6, 1e6}, 1.0, 1e-8, 1e-8, 1e-6},
               {{1, 2, 3}, 1e-6, 1e-8, 1e-12, 1e-9},
               {{1, 2, 3}, 1e3, 1e-8, 1e-12, 1e-9}};
   for (const auto& row : rows) {
-    PointList points = noisyPatch (row.centre);
+    PointList points = noisyPatch (row.center);
     for (Eigen::Vector3d& point : points)
       point *= row.unit;
     const PlaneFit fit = fitPlane (momentsOf (points, points.front())).value();

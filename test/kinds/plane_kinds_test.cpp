@@ -22,7 +22,7 @@ struct Rectangles {
   {
     const Surface surface{corner, first, second};
     PlaneSegment plane;
-    plane.centroid = surface.centre();
+    plane.centroid = surface.center();
     plane.normal = surface.normal();
     if (plane.normal.dot (sensor - plane.centroid) < 0.0)
       plane.normal = -plane.normal;
@@ -30,7 +30,7 @@ struct Rectangles {
         orientationOf (plane.normal, Vector3d::UnitZ(), paper_angle_tolerance);
     PlaneExtent extent;
     extent.hull = {corner, corner + first, corner + first + second, corner + second};
-    extent.center = surface.centre();
+    extent.center = surface.center();
     const bool is_first_longer = first.norm() >= second.norm();
     extent.long_axis = (is_first_longer ? first : second).normalized();
     extent.short_axis = (is_first_longer ? second : first).normalized();

@@ -19,7 +19,7 @@ struct Squares {
   RandomGenerator generator = RandomGenerator (seedOfTest());
 
   Squares&
-  add (const Vector3d& normal, const Vector3d& centre, int steps = 40)
+  add (const Vector3d& normal, const Vector3d& center, int steps = 40)
   {
     const Vector3d u = normal.unitOrthogonal(), v = normal.cross (u).normalized();
     pcl::Indices inliers;
@@ -27,7 +27,7 @@ struct Squares {
       for (int j = 0; j < steps; ++j) {
         inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
         cloud.push_back (toPoint (
-            centre + (2.0 * i / steps - 1.0) * u + (2.0 * j / steps - 1.0) * v +
+            center + (2.0 * i / steps - 1.0) * u + (2.0 * j / steps - 1.0) * v +
             noise * drawNormal (generator) * normal.normalized()));
       }
     planes.push_back (planeOfPoints (cloud, inliers, normal.normalized()));
