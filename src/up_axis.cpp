@@ -93,8 +93,10 @@ uprightness (const Face& face, const Vector3d& axis, double limit)
   return closeness (std::abs (face.normal.dot (axis)), limit);
 }
 
-/** \brief Turns a direction to where horizontal normals are most along it and vertical
- * ones least: sum of w_h (n . u)^2 - w_v (n . u)^2 at its largest. */
+/** \brief The direction u near a first one that fits the planes best: the normals n of
+ * horizontal planes are along it, those of vertical planes across it. It maximizes the
+ * sum of w_h (n . u)^2 - w_v (n . u)^2, where the weights w_h and w_v say how
+ * horizontal and how vertical a plane is for the direction of the step before. */
 Vector3d
 fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
 {
@@ -112,7 +114,7 @@ fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
   return axis;
 }
 
-/** \brief By falling value. */
+/** \brief The items by falling value. */
 template <typename Item>
 std::vector<Item>
 sorted (std::vector<Item> items, double Item::*value)
@@ -143,10 +145,12 @@ axesToTry (const Faces& faces)
   return axes;
 }
 
-/** \brief An axis, either way, with the share of the planes along and across it; or a
- * direction with its evidence. */
+/** \brief An axis that may be the one up is along. */
 struct Candidate {
+  /** \brief Of either sign at first; then once for each sign. */
   Vector3d axis;
+  /** \brief At first the share of the planes along and across the axis; then the
+   * evidence for its direction. */
   double support;
 };
 

@@ -24,7 +24,8 @@ shortText (double number)
 
 constexpr std::size_t help_width = 80;
 
-/** \brief Adds words to a line of some width, and below it from a column on. */
+/** \brief Adds words to a line. Where it is full, further lines begin with as many
+ * blanks as the column says. */
 std::string
 wrapped (std::string line,
          const std::string& words,
@@ -43,6 +44,8 @@ wrapped (std::string line,
   return text + line + "\n";
 }
 
+/** \brief The lines of the help on one option or argument: its name, and from a column
+ * on its meaning. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
@@ -53,7 +56,7 @@ entry (const std::string& name, const std::string& meaning, std::size_t column)
     line.clear();
   }
   line.resize (column - 1, ' ');
-  // A console goes on in the next line by itself where the last column is taken.
+  // One column less: consoles begin a new line by themselves after the last column.
   return before + wrapped (line, meaning, column, help_width - 1);
 }
 
@@ -67,6 +70,7 @@ widthOf (const OptionGroup& group)
   return width;
 }
 
+/** \brief The title of a group and the lines of the help on each of its options. */
 std::string
 explained (const OptionGroup& group, std::size_t width)
 {
@@ -80,7 +84,8 @@ explained (const OptionGroup& group, std::size_t width)
   return text;
 }
 
-/** \brief Refuses what a variable of the shell that is not set leaves of a name. */
+/** \brief Refuses an empty text, which a variable of the shell that is not set gives.
+ */
 void
 requireText (const std::string& subject, const std::string& text)
 {
@@ -88,7 +93,8 @@ requireText (const std::string& subject, const std::string& text)
     throw UsageError (subject, "is empty; give a value or leave it out");
 }
 
-/** \brief Numbers do not, so that `--up -1,0,0` has a value. */
+/** \brief Whether a dash and a letter, or two dashes, begin an option. A dash and a
+ * digit begin a number, so that `--up -1,0,0` has a value. */
 bool
 looksLikeOption (const std::string& token)
 {
@@ -96,6 +102,7 @@ looksLikeOption (const std::string& token)
          (token[1] == '-' || std::isalpha (static_cast<unsigned char> (token[1])) != 0);
 }
 
+/** \brief The name of an option without dashes and value. */
 std::string
 nameIn (const std::string& token)
 {
@@ -132,7 +139,7 @@ refuseAmbiguous (const std::string& start, const std::vector<const Option*>& can
                     "is ambiguous; write " + boost::join (names, " or ") + " in full");
 }
 
-/** \brief The option of that name, or the only one whose name begins so. */
+/** \brief The option with a name, or the only one whose name begins with it. */
 const Option&
 find (const std::vector<OptionGroup>& groups, const std::string& start)
 {
@@ -151,6 +158,7 @@ find (const std::vector<OptionGroup>& groups, const std::string& start)
   return *candidates.front();
 }
 
+/** \brief Gives each argument as many values as it takes, in the order of both. */
 void
 store (const std::vector<Argument>& arguments, const std::vector<std::string>& given)
 {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where planes meet: the wires of a floor plan, with the planes they join.
+// Finds the edges and corners where planes meet, as a wireframe of the scene, and
+// prints them with the planes they belong to.
 #include <pcl/common/angles.h>
 #include <pcl/io/pcd_io.h>
 

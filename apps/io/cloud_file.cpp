@@ -45,8 +45,10 @@ refuseE57 (const std::string& file)
 struct Format {
   const char* extension;
   FileCloud (*read) (const std::string& file);
-  /** \brief As \ref isCloudFile and \ref FileCloud have it. */
-  bool is_cloud_file, is_survey;
+  /** \brief Whether \ref isCloudFile says so. */
+  bool is_cloud_file;
+  /** \brief Whether \ref FileCloud says so. */
+  bool is_survey;
   /** \brief Named in messages: what every build reads. */
   bool is_named = true;
 };
@@ -121,7 +123,8 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
-/** \brief By the bytes a binary format begins with; empty for the others. */
+/** \brief The extension of a binary format, by the bytes it begins with; empty for
+ * other formats. */
 std::string
 extensionOfBinary (const std::string& start)
 {
@@ -137,7 +140,8 @@ extensionOfBinary (const std::string& start)
   return "";
 }
 
-/** \brief By the first word that is no number, of a line that is no comment. */
+/** \brief The extension of a format in text, by the first word that is no number and in
+ * no comment. */
 std::string
 extensionOfWord (const std::string& word)
 {
@@ -149,8 +153,9 @@ extensionOfWord (const std::string& word)
   return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
 }
 
-/** \brief KITTI's and OBJ's cannot be told.
- * \param[in] start of a cloud, as long as the longest header */
+/** \brief The extension of the format that a cloud has, by its first bytes. KITTI's
+ * .bin and .obj cannot be recognized.
+ * \param[in] start of the cloud, as long as the longest header */
 std::string
 extensionOfContent (const std::string& start)
 {
@@ -170,7 +175,7 @@ extensionOfContent (const std::string& start)
     const bool is_number = words.size() == 1 && std::isdigit (first) != 0;
     if (!is_number)
       return extensionOfWord (word);
-    if (is_behind_number) // of columns, of rows
+    if (is_behind_number) // the numbers of columns and of rows, a line each
       return ".ptx";
     is_behind_number = true;
   }
@@ -191,7 +196,7 @@ fieldOf (const std::string& name,
   return field;
 }
 
-/** \brief Of PDAL, they are in capital letters. */
+/** \brief Gives coordinates small letters; PDAL writes capital ones. */
 void
 nameCoordinates (pcl::PCLPointCloud2& points)
 {

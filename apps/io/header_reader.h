@@ -24,9 +24,11 @@ splitWords (std::string_view line,
             char separator,
             std::vector<std::string_view>& words);
 
-/** \brief Reads a cloud file: lines of its header, bytes, and lines of numbers, of
- * which a word that is no number is refused; PCL's readers would make points at zero or
- * without coordinates of it. The reader also words the error messages. */
+/** \brief Reads the parts of a cloud file for the readers of all formats: lines of a
+ * header, bytes, and lines of numbers. It also words their error messages.
+ *
+ * A word in place of a number is refused; PCL's readers make a point at zero, or one
+ * without coordinates, of it. */
 class HeaderReader {
 public:
   /** \param[in] format e.g. "PCD", for the complaints */
@@ -120,10 +122,12 @@ public:
   bool
   isNumber (std::size_t word) const;
 
-  /** \brief Checks how many words the line has; whether they are numbers only \ref
-   * readNumber checks.
-   * \throws WorkError if there are more or fewer. It names the first word that is no
-   * number, except where \p may_be_words allows one, and else how many there are. */
+  /** \brief Checks how many words the line has. Only \ref readNumber checks whether
+   * they are numbers.
+   * \param[in] may_be_words for each column whether it may have a word that is no number
+   * \throws WorkError if there are more or fewer words. The error names the first word
+   * that should be a number and is none; if there is no such word it says how many
+   * words there are. */
   void
   expectNumbers (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
 

@@ -37,19 +37,20 @@ textIn (const std::array<char, size>& bytes)
   return {bytes.begin(), std::find (bytes.begin(), bytes.end(), '\0')};
 }
 
-/** \return 0 for a type that does not exist */
+/** \brief How many bytes a field of extra bytes takes.
+ * \return 0 for a type that does not exist */
 std::uint64_t
 extraBytesLength (const LasField& field)
 {
   constexpr std::array<std::uint8_t, 10> lengths = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   if (field.type == 0)
     return field.options;
-  // Behind the single numbers are pairs and triples of them.
+  // Types 1 to 10 are single numbers, 11 to 20 pairs of them, 21 to 30 triples.
   const std::size_t count = 1 + (field.type - 1U) / lengths.size();
   return count > 3 ? 0 : count * lengths.at ((field.type - 1U) % lengths.size());
 }
 
-/** \brief How many bytes of it a version 1.0 to 1.4 has. */
+/** \brief How many bytes the header has in its version, 1.0 to 1.4. */
 std::size_t
 headerLength (const LasHeader& header)
 {
@@ -57,7 +58,8 @@ headerLength (const LasHeader& header)
   return lengths.at (header.minor_version);
 }
 
-/** \brief Of the records of a point data record format; 0 where there is none. */
+/** \brief How many bytes a record has in a point data record format; 0 if there is no
+ * such format. */
 std::uint16_t
 formatLength (std::uint8_t format)
 {
@@ -104,8 +106,9 @@ check (const LasHeader& header, const HeaderReader& reader)
                to_string (header.legacy_points) + " (legacy) differ");
 }
 
-/** \brief Of LAS 1.0: two bytes mark where points begin, behind which some writers let
- * the offset point, as the format says, and some let it point to the mark. */
+/** \brief The length of the mark that the offset to the points leads to, or 0. In
+ * LAS 1.0 two bytes mark where points begin. By the format the offset leads behind the
+ * mark, but some writers let it lead to the mark. */
 std::uint32_t
 lengthOfMark (const LasHeader& header, HeaderReader& reader)
 {

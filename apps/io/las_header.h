@@ -13,6 +13,7 @@
 
 namespace pcl_ops::apps {
 
+/** \brief The bytes of an object without padding, as they stand in a file. */
 template <typename What>
 std::string
 bytesOf (const What& what)
@@ -69,13 +70,14 @@ struct LasHeader {
 };
 static_assert (sizeof (LasHeader) == 375, "as in LAS 1.4");
 
-/** \brief What an older version has not is zero. Without a look at whether the file
- * holds its points. \throws WorkError if it makes no sense */
+/** \brief Reads and checks the header. What older versions do not have is zero. Whether
+ * the file holds all of its points is not checked.
+ * \throws WorkError if the header contradicts itself or the length of the file */
 LasHeader
 readLasHeader (HeaderReader& reader);
 
-/** \brief In front of the content of a variable length record, as its bytes are. That
- * of an extended one has more bytes for its length. */
+/** \brief The header of a variable length record, byte by byte. Extended records have
+ * more bytes for their length. */
 template <typename Length>
 struct LasVlrHeader {
   LasHeader::Short reserved;
@@ -102,13 +104,13 @@ struct LasVlr {
 /** \brief A field among the extra bytes of a record. */
 struct LasField {
   std::string name;
-  /** \brief As Extra Bytes VLRs number it; 0 for bytes that are not documented. */
+  /** \brief The number of the type in Extra Bytes VLRs; 0 for undocumented bytes. */
   std::uint8_t type = 0;
   const char* type_name = "";
   std::string text = {};
-  /** \brief Of undocumented bytes, their number. */
+  /** \brief How many undocumented bytes there are. */
   std::uint8_t options = 0;
-  /** \brief In a record. */
+  /** \brief Where the field begins in a record. */
   std::uint64_t place = 0;
 };
 
@@ -121,6 +123,7 @@ inline const LasField plane_field = {"plane", 5, "uint32", "of the piece; 0: on 
 std::string
 descriptionOf (const LasField& field);
 
+/** \brief The VLR around such descriptions. */
 std::string
 extraBytesVlr (const std::string& content, std::uint8_t minor_version);
 

@@ -19,7 +19,7 @@ constexpr const char* line_format = "timestamp tx ty tz qx qy qz qw";
 
 constexpr std::size_t numbers_of_matrix = 12;
 
-/** \brief The numbers of a line; more than a pose has are not all read.
+/** \brief Reads the numbers of a line, up to one more than a pose can have.
  * \return what is wrong with the line; empty if nothing is */
 std::string
 readNumbers (const std::string& line, std::vector<double>& numbers)
@@ -84,14 +84,14 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
   else
     return "has " + std::to_string (numbers.size()) +
            (numbers.size() == 1 ? " number, a time, which is not needed" : " numbers");
-  // No sensor moves so far; beyond, doubles lose what a plane is off.
+  // No sensor moves so far, and farther away doubles have no millimeters.
   constexpr double farthest = 1e9;
   if (problem.empty() && !(pose.translation().cwiseAbs().maxCoeff() <= farthest))
     return "has a place more than 1e9 m from zero";
   return problem;
 }
 
-/** \brief Whether a line says nothing. */
+/** \brief Whether a line is empty or a comment. */
 bool
 isLeftOut (const std::string& line)
 {

@@ -26,7 +26,8 @@ struct Dot {
   float column, row, depth;
 };
 
-/** \brief [pixel] of squares of which so many cover a part of the image twice. */
+/** \brief Half the side of the squares that cover a part of the image twice, if so many
+ * are in it [pixel]. */
 float
 halfSideOf (float dots_in_part)
 {
@@ -35,7 +36,8 @@ halfSideOf (float dots_in_part)
   return overlap * std::sqrt (pixels_per_dot) / 2.0f;
 }
 
-/** \brief Of each dot, by how many share its part of the image in the front layer. */
+/** \brief Half the side of each dot [pixel]: the fewer dots its part of the image has
+ * in the front layer, the larger they are. */
 std::vector<float>
 halfSidesOf (const std::vector<Dot>& dots, int width, int height)
 {
@@ -96,7 +98,8 @@ forEachInnerPixel (const Raster& raster, Visit&& visit)
       visit (column, row);
 }
 
-/** \brief Gives empty pixels that most neighbors surround the nearest of those. */
+/** \brief Fills an empty pixel with the nearest of its neighbors, if most of its
+ * neighbors are not empty. */
 void
 closeHoles (Raster& raster)
 {

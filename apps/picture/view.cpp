@@ -50,7 +50,8 @@ boxOf (const std::vector<Vector>& points)
   return {quantileOfEach (points, outliers), quantileOfEach (points, 1.0 - outliers)};
 }
 
-/** \brief Rows right, down, forward from a direction and roughly what is down. */
+/** \brief The axes of an image in rows: right, down and forward.
+ * \param[in] down roughly; it is turned to be across \p forward */
 Eigen::Matrix3f
 axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
 {
@@ -130,7 +131,8 @@ bestSlant (const std::vector<PlaneSegment>& planes,
   return best;
 }
 
-/** \brief Whether most points on planes are on such as are seen from behind. */
+/** \brief Whether most of the points on planes are on planes that the eye sees from
+ * behind. */
 bool
 hidesMost (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
 {
@@ -144,8 +146,10 @@ hidesMost (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
   return 2 * hidden > all;
 }
 
-/** \brief Looks into a cloud from outside: from above or, where that leaves out most of
- * it, from below; where that does, too, nothing is left out. */
+/** \brief Looks into a cloud from outside and from above, and leaves out the planes
+ * that are seen from behind if the sensor was inside. If that hides most points it
+ * looks from below; if that hides most points, too, it looks from above and leaves out
+ * nothing. */
 void
 lookInto (const Eigen::AlignedBox3f& box,
           const std::vector<PlaneSegment>& planes,

@@ -11,8 +11,8 @@ Subscribes to points (sensor_msgs/PointCloud2). Publishes labelled (sensor_msgs/
 x, y, z and label: 0 for no plane, 1 for the largest) and planes (visualization_msgs/MarkerArray:
 the outline of each plane, whose id is its label).
 
-Parameters: up, against gravity in the frame of the cloud, by default z; method, "ops", "fspf" or
-"kht".
+Parameters: up, the direction against gravity in the frame of the cloud (by default z), and
+method ("ops", "fspf" or "kht").
 """
 
 import array
@@ -76,7 +76,7 @@ class PlaneNode(Node):
             labels, planes = pcl_ops.segment(
                 points, self.get_parameter("method").value, up=self.get_parameter("up").value)
         self.labelled.publish(labelled_cloud(msg, points, labels))
-        # Those of the frame before go.
+        # Removes the outlines of the cloud before.
         markers = [Marker(header=msg.header, action=Marker.DELETEALL)]
         markers += [outline(msg, number, plane) for number, plane in enumerate(planes, 1)]
         self.planes.publish(MarkerArray(markers=markers))

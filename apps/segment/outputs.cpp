@@ -37,6 +37,8 @@ namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
+// The files that the options of pcl_ops_segment ask for; report.h declares saveOutputs.
+
 namespace {
 
 /** \brief Some points of a cloud. PCL's copyPointCloud counts bytes in 32 bits. */
@@ -74,6 +76,8 @@ temporaryFolderIn (const std::string& folder)
   return name;
 }
 
+/** \brief Moves the clouds of planes from one folder into another, and removes those
+ * that an earlier run left there. */
 void
 exchangePlanes (const fs::path& folder, const fs::path& with)
 {
@@ -201,8 +205,8 @@ writeVtk (const PolyData& data, std::ostream& stream)
     stream << (color.getRGBVector3i().cast<float>() / 255.0f).format (in_a_row) << '\n';
 }
 
-/** \brief Writes an ASCII file: a .ply or .obj in the file's frame, or a .vtk moved by
- * the pose of the sensor, as pcl_viewer moves clouds by it, but no mesh. */
+/** \brief Writes an ASCII file. A .ply or .obj is in the file's frame. A .vtk is moved
+ * by the pose of the sensor: pcl_viewer moves clouds by that pose but not meshes. */
 void
 savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
 {
@@ -213,7 +217,7 @@ savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
   if (is_vtk)
     for (Eigen::Vector3d& point : data.points)
       point = pose * point;
-  // PCL's and VTK's writers want a name and do not tell of a full disk.
+  // Not by PCL's or VTK's writers, which do not say when the disk is full.
   writeFile (file, [&] (std::ostream& stream) {
     stream.imbue (std::locale::classic());
     stream.precision (data.is_double ? std::numeric_limits<double>::max_digits10

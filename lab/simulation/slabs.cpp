@@ -6,8 +6,9 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** Two faces of it, the others have no points.
- * \param[in] face its first; the second is shifted along the normal [m] */
+/** Adds the two large faces of a slab; its narrow faces have no points.
+ * \param[in] face one of the two; the other one is shifted along its normal
+ * \param[in] thickness by how much [m] */
 void
 addSlab (Body& body, const Shape& face, double thickness)
 {
@@ -22,12 +23,14 @@ addSlab (Body& body, const Shape& face, double thickness)
 Scene
 makeSlabs (Seed seed)
 {
+  // All lengths are in meters. The sensor is at zero.
   constexpr double thinnest = 0.04;
-  constexpr double thickest = 0.15; // [m]
+  constexpr double thickest = 0.15;
   constexpr double floor = -0.9;
-  constexpr double edge = 4.0; // [m]
+  constexpr double edge = 4.0;
   Random random = randomFor (Purpose::Slabs, seed);
   Body body;
+  // A wall that was seen from both sides.
   const double length = random.between (2, 4);
   const double height = random.between (2, 2.5);
   const double thickness_of_wall = random.between (thinnest, thickest);
@@ -35,6 +38,7 @@ makeSlabs (Seed seed)
       body,
       makeRectangle ({1.0, 1.2, floor + 0.5 * height}, {length, 0, 0}, {0, 0, height}),
       thickness_of_wall);
+  // The top of a table.
   const double width = random.between (0.8, 1.6);
   const double depth = random.between (0.6, 1.0);
   const double thickness_of_board = random.between (thinnest, thickest);
@@ -42,6 +46,7 @@ makeSlabs (Seed seed)
            makeRectangle (
                {0.6, -0.5, random.between (-0.4, 0.3)}, {width, 0, 0}, {0, depth, 0}),
            thickness_of_board);
+  // The floor and a wall behind, each seen from one side.
   const double middle = 0.5;
   body.addSurface (makeRectangle ({middle, middle, floor}, {edge, 0, 0}, {0, edge, 0}));
   body.addSurface (makeRectangle (

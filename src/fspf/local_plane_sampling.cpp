@@ -16,22 +16,21 @@
 namespace pcl_ops::internal {
 namespace {
 
-/** \brief Finds the points within one radius, known beforehand, of any of the points:
- * they are sorted into voxels of that size, or larger ones where the points lie so far
- * apart that most would be nearly empty. That takes a fraction of the time a kd-tree
- * takes to build. */
+/** \brief Finds the points within a fixed radius of any of the points. The points are
+ * sorted into voxels with edges of that radius, or into larger ones if most of these
+ * would be nearly empty. That takes a fraction of the time of building a kd-tree. */
 struct FixedRadiusSearch {
   float squared_radius;
   VoxelNeighbors neighbors_of_voxel;
   /** \brief Position of each voxel's first point, and where the last voxel ends. */
   Indices voxel_begin;
-  /** \brief Voxel by voxel. */
+  /** \brief All points, voxel by voxel. */
   Coordinates points;
 
   FixedRadiusSearch (const Coordinates& positions, double radius, unsigned threads)
   : squared_radius (static_cast<float> (radius * radius))
   {
-    // Voxels that hold next to no points cost, too.
+    // A voxel takes time even if it holds next to no points.
     constexpr double points_per_voxel = 16.0;
     const double max_voxels =
         std::max (1.0, static_cast<double> (positions.size()) / points_per_voxel);
@@ -44,6 +43,8 @@ struct FixedRadiusSearch {
     points = selected (positions, *grid.order);
   }
 
+  /** \param[out] sphere the points within the radius
+   * \return how many points were looked at for that */
   std::size_t
   find (std::uint32_t point, Indices& sphere) const
   {
@@ -64,7 +65,8 @@ struct FixedRadiusSearch {
         const float dx = points.x[i] - x;
         const float dy = points.y[i] - y;
         const float dz = points.z[i] - z;
-        // Written always, counted if near: no branch to mispredict.
+        // Each point is written, and overwritten by the next one if it is not near. A
+        // branch instead would often be mispredicted.
         sphere[number] = i;
         number += dx * dx + dy * dy + dz * dz <= squared_radius;
       }
@@ -74,7 +76,7 @@ struct FixedRadiusSearch {
   }
 };
 
-/** Before a hypothesis is given up. */
+/** So many points are drawn for a hypothesis before it is given up. */
 constexpr int max_draws = 1000;
 
 std::uint32_t
@@ -90,9 +92,9 @@ struct PlaneSampler {
   float threshold;
   RandomGenerator generator;
 
-  /** The inliers of a hypothesis that passes the local test, with more than alpha_min
-   * N_loc of them among the samples; nothing of one that fails. The test ends as soon
-   * as the samples not yet drawn cannot change it. */
+  /** The inliers of a hypothesis, if it passes the local test: more than alpha_min
+   * N_loc of the samples are inliers. The test ends as soon as the samples not yet
+   * drawn cannot change its result. */
   std::optional<Moments>
   inliersOf (const FloatPlane& plane, const Indices& sphere)
   {
@@ -120,7 +122,8 @@ struct PlaneSampler {
   }
 
   /** One turn of the paper's loop: the inliers of a plane around p_r0, if there is one.
-   * \param[in,out] visits what it costs beyond the sphere is added */
+   * \param[in,out] visits so many points were looked at; draws without a result are
+   * added, those of the sphere are not */
   std::optional<Moments>
   planeAround (std::uint32_t origin, const Indices& sphere, double& visits)
   {
@@ -179,7 +182,7 @@ drawHypothesis (const Coordinates& points,
                 double inner_radius,
                 RandomGenerator& generator)
 {
-  // Narrower than a thousandth of its length a triangle is a line.
+  // A triangle counts as a line if it is narrower than a thousandth of its length.
   constexpr double smallest_sine = 1e-3;
   const Eigen::Vector3d p0 = points[origin];
   Eigen::Vector3d first = Eigen::Vector3d::Zero();

@@ -9,7 +9,8 @@
 
 namespace pcl_ops::internal {
 
-/** \throw std::invalid_argument if an inlier of the plane is no point of the cloud */
+/** \brief Checks what functions with a plane and its cloud are given.
+ * \throw std::invalid_argument if an inlier of the plane is no point of the cloud */
 inline void
 checkInliers (const CloudView& cloud, const PlaneSegment& plane)
 {

@@ -16,7 +16,8 @@ namespace pcl_ops {
 using namespace internal;
 namespace {
 
-/** \brief Adds a symmetric matrix to products in the order of Moments. */
+/** \brief Adds a symmetric matrix to sums of products, which Moments stores as the
+ * upper triangle row by row. */
 void
 addUpper (const Eigen::Matrix3d& matrix, std::array<double, 6>& products)
 {
@@ -116,7 +117,8 @@ orientationOf (const Eigen::Vector3d& normal,
 double
 slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up)
 {
-  // By sine and cosine, for either alone is coarse somewhere.
+  // By sine and cosine: the sine alone is inaccurate near 90 degrees, the cosine near
+  // 0.
   return std::atan2 (normal.cross (up).norm(), std::abs (normal.dot (up)));
 }
 

@@ -14,11 +14,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The directions of an accumulator ball (Borrmann et al. 2011): rows of equal
- * polar angle phi, pi / phi_num apart with one on each pole, each cut into
- * max (1, round (2 phi_num sin phi)) patches of azimuth theta, so that all patches have
- * about the same area. A direction is the number of a patch, row by row from the north
- * pole. */
+/** \brief The directions of normals that 3D-KHT votes for: an accumulator ball
+ * (Borrmann et al. 2011).
+ *
+ * The ball has rows of equal polar angle phi, pi / phi_num apart, of which the first
+ * and the last are the poles. Each row is cut into max (1, round (2 phi_num sin phi))
+ * patches of azimuth theta, so that all patches have about the same area. A direction
+ * is the number of a patch, counted row by row from the north pole. */
 struct BallDirections {
   /** \brief Steps from pole to pole, at least 1, and their length [rad]. */
   int phi_num;
@@ -62,8 +64,8 @@ struct BallDirections {
   }
 
   /** \brief The direction that holds an azimuth.
-   * \param[in] row -phi_num .. 2 phi_num; a row beyond a pole is the row as far on the
-   * pole's other side, half a turn on
+   * \param[in] row -phi_num .. 2 phi_num. Beyond a pole, rows are counted down again on
+   * the other side of the ball: row -2 is row 2 half a turn farther.
    * \param[in] theta azimuth, any [rad] */
   std::uint32_t
   at (int row, double theta) const
@@ -75,12 +77,14 @@ struct BallDirections {
     return patchOfRow (reflected, static_cast<int> (patch));
   }
 
-  /** \brief The polar angle and azimuth of a direction's center [rad]. */
+  /** \brief The polar angle of a direction's center [rad]. */
   double
   phiOf (std::uint32_t direction) const
   {
     return row_of[direction] * phi_step;
   }
+
+  /** \brief The azimuth of a direction's center [rad]. */
   double
   thetaOf (std::uint32_t direction) const
   {
@@ -108,8 +112,9 @@ struct BallDirections {
   {
     const int row = row_of[direction];
     const int patches = patchesOfRow (row);
-    // Half a turn ends between two patches where their number is odd: the northern half
-    // then goes to the later one and the southern half back.
+    // In a row with an odd number of patches half a turn ends between two patches. From
+    // the northern half the later one is taken, from the southern half the earlier one,
+    // so that both ways lead to each other.
     const int half_turn = 2 * row <= phi_num ? (patches + 1) / 2 : patches / 2;
     const int patch = static_cast<int> (direction - row_begins[row]);
     return patchOfRow (phi_num - row, patch + half_turn);
@@ -127,8 +132,9 @@ struct BallDirections {
         at (row - 1, theta), at (row + 1, theta), west, patchOfRow (row, patch + 1)};
   }
 
-  /** \brief The 3 x 3 patches around a direction, itself included: in each of three
-   * rows the patch at its azimuth and one to either side. Each once, ascending. */
+  /** \brief The 3 x 3 patches around a direction, with its own: in its row and the two
+   * beside it, the patch at its azimuth and one to either side. Each is listed once, in
+   * ascending order. */
   std::vector<std::uint32_t>
   around (std::uint32_t direction) const
   {

@@ -18,7 +18,8 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Cubes below it are points: their leaves could not be counted in single precision [m].
+// A smaller cube counts as a single point: single precision cannot number its leaves
+// [m].
 constexpr double smallest_edge = 1e-30;
 
 // Points farther from a node's plane than this share of its edge are dropped.
@@ -28,11 +29,12 @@ constexpr double dropped_distance_share = 0.1;
 // code and the second level cache.
 constexpr int sorted_level = 5;
 
-// Threads share the nodes of this level, or of s_level if that is higher up.
+// The nodes of this level are divided among threads, or those of s_level if that is
+// nearer to the root.
 constexpr int max_start_level = 2;
 
-/** From where to where values are, 2 per cent at either end left out, which may be
- * stray ones; some thousand values stand for all. */
+/** The lowest and the highest value without the 2 per cent at either end, which may be
+ * outliers. Only some thousand of the values are looked at. */
 std::pair<double, double>
 middleOf (const std::vector<float>& values)
 {
@@ -52,7 +54,8 @@ middleOf (const std::vector<float>& values)
   return {lowest, *high};
 }
 
-/** Where all points are that are not far from the others. */
+/** The box of the points that are not outliers. It reaches as far beyond most points as
+ * these are wide. */
 Eigen::AlignedBox3d
 fenceOf (const Coordinates& points)
 {
@@ -104,7 +107,8 @@ sortIntoCubes (const OctreeNode& node,
   const auto last = static_cast<float> (cubes - 1);
   const Eigen::Vector3f center = node.center.cast<float>();
   const auto bits = [=] (float value, float middle) {
-    // In this order NaN, of a point in the middle of a cube of no size, becomes 0.
+    // A point in the middle of a cube of no size gives NaN, which std::max in this
+    // order turns into 0.
     const float cube =
         std::min (last, std::max (0.0f, (value - middle) * scale + half));
     return spreadBits (static_cast<std::uint32_t> (cube));
@@ -199,12 +203,13 @@ private:
     return true;
   }
 
-  /** Its moments are about the root's center: those of clusters can be added. */
+  /** Measures a cluster's moments and fits a plane. The moments are about the center of
+   * the root, so that moments of several clusters can be added. */
   std::optional<PlaneFit>
   fitTo (CoplanarCluster& cluster) const
   {
     const Eigen::Vector3d center = root.center;
-    Moments moments{center}; // on its own: it stays in registers
+    Moments moments{center}; // a local variable, which stays in registers
     for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
       moments.add (
           points[i].x - center.x(), points[i].y - center.y(), points[i].z - center.z());

@@ -17,8 +17,9 @@ namespace pcl_ops::internal {
 constexpr std::size_t octants = 8;
 constexpr std::uint32_t no_neighbor = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief Which eighth of the full turn a direction other than zero lies in, counted
- * counter-clockwise from x; that of the opposite direction is four on. */
+/** \brief The number of the eighth of a full turn that holds a direction, counted
+ * counter-clockwise from x. Opposite directions have numbers that differ by four.
+ * \param[in] direction other than zero */
 std::size_t
 octantOf (const Eigen::Vector2d& direction);
 
@@ -28,15 +29,16 @@ struct OctantNeighbors {
   std::array<double, octants> squared_distances;
 };
 
-/** \brief A tree over points in a plane, in which the nearest one in each direction is
- * found: the neighbors of a point of a lidar's ring are those of the same ring and
- * those of the next rings, however far these are. */
+/** \brief A tree over points in a plane that finds the nearest one in each octant. So a
+ * point on a ring of a lidar has neighbors on its own ring and on the rings beside it,
+ * however far apart rings are. The pieces of a plane (plane_pieces.h) are its points
+ * connected by such neighbors. */
 class OctantTree {
 public:
-  /** \param[in] points no two of them equal; to live as long as the tree */
+  /** \param[in] points no two of them equal; they have to live as long as the tree */
   explicit OctantTree (const PlanarPoints& points);
 
-  /** \brief Those of one of the points. */
+  /** \brief The neighbors of one of the points. */
   OctantNeighbors
   neighborsOf (std::uint32_t point) const;
 
@@ -48,7 +50,8 @@ public:
     OctantNeighbors neighbors;
   };
 
-  /** \brief Each point is in one; they depend on the places of the points alone. */
+  /** \brief Divides the points into groups, by their places alone: their order does not
+   * matter. */
   std::vector<Group>
   groups (unsigned threads) const;
 

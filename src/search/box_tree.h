@@ -16,12 +16,12 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A tree of boxes over points, in which the neighbors of any position are
- * found exactly. Once built it never changes: any number of threads may search it. */
+/** \brief A tree of boxes over points that finds the neighbors of any position exactly.
+ * Once built it never changes, so that any number of threads may search it. */
 class BoxTree {
 public:
   static constexpr std::size_t max_children = 8;
-  /** \brief Of leaves; the distances of their points are computed at once. */
+  /** \brief A leaf has up to so many points, whose distances are computed at once. */
   static constexpr std::uint32_t max_points_of_leaf = 40;
 
   /** \brief Where the points of a child are. */
@@ -32,22 +32,24 @@ public:
     std::uint32_t size = 0;
   };
 
-  /** \brief The bounding boxes of all children, a row each: one loop tests them. */
+  /** \brief A node has the bounding boxes of its children, a row each: one loop tests
+   * them all. */
   struct Node {
     Eigen::Array<float, max_children, 3> low, high;
     std::array<Child, max_children> children;
-    /** \brief The lowest index of the points of each. */
+    /** \brief For each child, the lowest index of its points. */
     std::array<pcl::index_t, max_children> lowest_index;
     std::uint32_t number = 0;
   };
 
   /** \param[in] points finite points in their local frame
-   * \param[in] cloud where they come from: queries and distances are in its frame, so
-   * that no rounding to another changes distances; not needed afterwards */
+   * \param[in] cloud the cloud of these points. Queries and distances are in its frame,
+   * so that rounding to another frame does not change distances. The tree keeps no
+   * reference to it. */
   BoxTree (const Points& points, const CloudView& cloud);
 
-  /** \brief Finds the nearest points within the radius, of several at the same distance
-   * those of the lowest indices.
+  /** \brief Finds the nearest points within the radius. Of several points at the same
+   * distance it takes those with the lowest indices.
    * \param[in] query its position is finite
    * \param[out] indices of the neighbors; what it held is replaced
    * \param[out] squared_distances in single precision, as PCL computes them [m^2] */
@@ -57,7 +59,7 @@ public:
         std::vector<float>& squared_distances) const;
 
 private:
-  /** \brief The root first, each before those below it. */
+  /** \brief The root comes first, and each node comes before those below it. */
   std::vector<Node> nodes_;
   /** \brief Leaf after leaf, in the frame of the cloud. */
   Coordinates points_;

@@ -7,8 +7,8 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief The bending of the first leaves of a surface above a square about zero, or of
- * all of them. */
+/** \brief The bending of a surface above a square about zero.
+ * \param[in] number of leaves that are looked at, from the first one on */
 template <typename Height>
 LeafBending
 bendingOver (double half_edge,

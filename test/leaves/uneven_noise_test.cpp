@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leaf_scene.h"
+#include "leaves/uneven_noise.h"
 
 using namespace pcl_ops::internal;
 
@@ -9,6 +10,7 @@ namespace {
 /** \brief Places of 40 cm: four cells of 20 cm on a ground. */
 constexpr int level_of_place = level_of_10_cm + 2;
 
+/** \brief The unevenness of cells of 20 cm at a place on the ground. */
 float
 unevennessAt (const Coordinates& positions, const Eigen::Vector3d& place)
 {

@@ -92,7 +92,8 @@ TEST (Metrics, AFoundPlaneCountsIfAtLeastHalfOfItIsKnown)
 {
   // The floor is found; on the wall another plane, four or five points of which are
   // known to be on none.
-  const PlaneLabels truth = runs ("10x1 10x0"), found = runs ("10x1 10x2");
+  const PlaneLabels truth = runs ("10x1 10x0");
+  const PlaneLabels found = runs ("10x1 10x2");
   for (const auto& [marks, precision] :
        {std::pair ("10x0 4x0 6x1", 1.0), {"10x0 5x0 5x1", 0.5}})
     EXPECT_DOUBLE_EQ (
@@ -137,8 +138,8 @@ TEST (SizeClasses, ATruePlaneBelongsToTheClassOfItsPoints)
 TEST (Widths, DivideTruePlanesIntoClasses)
 {
   // Slanted boards 2 m long, of 40 x 40 points each.
-  const Eigen::Vector3d across (1.0 / 3, 2.0 / 3, 2.0 / 3),
-      along (2.0 / 3, 1.0 / 3, -2.0 / 3);
+  const Eigen::Vector3d across (1.0 / 3, 2.0 / 3, 2.0 / 3);
+  const Eigen::Vector3d along (2.0 / 3, 1.0 / 3, -2.0 / 3);
   XyzCloud cloud;
   PlaneLabels labels;
   for (const double width : {0.02, 0.04, 0.05, 0.2, 0.5, 1.5}) {

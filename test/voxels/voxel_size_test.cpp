@@ -33,7 +33,8 @@ TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
 TEST (VoxelSize, IsTheSameInAnyOrderOfPointsAndForCoordinatesRoundedOtherwise)
 {
   const Coordinates points = pointsInACube (50000, 4.0);
-  Coordinates reversed, rounded = points;
+  Coordinates reversed;
+  Coordinates rounded = points;
   for (std::size_t i = points.size(); i-- > 0;)
     reversed.add (points.x[i], points.y[i], points.z[i]);
   for (float& x : rounded.x)

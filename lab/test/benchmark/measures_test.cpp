@@ -136,11 +136,12 @@ changed (const Cloud& cloud, const Change& change)
   return other;
 }
 
-/** No cloud costs a detector more than so many times the time per point, or the memory,
- * of a simulated room of as many points. */
+// No cloud costs a detector more than 20 times the time or 10 times the memory of a
+// simulated room of as many points.
 TEST (WorstCases, KeepTheBounds)
 {
-  constexpr double time_bound = 20.0, memory_bound = 10.0;
+  constexpr double time_bound = 20.0;
+  constexpr double memory_bound = 10.0;
   // Bounds of time get three times what is promised: other programs run beside tests.
   constexpr double disturbance = 3.0;
   const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0);

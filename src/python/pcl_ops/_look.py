@@ -16,13 +16,17 @@ from ._segmentation import is_seen_from
 
 
 def _color(number: int) -> str:
-    """Neighbors in the list differ in hue by the golden angle, and in brightness."""
+    """The color of a plane: planes next to each other in the list differ clearly.
+
+    The hue turns by the golden angle from one to the next, and the brightness changes.
+    """
     hue = number * 0.381966 % 1.0
     parts = colorsys.hsv_to_rgb(hue, (0.85, 0.6, 0.95)[number % 3], (0.9, 0.8, 0.65)[number % 3])
     return "#" + "".join(f"{round(255 * part):02x}" for part in parts)
 
 
 def _described(number: int, plane: Plane, up: NDArray[np.float64]) -> Dict[str, Any]:
+    """What the page says of a plane, by the keys that its script reads."""
     slope = np.degrees(np.arccos(min(abs(float(plane.normal @ up)), 1.0)))
     return {"id": number, "orientation": plane.orientation, "kind": plane.kind, "rms": plane.rms, "area": plane.area,
             "slope": slope, "normal": plane.normal.tolist(), "centroid": plane.centroid.tolist(),
@@ -32,7 +36,11 @@ def _described(number: int, plane: Plane, up: NDArray[np.float64]) -> Dict[str, 
 def _direction_to_eye(
     points: NDArray[Any], viewpoint: NDArray[np.float64], up: NDArray[np.float64], is_seen: bool
 ) -> NDArray[np.float64]:
-    """Towards the sensor where it saw all of the points, else from above at a slant."""
+    """From the points towards the eye that first looks at them.
+
+    The eye is on the side of the sensor if that saw all of the points, else it looks from
+    above at a slant.
+    """
     finite = points[np.isfinite(points).all(axis=1)]
     towards = viewpoint - np.median(finite, axis=0) if is_seen and len(finite) else np.zeros(3)
     if towards.any():

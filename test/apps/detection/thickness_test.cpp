@@ -98,8 +98,8 @@ TEST (Thickness, IsTheSameForFewProbesAsForMany)
 {
   // For up to 50 probes neighbors are searched for without sorting the points.
   const XyzCloud cloud = square (0.05, noise);
-  const double few = thicknessOf (cloud, {planeOf (cloud)}, 50).at (0).noise,
-               more = thicknessOf (cloud, {planeOf (cloud)}, 51).at (0).noise;
+  const double few = thicknessOf (cloud, {planeOf (cloud)}, 50).at (0).noise;
+  const double more = thicknessOf (cloud, {planeOf (cloud)}, 51).at (0).noise;
   EXPECT_NEAR (few, more, 0.01 * noise);
 }
 

@@ -53,7 +53,8 @@ TEST_F (LasFileTest, HasTheCoordinatesOfEveryPointFormat)
 TEST_F (LasFileTest, KeepsEveryIntegerOfMorePointsThanABlockHas)
 {
   LasRecipe recipe;
-  constexpr std::int32_t size = 40000, step = 100003;
+  constexpr std::int32_t size = 40000;
+  constexpr std::int32_t step = 100003;
   recipe.points.clear();
   for (std::int32_t i = -size / 2; i < size / 2; ++i)
     recipe.points.push_back ({step * i, 7 * i, -i});
@@ -92,7 +93,7 @@ TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
   }
 }
 
-TEST_F (LasFileTest, Of10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
+TEST_F (LasFileTest, OfVersion10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
 {
   const LasRecipe recipe{0, 1};
   LasRecipe marked = recipe;
@@ -109,7 +110,7 @@ TEST_F (LasFileTest, Of10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
   EXPECT_EQ (record.substr (0, 2), "\xbb\xaa") << "as records of 1.0 begin";
 }
 
-TEST_F (LasFileTest, Of10BeginsWithAPointWhoseBytesAreThatMark)
+TEST_F (LasFileTest, OfVersion10BeginsWithAPointWhoseBytesAreThatMark)
 {
   LasRecipe recipe{0, 1};
   recipe.points[0][0] = 0xccdd;
