@@ -7,6 +7,7 @@
 #include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,11 +18,11 @@ namespace pcl_ops {
 struct PlaneRegularizationParameters {
   /** \brief Planes this near to parallel or to orthogonal are meant to be so [rad];
    * default 3 degrees. */
-  double max_angle = 0.05235987755982989;
+  double max_angle = 3.0 * (M_PI / 180.0);
   /** \brief Parallel planes this near are meant to be one [m]; automatic: three times
    * their noise. */
   std::optional<double> max_offset;
-  /** rief How far the points of a plane may be from where they were beside it, as a
+  /** \brief How far the points of a plane may be from where they were beside it, as a
    * root mean square in multiples of their rms distance to it: a plane that would be
    * moved farther stays. As the covariance of a plane is rms^2 (A^T A)^-1 (\ref
    * planeCovariance), a move of 1 is sqrt (n) of its standard deviations, n points. */
@@ -38,7 +39,7 @@ struct PlaneMove {
    * this [m]. */
   double angle = 0.0;
   double offset = 0.0;
-  /** rief As ef PlaneRegularizationParameters::max_displacement has it; of a plane
+  /** \brief As \ref PlaneRegularizationParameters::max_displacement has it; of a plane
    * that stays the one it would have had. */
   double displacement = 0.0;
   bool is_moved = false;

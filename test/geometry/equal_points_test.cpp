@@ -40,13 +40,27 @@ TEST (FirstAtPlace, IsNoReadingWhereManyShareOnePlace)
 
 TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
 {
-  Coordinates points = pointsInACube (1000, 4.0), twice = points;
+  const Coordinates points = pointsInACube (1000, 4.0);
+  Coordinates twice = points;
   for (std::size_t i = 0; i < points.size(); ++i)
     twice.add (points.x[i], points.y[i], points.z[i]);
   const FirstAtPlace first = firstAtPlace (twice, 1);
   ASSERT_EQ (first.size(), 2000u);
   for (std::uint32_t i = 0; i < 2000; ++i)
     EXPECT_EQ (first[i], i % 1000);
+}
+
+TEST (FirstAtPlace, TellsApartPlacesWithTheSameHash)
+{
+  // Of so many places some twenty pairs share a hash of 32 bits: 400,000^2 / 2 / 2^32.
+  constexpr std::uint32_t places = 400'000;
+  Coordinates points = pointsInACube (places, 4.0);
+  for (std::uint32_t i = 0; i < places; ++i)
+    points.add (points.x[i], points.y[i], points.z[i]);
+  const FirstAtPlace first = firstAtPlace (points, 1);
+  ASSERT_EQ (first.size(), 2 * places);
+  for (std::uint32_t i = 0; i < 2 * places; ++i)
+    ASSERT_EQ (first[i], i % places) << i;
 }
 
 TEST (FirstAtPlace, TakesZeroAndMinusZeroForOnePlace)

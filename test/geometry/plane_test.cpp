@@ -35,7 +35,7 @@ noisyPatch (const Eigen::Vector3d& center)
   return points;
 }
 
-/** \brief The oracle: SVD of the centerd points, in double. */
+/** \brief The oracle: SVD of the centered points, in double. */
 struct SvdPlane {
   Eigen::Vector3d centroid, normal, variances;
 };
@@ -56,7 +56,7 @@ planeBySvd (const PointList& points)
 
 } // namespace
 
-TEST (FitPlane, AgreesWithAnSvdOfTheCenterdPoints)
+TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
 {
   // Near zero, a thousand kilometers away, and in other units.
   const struct {
@@ -155,6 +155,13 @@ TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliersToItself)
         segment.moments.add (x, y, z);
   EXPECT_NEAR (segment.rms(), 5_cm, 1e-12);
   EXPECT_EQ (segment.plane().distance ({2.5, 3, 4}), 0.5);
+}
+
+TEST (Orientation, HasAName)
+{
+  EXPECT_STREQ (toString (pcl_ops::Orientation::Horizontal), "horizontal");
+  EXPECT_STREQ (toString (pcl_ops::Orientation::Vertical), "vertical");
+  EXPECT_STREQ (toString (pcl_ops::Orientation::Other), "other");
 }
 
 TEST (AngleBetween, IsExactForPlanesThatAreNearlyParallel)

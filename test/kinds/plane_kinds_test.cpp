@@ -129,6 +129,30 @@ TEST (PlaneKinds, OfTheFrontOfACupboardIsNoWall)
   EXPECT_EQ (built_in.lastKind(), "wall") << "it reaches the ceiling";
 }
 
+TEST (PlaneKinds, OfAWallBesideTheEndOfALargerOneIsAWall)
+{
+  // 40 cm nearer to the room than the larger wall, and lower.
+  const auto kind_at = [] (double x) {
+    Rectangles room;
+    room.level (0.0, 8_m, 3_m).add ({0, 3, 0}, {4, 0, 0}, {0, 0, 2.4});
+    room.add ({x, 2.6, 0}, {2, 0, 0}, {0, 0, 1.8});
+    return room.lastKind();
+  };
+  EXPECT_EQ (kind_at (5_m), "wall") << "beside it";
+  EXPECT_EQ (kind_at (1_m), "other") << "before it";
+}
+
+TEST (PlaneKinds, OfALevelAboveAStoryIsARoofWhereNoWallRisesFromIt)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 1e3};
+  house.level (2.8, 6_m, 5_m).level (0.0, 6_m, 5_m).level (2.5, 6_m, 5_m);
+  house.add ({0, 0, 0}, {6, 0, 0}, {0, 0, 2.5});
+  EXPECT_EQ (house.kinds().front(), "roof");
+  house.add ({0, 0, 2.8}, {6, 0, 0}, {0, 0, 2.5});
+  EXPECT_EQ (house.kinds().front(), "floor");
+}
+
 TEST (PlaneKinds, OfASidewayBoardIsNoWall)
 {
   EXPECT_EQ (shell().add ({1, 1, 0}, {0, 0.4, 0}, {0, 0, 1.8}).lastKind(), "other");

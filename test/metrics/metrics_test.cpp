@@ -103,6 +103,22 @@ TEST (Metrics, AFoundPlaneCountsIfAtLeastHalfOfItIsKnown)
         << marks;
 }
 
+TEST (PlaneLabels, NumberPlanesFromOneAndAreZeroElsewhere)
+{
+  pcl::PointIndices floor;
+  floor.indices = {4, 0};
+  pcl::PointIndices wall;
+  wall.indices = {1};
+  EXPECT_EQ (labelsOf ({floor, wall}, 5), (PlaneLabels{1, 2, 0, 0, 1}));
+}
+
+TEST (PlaneLabels, OfPlanesWithFewerPointsThanWantedAreDropped)
+{
+  PlaneLabels labels = runs ("3x7 2x9 1x0");
+  dropSmallPlanes (labels, 3);
+  EXPECT_EQ (labels, runs ("3x7 3x0"));
+}
+
 TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
 {
   EXPECT_THROW (

@@ -248,6 +248,115 @@ TEST (FloorPlan, OfARoomAroundAShaftHasAHole)
   EXPECT_NEAR (plan.rooms[0].area, 32.0, 0.01);
 }
 
+TEST (FloorPlan, CutsOverTheLowestFloorWhereverThatIs)
+{
+  Building room = roomOf4By3();
+  for (pcl::PointXYZ& point : room.cloud)
+    point.z += 30.0f;
+  for (PlaneSegment& plane : room.planes)
+    plane.moveBy (Vector3d (0, 0, 30));
+  const FloorPlan plan = room.plan();
+  EXPECT_NEAR (plan.floor, 30_m, 1_mm);
+  EXPECT_NEAR (plan.height, 31.2_m, 1_mm);
+  EXPECT_EQ (openingsOf (plan), 1u);
+}
+
+TEST (FloorPlan, OfAnUpperStoryIsOverItsFloor)
+{
+  Building house = roomOf4By3();
+  house.level (PlaneKind::Floor, 2.8, {0, 0}, {4, 3});
+  FloorPlanParameters upstairs;
+  upstairs.cut_height = 4_m;
+  EXPECT_NEAR (house.plan (upstairs).floor, 2.8_m, 1_mm);
+}
+
+TEST (FloorPlan, HasARoomOverTablesSlabsAndRampsWithoutAFloor)
+{
+  const auto rooms_over = [] (PlaneKind kind) {
+    Building room;
+    room.level (kind, 0.5, {0, 0}, {4, 3});
+    room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+    room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+    return room.plan().rooms.size();
+  };
+  for (const PlaneKind kind : {PlaneKind::Table, PlaneKind::Slab, PlaneKind::Ramp})
+    EXPECT_EQ (rooms_over (kind), 1u) << toString (kind);
+  EXPECT_EQ (rooms_over (PlaneKind::Other), 0u);
+}
+
+TEST (FloorPlan, HasARoomWhoseFloorIsHiddenInTheMiddle)
+{
+  Building room;
+  for (const double y : {0.0, 2.0})
+    room.level (PlaneKind::Floor, 0.0, {0, y}, {4, y + 1});
+  for (const double x : {0.0, 3.0})
+    room.level (PlaneKind::Floor, 0.0, {x, 1}, {x + 1, 2});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+}
+
+TEST (FloorPlan, HasATriangularRoomThatIsCoveredAsFarAsItGoes)
+{
+  // The floor has three quarters of the triangle, less than half of the box around it.
+  std::vector<Vector3d> floor;
+  for (double x = 0.025; x < 2.0; x += 5_cm)
+    for (double y = 0.025; x + y < 4.0; y += 5_cm)
+      floor.emplace_back (x, y, 0.0);
+  Building room;
+  room.add (PlaneKind::Floor, Vector3d::UnitZ(), floor);
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {0, 4}).wall ({0, 4}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 8.0, 0.01);
+}
+
+TEST (FloorPlan, HasTheFloorOfEachRoomWhereOneLiesInTheCornerOfAnother)
+{
+  // An L of 9 m^2 around a room of 16 m^2 whose floor is 20 cm lower.
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {5, 1});
+  flat.level (PlaneKind::Floor, 0.0, {0, 1}, {1, 5});
+  flat.level (PlaneKind::Floor, -0.2, {1, 1}, {5, 5});
+  flat.wall ({0, 0}, {5, 0}).wall ({5, 0}, {5, 5});
+  flat.wall ({5, 5}, {0, 5}).wall ({0, 5}, {0, 0});
+  flat.wall ({1, 5}, {1, 1}).wall ({1, 1}, {5, 1});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 16.0, 0.01);
+  EXPECT_NEAR (plan.rooms[0].floor.value_or (9.0), -0.2, 1_mm);
+  EXPECT_NEAR (plan.rooms[1].area, 9.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].floor.value_or (9.0), 0.0, 1_mm);
+}
+
+TEST (FloorPlan, OfSparsePointsHasWholeWalls)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  std::vector<Vector3d> wall; // a point each 40 cm
+  for (double x = 0.0; x <= 4.0; x += 40_cm)
+    for (double z = 0.0; z < 2.5; z += 40_cm)
+      wall.emplace_back (x, 0.0, z);
+  room.add (PlaneKind::Wall, Vector3d::UnitY(), wall);
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.walls.size(), 1u);
+  EXPECT_NEAR (plan.walls[0].length(), 4_m, 1_mm);
+  EXPECT_EQ (openingsOf (plan), 0u);
+}
+
+TEST (FloorPlan, HasBothSidesOfAThinWall)
+{
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
+  flat.wall ({4, 0}, {4, 3}).wall ({4.03, 3}, {4.03, 0});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.walls.size(), 2u);
+  for (const PlanWall& wall : plan.walls)
+    EXPECT_NEAR (wall.thickness.value_or (0.0), 3_cm, 1_mm);
+}
+
 TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
 {
   const Building building = roomOf4By3();

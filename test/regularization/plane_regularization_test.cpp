@@ -131,6 +131,21 @@ TEST (PlaneRegularization, LeavesPlanesThatWouldMoveFartherThanTheirNoise)
   EXPECT_NEAR (cosine (found.planes[0], found.planes[1]), 0.0, 1e-12) << "the others";
 }
 
+TEST (PlaneRegularization, MakesWallsParallelThatLeanToBothSidesOfOneRightAngle)
+{
+  // Seven degrees apart, and 3.5 degrees from a right angle with the floor.
+  PlaneRegularizationParameters parameters;
+  parameters.max_angle = 5_deg;
+  parameters.max_displacement = 1e3;
+  Squares scene;
+  scene.add ({0, 0, 1}, {0, 0, 0}, 60).add ({0, 1, 0}, {0, 2, 1}, 60);
+  scene.add ({1, 0, std::tan (3.5_deg)}, {-2, 0, 1});
+  scene.add ({1, 0, -std::tan (3.5_deg)}, {2, 0, 1});
+  const RegularizedPlanes found = scene.regularized (parameters);
+  EXPECT_NEAR (cosine (found.planes[2], found.planes[3]), 1.0, 1e-12);
+  EXPECT_EQ (found.moves[2].direction, found.moves[3].direction);
+}
+
 TEST (PlaneRegularization, KeepsTheSidesThatNormalsPointTo)
 {
   const Squares scene = box();

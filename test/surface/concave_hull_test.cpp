@@ -206,3 +206,19 @@ TEST (ConcaveOutline, HasHolesByFallingArea)
   ASSERT_EQ (outline.size(), 3u);
   EXPECT_LT (areaOf (outline[1]), areaOf (outline[2]));
 }
+
+TEST (ConcavePlaneExtent, OfTheInliersOfAStandingWallHasItsWindow)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (const Eigen::Vector2d& point : gridOf (150, isInWall))
+    cloud.push_back (toPoint ({point.x(), 2.0, point.y()}));
+  const auto inliers = upTo<pcl::Indices> (cloud.size());
+  cloud.push_back (toPoint ({10.0, 2.0, 0.0})); // of another plane
+  const PlaneSegment wall = planeOfPoints (cloud, inliers, Eigen::Vector3d::UnitY());
+  const PlaneExtent extent = concavePlaneExtent (cloud, wall);
+  EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
+  EXPECT_NEAR (extent.length, 3.0, 1_mm);
+  ASSERT_EQ (extent.holes.size(), 1u);
+  for (const Eigen::Vector3d& corner : extent.holes[0])
+    EXPECT_NEAR (corner.y(), 2.0, 1e-6);
+}
