@@ -128,6 +128,18 @@ pointsOverManyDecades (std::uint32_t seed)
 
 } // namespace
 
+TEST (PlaneFrame, HasTheAxesThatTheCovarianceOfItsPlaneIsAbout)
+{
+  const Cloud cloud = gridOf (1_m, 0.6_m);
+  const PlaneSegment plane = planeOfPoints (
+      cloud, upTo<pcl::Indices> (cloud.size()), Eigen::Vector3d (1, 2, 3).normalized());
+  const PlaneFrame frame (plane.centroid, plane.normal);
+  const auto covariance = independentPlaneCovariance (plane);
+  ASSERT_TRUE (covariance);
+  EXPECT_EQ (frame.directionInSpace ({1, 0}), covariance->axes.col (0));
+  EXPECT_EQ (frame.directionInSpace ({0, 1}), covariance->axes.col (1));
+}
+
 TEST (PlaneExtent, OfAGridIsExactAndTurnsAndMovesWithThePoints)
 {
   const PlaneExtent exact = extentOf (gridOf (1_m, 0.6_m));
