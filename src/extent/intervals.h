@@ -53,6 +53,25 @@ unionOf (Intervals intervals, const Intervals& others, double max_gap)
   return all;
 }
 
+/** \brief What of some intervals others do not cover. */
+inline Intervals
+without (const Intervals& intervals, const Intervals& others)
+{
+  Intervals left;
+  for (Interval rest : intervals) {
+    for (const Interval& other : others) {
+      if (other.to <= rest.from || other.from >= rest.to)
+        continue;
+      if (other.from > rest.from)
+        left.push_back ({rest.from, other.from});
+      rest.from = std::min (rest.to, other.to);
+    }
+    if (rest.from < rest.to)
+      left.push_back (rest);
+  }
+  return left;
+}
+
 /** \brief How much of an interval the others cover [m]. */
 inline double
 lengthWithin (const Interval& interval, const Intervals& others)

@@ -6,6 +6,7 @@
 #include "plan/plan_rooms.h"
 #include "plan/plan_walls.h"
 #include "plan/wall_faces.h"
+#include "plan/wall_fronts.h"
 #include <pcl_ops/floor_plan.h>
 #include <pcl_ops/plane_detector.h>
 
@@ -201,13 +202,50 @@ coverAt (const std::vector<Seen>& planes, double floor, double height)
   return cover;
 }
 
-/** \brief Tells by the points at the height of the cut: something before most of a gap
- * hides it, unless as much is seen through it. */
+/** \brief Turns the walls to the rooms whose floors and ceilings end at them. */
+void
+turnToRooms (const Cover& cover, std::vector<Seen>& planes)
+{
+  const RoomSides rooms ({&cover.floor, &cover.ceiling});
+  for (Seen& plane : planes)
+    if (plane.kind == PlaneKind::Wall &&
+        rooms.areBehind (plane.normal.head<2>().normalized(), plane.points))
+      plane.normal = -plane.normal;
+}
+
+/** \brief One for each plane that is such. */
+template <typename IsSuch>
+std::vector<WallFace>
+facesOf (const std::vector<Seen>& planes, double height, const IsSuch& isSuch)
+{
+  std::vector<WallFace> faces;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (isSuch (planes[i]) && !planes[i].points.empty())
+      faces.push_back (faceOf (planes[i].normal, planes[i].points, i, height));
+  return faces;
+}
+
+bool
+isWall (const Seen& plane)
+{
+  return plane.kind == PlaneKind::Wall;
+}
+
+/** \brief What may be the leaf of a door, or a pane. */
+bool
+isUpright (const Seen& plane)
+{
+  constexpr double flattest = 0.12; // sine of 7 degrees
+  return plane.kind == PlaneKind::Other && std::abs (plane.normal.z()) < flattest;
+}
+
+/** \brief Tells by the points at the height of the cut: something before or in most of
+ * a gap hides it, unless as much is seen through it. */
 IsHidden
 hiddenBy (PlanPoints points)
 {
   return [points = std::move (points)] (const PlanLine& line, const Interval& gap) {
-    constexpr double nearest = 0.05;
+    constexpr double deepest = 0.05; // of what is in the wall itself
     constexpr double farthest = 0.8; // from the wall [m]
     constexpr double edge = 0.1;     // of a bin [m]
     const std::size_t bins = static_cast<std::size_t> (gap.length() / edge) + 1;
@@ -216,11 +254,10 @@ hiddenBy (PlanPoints points)
     for (const Vector3d& point : points) {
       const double distance = line.distance (point.head<2>());
       const double place = line.place (point.head<2>());
-      if (std::abs (distance) < nearest || std::abs (distance) > farthest ||
-          place < gap.from || place > gap.to)
+      if (std::abs (distance) > farthest || place < gap.from || place > gap.to)
         continue;
       const auto bin = static_cast<std::size_t> ((place - gap.from) / edge);
-      (distance > 0.0 ? before : behind)[bin] = 1;
+      (distance > -deepest ? before : behind)[bin] = 1;
     }
     const auto hidden = std::count (before.begin(), before.end(), 1);
     const auto through = std::count (behind.begin(), behind.end(), 1);
@@ -321,20 +358,19 @@ findFloorPlan (const CloudView& cloud,
   FloorPlan plan;
   plan.to_plan = turnUpright (up);
   const PlanCloud points (cloud, plan.to_plan);
-  const std::vector<Seen> seen = seenPlanes (points, planes, kinds, plan.to_plan);
+  std::vector<Seen> seen = seenPlanes (points, planes, kinds, plan.to_plan);
   const double lowest = lowestFloor (seen);
   plan.height = lowest + parameters.cut_height;
   plan.floor = floorBelow (seen, plan.height, lowest);
-  std::vector<WallFace> faces;
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    if (seen[i].kind == PlaneKind::Wall && !seen[i].points.empty())
-      faces.push_back (faceOf (seen[i].normal, seen[i].points, i, plan.height));
-  faces = withoutRecesses (joinFaces (std::move (faces)));
+  const Cover cover = coverAt (seen, plan.floor, plan.height);
+  turnToRooms (cover, seen);
+  const std::vector<WallFace> faces =
+      withoutRecesses (joinFaces (facesOf (seen, plan.height, isWall)),
+                       facesOf (seen, plan.height, isUpright));
   std::vector<WallSpan> spans = spansOf (faces, parameters);
   addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
   plan.walls = toWalls (faces, spans, plan.floor, plan.height);
-  plan.rooms = roomsOf (
-      faces, spans, coverAt (seen, plan.floor, plan.height), parameters.min_room);
+  plan.rooms = roomsOf (faces, spans, cover, parameters.min_room);
   moveBy (plan.to_plan * shift, plan);
   return plan;
 }

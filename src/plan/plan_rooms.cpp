@@ -414,8 +414,10 @@ roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest)
     length += (side.to - side.from).norm();
     walled += walledLength (side, plan.faces, plan.walls);
   }
+  constexpr double narrowest = 0.35; // else between the sides of a wall [m]
   PlanRoom room = roomWithin (joined.outline, plan.cells[joined.largest]);
-  if (room.area < smallest || walled < min_walled * length)
+  const bool is_narrow = 2.0 * room.area < narrowest * length;
+  if (room.area < smallest || is_narrow || walled < min_walled * length)
     return {};
   room.enclosed = walled / length;
   return room;

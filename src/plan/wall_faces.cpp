@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace pcl_ops::internal {
 namespace {
@@ -71,12 +72,58 @@ addTo (WallFace& face, const WallFace& part)
   face.planes.insert (face.planes.end(), part.planes.begin(), part.planes.end());
 }
 
+/** \brief How much of what is seen of a leaf, without its rim, has points of the wall
+ * before it, 0 to 1: few of furniture that touches the wall, many of its other side. */
+double
+shareBefore (const WallFace& leaf, const WallFace& wall)
+{
+  constexpr double smallest = 0.1; // edge of a square [m]
+  const double edge = std::max ({smallest, leaf.spacing / 3.0, wall.spacing / 3.0});
+  using Square = std::pair<long, long>;
+  const auto squares_of = [edge] (const WallFace& face, double moved) {
+    std::set<Square> squares;
+    for (const Eigen::Vector2d& point : face.points)
+      squares.emplace (std::lround ((point.x() + moved) / edge),
+                       std::lround (point.y() / edge));
+    return squares;
+  };
+  const std::set<Square> of_wall = squares_of (wall, 0.0);
+  const std::set<Square> of_leaf =
+      squares_of (leaf, wall.line.place (leaf.line.origin));
+  const auto is_at_rim = [&of_leaf] (const Square& square) {
+    const auto [x, y] = square;
+    return of_leaf.count ({x - 1, y}) == 0 || of_leaf.count ({x + 1, y}) == 0 ||
+           of_leaf.count ({x, y - 1}) == 0 || of_leaf.count ({x, y + 1}) == 0;
+  };
+  double all = 0.0;
+  double common = 0.0;
+  for (const Square& square : of_leaf) {
+    if (is_at_rim (square))
+      continue;
+    all += 1.0;
+    common += of_wall.count (square) > 0 ? 1.0 : 0.0;
+  }
+  return all > 0.0 ? common / all : 1.0;
+}
+
+/** \brief Without their ends, which noise moves and the wall itself tells better. */
+Intervals
+insideOf (const Intervals& intervals)
+{
+  constexpr double noise = 0.02; // [m]
+  Intervals inside;
+  for (const auto& [from, to] : intervals)
+    if (to - from > 2.0 * noise)
+      inside.push_back ({from + noise, to - noise});
+  return inside;
+}
+
 bool
 isRecessOf (const WallFace& leaf, const WallFace& wall)
 {
   constexpr double deepest = 0.45;
   constexpr double flattest = 0.02; // [m]
-  constexpr double max_covered = 0.25;
+  constexpr double max_covered = 0.6;
   if (!isParallel (leaf, wall) || leaf.points.size() >= wall.points.size())
     return false;
   const Interval whole{leaf.seen.front().from, leaf.seen.back().to};
@@ -88,7 +135,7 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
                        wall.line.place (leaf.line.at (whole.to))};
   return there.from >= wall.seen.front().from - smallest_gap &&
          there.to <= wall.seen.back().to + smallest_gap &&
-         lengthWithin (there, wall.cut) <= max_covered * there.length();
+         shareBefore (leaf, wall) <= max_covered;
 }
 
 } // namespace
@@ -155,14 +202,22 @@ joinFaces (std::vector<WallFace> faces)
 }
 
 std::vector<WallFace>
-withoutRecesses (const std::vector<WallFace>& faces)
+withoutRecesses (const std::vector<WallFace>& faces,
+                 const std::vector<WallFace>& upright)
 {
   std::vector<WallFace> kept;
-  for (const WallFace& face : faces)
-    if (std::none_of (faces.begin(), faces.end(), [&face] (const WallFace& wall) {
+  std::vector<WallFace> leaves = upright;
+  for (const WallFace& face : faces) {
+    const bool is_recess =
+        std::any_of (faces.begin(), faces.end(), [&face] (const WallFace& wall) {
           return isRecessOf (face, wall);
-        }))
-      kept.push_back (face);
+        });
+    (is_recess ? leaves : kept).push_back (face);
+  }
+  for (WallFace& wall : kept)
+    for (const WallFace& leaf : leaves)
+      if (!leaf.seen.empty() && isRecessOf (leaf, wall))
+        wall.cut = without (wall.cut, insideOf (on (wall.line, leaf, leaf.cut)));
   return kept;
 }
 

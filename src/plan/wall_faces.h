@@ -71,8 +71,11 @@ std::vector<WallFace>
 joinFaces (std::vector<WallFace> faces);
 
 /** \brief Leaves out leaves and panes: faces that lie, set back, in the gaps of larger
- * ones that face the same way. */
+ * ones that face the same way. Walls have gaps where such ones are seen at the height
+ * of the cut, even where furniture before a gap touches the wall.
+ * \param[in] upright other faces that may be leaves or panes */
 std::vector<WallFace>
-withoutRecesses (const std::vector<WallFace>& faces);
+withoutRecesses (const std::vector<WallFace>& faces,
+                 const std::vector<WallFace>& upright);
 
 } // namespace pcl_ops::internal

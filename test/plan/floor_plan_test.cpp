@@ -166,6 +166,65 @@ TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
   EXPECT_EQ (openingsOf (plan), 1u);
 }
 
+TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
+{
+  // The counter, at the height of the cut, has its back edge in the plane of the wall.
+  Building room;
+  room.wall ({0, 0},
+             {4, 0},
+             {{1.0, 2.5, 0.9, 1.1},
+              {1.0, 2.5, 1.3, 2.1},
+              {1.0, 1.4, 1.0, 1.4},
+              {2.1, 2.5, 1.0, 1.4}});
+  std::vector<Vector3d> pane;
+  for (double x = 1.025; x < 2.5; x += 5_cm)
+    for (double z = 0.925; z < 2.1; z += 5_cm)
+      pane.emplace_back (x, -0.2, z);
+  room.add (PlaneKind::Other, Vector3d::UnitY(), pane);
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.walls.size(), 1u);
+  ASSERT_EQ (plan.walls[0].openings.size(), 1u);
+  EXPECT_NEAR (plan.walls[0].openings[0].width(), 1.5, 0.06);
+}
+
+TEST (FloorPlan, HasNoOpeningWhereAnotherPlaneFillsTheGap)
+{
+  // The back of a cupboard, 2 cm before the wall.
+  Building room;
+  room.wall ({0, 0}, {4, 0}, {{1.0, 2.5, 0.0, 2.1}});
+  std::vector<Vector3d> back;
+  for (double x = 1.025; x < 2.5; x += 5_cm)
+    for (double z = 0.025; z < 2.1; z += 5_cm)
+      back.emplace_back (x, 0.02, z);
+  room.add (PlaneKind::Other, Vector3d::UnitY(), back);
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  EXPECT_EQ (openingsOf (room.plan()), 0u);
+}
+
+TEST (FloorPlan, HasNoRoomBetweenTheTwoSidesOfAWall)
+{
+  // The wall is 15 cm thick and 7 m long, and floors end at it to the centimeter.
+  Building flat;
+  for (const double y : {0.0, 3.15}) {
+    flat.level (PlaneKind::Floor, 0.0, {0, y}, {7, y + 3});
+    flat.wall ({0, y}, {7, y}).wall ({7, y}, {7, y + 3});
+    flat.wall ({7, y + 3}, {0, y + 3}).wall ({0, y + 3}, {0, y});
+  }
+  FloorPlanParameters parameters;
+  parameters.min_room = 0.5;
+  const FloorPlan plan = flat.plan (parameters);
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[1].area, 21.0, 0.01);
+}
+
+TEST (FloorPlan, HasNoOpeningWhereTheOtherSideOfAWallWasSeen)
+{
+  Building flat;
+  flat.wall ({0, 0}, {4, 0}).wall ({3, -0.1}, {1, -0.1});
+  EXPECT_EQ (openingsOf (flat.plan()), 0u);
+}
+
 TEST (FloorPlan, DrawsEndsOfWallsToTheCornersBetween)
 {
   Building room;
@@ -200,6 +259,31 @@ TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
       ++thick;
     }
   EXPECT_EQ (thick, 2u);
+}
+
+TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
+{
+  Building flat;
+  for (const double x : {0.0, 4.1}) {
+    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
+    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
+  }
+  flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
+  flat.wall ({4, 0}, {4, 3}, {door}).wall ({4.1, 3}, {4.1, 0}, {{1.1, 2.0, 0.0, 2.05}});
+  const FloorPlan before = flat.plan();
+  // As if all had been seen from the far left, below.
+  for (PlaneSegment& plane : flat.planes)
+    if (plane.normal.dot (Vector3d (1.0, 0.5, 0.0)) > 0.0)
+      plane.normal = -plane.normal;
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  ASSERT_EQ (plan.walls.size(), before.walls.size());
+  for (std::size_t i = 0; i < plan.walls.size(); ++i) {
+    EXPECT_TRUE (plan.walls[i].from.isApprox (before.walls[i].from)) << i;
+    EXPECT_EQ (plan.walls[i].thickness.has_value(),
+               before.walls[i].thickness.has_value());
+  }
 }
 
 TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
