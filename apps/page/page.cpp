@@ -7,7 +7,6 @@
 #include "viewer.h"
 #include <io/output_file.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <locale>
@@ -17,95 +16,27 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief A point, by its index, and what its turn in the order depends on. */
-struct Turn {
-  std::uint32_t hash;
-  std::uint32_t point;
-};
-
-using Turns = std::vector<Turn>;
-
-std::vector<Turns>
-turnsOf (const std::vector<std::uint32_t>& labels,
-         std::size_t planes,
-         const PlaceOf& place)
-{
-  std::vector<Turns> turns (planes + 1);
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (const Eigen::Vector3d at = place (i); at.allFinite()) {
-      const std::size_t group = labels[i] == 0 ? planes : labels[i] - 1;
-      turns[group].push_back ({hashOf (at), static_cast<std::uint32_t> (i)});
-    }
-  return turns;
-}
-
-/** \brief Leaves those whose turn comes first, in order. */
-void
-keepFirst (Turns& turns, std::size_t kept, const PlaceOf& place)
-{
-  const auto is_before = [&] (const Turn& a, const Turn& b) {
-    if (a.hash != b.hash)
-      return a.hash < b.hash;
-    const Eigen::Vector3d first = place (a.point);
-    const Eigen::Vector3d second = place (b.point);
-    return std::lexicographical_compare (
-        first.begin(), first.end(), second.begin(), second.end());
-  };
-  const auto end = turns.begin() + static_cast<std::ptrdiff_t> (kept);
-  if (kept < turns.size())
-    std::nth_element (turns.begin(), end, turns.end(), is_before);
-  turns.erase (end, turns.end());
-  std::sort (turns.begin(), turns.end(), is_before);
-}
-
-/** \brief How many of a group's points are kept. */
-class Quota {
-public:
-  Quota (const std::vector<Turns>& groups, std::size_t max_points)
-  {
-    constexpr std::size_t enough = 100;
-    std::size_t all = 0;
-    for (const Turns& turns : groups)
-      all += turns.size();
-    if (all <= max_points)
-      return;
-    least_ = std::min (enough, max_points / (2 * groups.size()));
-    share_ = double (max_points - least_ * groups.size()) / double (all);
-  }
-
-  std::size_t
-  of (std::size_t points) const
-  {
-    const auto shared =
-        static_cast<std::size_t> (std::floor (share_ * double (points)));
-    return std::min (points, std::max (least_, shared));
-  }
-
-private:
-  std::size_t least_ = 0;
-  double share_ = 1.0;
-};
-
 /** \brief Places on the lattice of the box around them. */
 PointGroup
-onLattice (const Turns& turns, const PlaceOf& place)
+onLattice (const SampledPoints& points)
 {
   constexpr double last = std::numeric_limits<std::uint16_t>::max();
   PointGroup group;
-  if (turns.empty())
+  group.all = points.all;
+  if (points.places.empty())
     return group;
-  Eigen::Array3d low = place (turns.front().point);
+  Eigen::Array3d low = points.places.front();
   Eigen::Array3d high = low;
-  for (const Turn& turn : turns) {
-    low = low.min (place (turn.point).array());
-    high = high.max (place (turn.point).array());
+  for (const Eigen::Vector3d& place : points.places) {
+    low = low.min (place.array());
+    high = high.max (place.array());
   }
   group.origin = low;
   group.step = (high - low) / last;
   const Eigen::Array3d per_step = (high > low).select (last / (high - low), 0.0);
-  group.places.reserve (turns.size());
-  for (const Turn& turn : turns) {
-    const Eigen::Array3d steps = (place (turn.point).array() - low) * per_step;
+  group.places.reserve (points.places.size());
+  for (const Eigen::Vector3d& place : points.places) {
+    const Eigen::Array3d steps = (place.array() - low) * per_step;
     std::array<std::uint16_t, 3>& on_lattice = group.places.emplace_back();
     for (int axis = 0; axis < 3; ++axis)
       on_lattice.at (axis) = static_cast<std::uint16_t> (std::lround (steps[axis]));
@@ -160,21 +91,31 @@ writeGroups (const std::vector<PointGroup>& groups,
 } // namespace
 
 std::vector<PointGroup>
+toGroups (const std::vector<SampledPoints>& samples)
+{
+  std::vector<PointGroup> groups;
+  for (const SampledPoints& sample : samples)
+    groups.push_back (onLattice (sample));
+  return groups;
+}
+
+std::vector<PointGroup>
 groupPoints (const std::vector<std::uint32_t>& labels,
              std::size_t planes,
              const PlaceOf& place,
              std::size_t max_points)
 {
-  std::vector<Turns> turns = turnsOf (labels, planes, place);
-  const Quota quota (turns, max_points);
-  std::vector<PointGroup> groups;
-  for (Turns& of_group : turns) {
-    const std::size_t all = of_group.size();
-    keepFirst (of_group, quota.of (all), place);
-    groups.push_back (onLattice (of_group, place));
-    groups.back().all = all;
-  }
-  return groups;
+  std::vector<std::size_t> sizes (planes + 1, 0);
+  const auto group_of = [&] (std::size_t i) {
+    return labels[i] == 0 ? planes : labels[i] - 1;
+  };
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (place (i).allFinite())
+      ++sizes[group_of (i)];
+  PointSample sample (sizes, max_points);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    sample.add (group_of (i), place (i));
+  return toGroups (sample.take());
 }
 
 void

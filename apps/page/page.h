@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "point_sample.h"
 #include <io/shifted_cloud.h>
 
 #include <array>
@@ -28,10 +29,11 @@ struct PointGroup {
   std::vector<std::array<std::uint16_t, 3>> places;
 };
 
+std::vector<PointGroup>
+toGroups (const std::vector<SampledPoints>& samples);
+
 /** \brief Groups the points of a cloud by planes, those on none last, with at most so
- * many in all. Where there are more, each plane keeps a hundred points, or its share of
- * half of them, before the rest is shared out by size. The same for any order of the
- * points; those that are not finite are left out.
+ * many in all (\ref PointSample).
  * \param[in] labels per point: 0 for no plane, else the position of the plane plus 1
  * \param[in] place where each point is */
 std::vector<PointGroup>

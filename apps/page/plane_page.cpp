@@ -17,15 +17,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json
-planesOf (const PlanePage& page, const Eigen::Vector3d& up)
+coloredPlanes (const PlanePage& page)
 {
-  Json planes = Json::array();
-  for (std::size_t i = 0; i < page.planes.size(); ++i) {
-    Json plane =
-        planeObject (page.ids[i], page.planes[i], page.extents[i], page.kinds[i], up);
-    plane["color"] = webColor (colorOfLabel (page.ids[i]));
-    planes.push_back (plane);
-  }
+  Json planes = page.objects;
+  for (Json& plane : planes)
+    plane["color"] = webColor (colorOfLabel (plane.at ("id").get<std::uint32_t>()));
   return planes;
 }
 
@@ -54,24 +50,41 @@ descriptionOf (const PlanePage& page)
   description["up"] = up;
   description["view"] = to_eye;
   // Where no sensor is known to have been, normals do not say which side was seen.
-  description["backs"] = !isSeenFromItsOrigin (cloud);
-  description["planes"] = planesOf (page, up);
+  description["backs"] = !page.samples.empty() || !isSeenFromItsOrigin (cloud);
+  description["planes"] = coloredPlanes (page);
   description["edges"] = edgesOf (page);
   return description;
 }
 
 } // namespace
 
+Json
+planeObjects (const std::vector<PlaneSegment>& planes,
+              const std::vector<PlaneExtent>& extents,
+              const std::vector<PlaneKind>& kinds,
+              const std::vector<std::uint32_t>& ids,
+              const Eigen::Vector3f& up)
+{
+  const Eigen::Vector3d upwards = up.cast<double>().normalized();
+  Json objects = Json::array();
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    objects.push_back (planeObject (ids[i], planes[i], extents[i], kinds[i], upwards));
+  return objects;
+}
+
 void
 savePlanePage (const std::string& file, const PlanePage& page)
 {
+  // A file may have any bytes in its name.
+  const std::string description =
+      descriptionOf (page).dump (-1, ' ', false, Json::error_handler_t::replace);
+  if (!page.samples.empty())
+    return savePage (
+        file, description, toGroups (page.samples), Eigen::Vector3d::Zero());
   const XyzCloud& cloud = *page.shifted.cloud;
   const auto place = [&] (std::size_t i) -> Eigen::Vector3d {
     return cloud[i].getVector3fMap().cast<double>();
   };
-  // A file may have any bytes in its name.
-  const std::string description =
-      descriptionOf (page).dump (-1, ' ', false, Json::error_handler_t::replace);
   savePage (
       file,
       description,

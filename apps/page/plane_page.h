@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 
+#include "point_sample.h"
 #include <io/shifted_cloud.h>
+#include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_kinds.h>
@@ -19,14 +21,23 @@ namespace pcl_ops::apps {
 struct PlanePage {
   std::string title;
   const ShiftedCloud& shifted;
-  /** \brief In the file's frame, each with its extent, its kind and its id, which it
-   * has its color by. */
+  /** \brief In the file's frame. */
   const std::vector<PlaneSegment>& planes;
-  const std::vector<PlaneExtent>& extents;
-  const std::vector<PlaneKind>& kinds;
-  const std::vector<std::uint32_t>& ids;
+  /** \brief One for each plane, as \ref planeObject, whose "id" it has its color by. */
+  nlohmann::ordered_json objects;
   Eigen::Vector3f up;
+  /** \brief Of each plane, then of none, in the file's frame: where the cloud is no
+   * more than these. Such a one is a survey, which no single sensor has seen. */
+  std::vector<SampledPoints> samples = {};
 };
+
+/** \brief The objects of a page. \param[in] up of any length but 0 */
+nlohmann::ordered_json
+planeObjects (const std::vector<PlaneSegment>& planes,
+              const std::vector<PlaneExtent>& extents,
+              const std::vector<PlaneKind>& kinds,
+              const std::vector<std::uint32_t>& ids,
+              const Eigen::Vector3f& up);
 
 /** \brief Writes a page (\ref savePage) that begins with the view of \ref chooseView.
  */

@@ -484,9 +484,11 @@ saveOutputs (const SegmentOptions& options,
                    {fs::path (report.input).filename().string(),
                     shifted,
                     planes,
-                    report.extents,
-                    report.detected.kinds,
-                    report.ids,
+                    planeObjects (planes,
+                                  report.extents,
+                                  report.detected.kinds,
+                                  report.ids,
+                                  report.detected.up),
                     report.detected.up});
   if (!outputs.mesh.empty())
     saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0));

@@ -265,14 +265,17 @@ savePage (const ViewOptions& options, const ShiftedCloud& shifted)
     ids.push_back (static_cast<std::uint32_t> (ids.size() + 1));
   }
   const std::string title = std::filesystem::path (options.input).filename().string();
-  savePlanePage (options.page,
-                 {title,
-                  shifted,
-                  planes,
-                  extents,
-                  planeKinds (planes, extents, found.detected.up.cast<double>()),
-                  ids,
-                  found.detected.up});
+  savePlanePage (
+      options.page,
+      {title,
+       shifted,
+       planes,
+       planeObjects (planes,
+                     extents,
+                     planeKinds (planes, extents, found.detected.up.cast<double>()),
+                     ids,
+                     found.detected.up),
+       found.detected.up});
 }
 
 void
