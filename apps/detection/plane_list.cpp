@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "geopackage.h"
 #include "plane_list.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
@@ -353,6 +354,22 @@ toGeoJson (const Json& planes, const MapOptions& options)
   return featureCollection (features, options.crs);
 }
 
+bool
+isMap (const std::string& file)
+{
+  return hasExtension (file, {".geojson", ".gpkg"});
+}
+
+void
+checkCanWrite (const std::string& map)
+{
+  if (extensionOf (map) == ".gpkg" && !hasSqlite())
+    throw UsageError (map,
+                      "is a GeoPackage, which this build has no SQLite for; build it "
+                      "with libsqlite3-dev, or write a .geojson and run ogr2ogr " +
+                          map + " on it");
+}
+
 /** \brief Where a plane goes down; null where it has no such direction. */
 Json
 aspectOf (const PlaneSegment& plane, const Eigen::Vector3d& up)
@@ -389,11 +406,33 @@ featureCollection (const std::vector<std::string>& features, const std::string& 
   return text + "\n]}\n";
 }
 
+std::string
+mapFor (const std::string& file, const std::string& geo_json, const std::string& layer)
+{
+  return extensionOf (file) == ".gpkg" ? geoPackageOf (geo_json, layer) : geo_json;
+}
+
 std::optional<Orientation>
 orientationCalled (const std::string& name)
 {
   for (const Orientation known :
        {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
+    if (name == toString (known))
+      return known;
+  return {};
+}
+
+std::optional<PlaneKind>
+kindCalled (const std::string& name)
+{
+  for (const PlaneKind known : {PlaneKind::Floor,
+                                PlaneKind::Ceiling,
+                                PlaneKind::Wall,
+                                PlaneKind::Slab,
+                                PlaneKind::Roof,
+                                PlaneKind::Ramp,
+                                PlaneKind::Table,
+                                PlaneKind::Other})
     if (name == toString (known))
       return known;
   return {};
@@ -485,9 +524,9 @@ declareMap (CommandLine& line, MapOptions& options)
                                       "' is not EPSG:N; give a number, as EPSG:25832");
               options.crs = text;
             })
-      .help ("reference system to name in --planes FILE.geojson");
+      .help ("reference system to name in .geojson and .gpkg");
   line.add ("simplify M", options.simplify, from (0))
-      .help ("straighten outlines in .csv and .geojson, by M at most (0)");
+      .help ("straighten outlines in .csv, .geojson, .gpkg, by M at most (0)");
 }
 
 void
@@ -496,16 +535,14 @@ checkMap (const CommandLine& line,
           const std::vector<std::string>& maps)
 {
   const std::string extension = extensionOf (planes);
-  const bool has_map =
-      extension == ".geojson" ||
-      std::any_of (maps.begin(), maps.end(), [] (const std::string& map) {
-        return extensionOf (map) == ".geojson";
-      });
+  const bool has_map = isMap (planes) || std::any_of (maps.begin(), maps.end(), isMap);
   if (line.isGiven ("crs") && !has_map)
-    throw UsageError ("--crs", "is about --planes FILE.geojson; give one");
-  if (line.isGiven ("simplify") && extension != ".geojson" && extension != ".csv")
+    throw UsageError ("--crs", "is about --planes FILE.geojson or .gpkg; give one");
+  if (line.isGiven ("simplify") && !isMap (planes) && extension != ".csv")
     throw UsageError ("--simplify",
-                      "is about --planes FILE.csv or FILE.geojson; give one");
+                      "is about --planes FILE.csv, .geojson or .gpkg; give one");
+  checkCanWrite (planes);
+  std::for_each (maps.begin(), maps.end(), checkCanWrite);
 }
 
 std::string
@@ -514,8 +551,8 @@ planesFor (const std::string& file, const Json& list, const MapOptions& options)
   const std::string extension = extensionOf (file);
   if (extension == ".csv")
     return toCsv (list.at ("planes"), options);
-  if (extension == ".geojson")
-    return toGeoJson (list.at ("planes"), options);
+  if (isMap (file))
+    return mapFor (file, toGeoJson (list.at ("planes"), options), "planes");
   return jsonText (list);
 }
 

@@ -55,8 +55,15 @@ jsonText (const nlohmann::ordered_json& json);
 std::string
 featureCollection (const std::vector<std::string>& features, const std::string& crs);
 
+/** \brief What to write to a .geojson or .gpkg (\ref geoPackageOf). */
+std::string
+mapFor (const std::string& file, const std::string& geo_json, const std::string& layer);
+
 std::optional<Orientation>
 orientationCalled (const std::string& name);
+
+std::optional<PlaneKind>
+kindCalled (const std::string& name);
 
 /** \brief Turns the normals of planes up that are not vertical: in a survey, which no
  * single sensor has seen. */
@@ -108,8 +115,8 @@ checkMap (const CommandLine& line,
           const std::vector<std::string>& maps = {});
 
 /** \brief The text of a list of planes as the name of a file asks for: .json as it is;
- * .csv with the outline as the last column; .geojson with numbers as properties, as
- * GDAL's formats have no lists.
+ * .csv with the outline as the last column; .geojson and .gpkg with numbers as
+ * properties, as GDAL's formats have no lists.
  * \param[in] list an object whose "planes" are those of \ref planeObject */
 std::string
 planesFor (const std::string& file,

@@ -4,6 +4,8 @@
 
 #include <boost/format.hpp>
 
+#include <io/output_file.h>
+
 #include <cmath>
 
 namespace pcl_ops::apps {
@@ -184,6 +186,20 @@ planToGeoJson (const FloorPlan& plan,
   for (std::size_t i = 0; i < plan.rooms.size(); ++i)
     features.push_back (roomFeature (plan.rooms[i], i + 1).dump());
   return featureCollection (features, crs);
+}
+
+void
+savePlan (const std::string& file,
+          const FloorPlan& plan,
+          const std::vector<std::uint32_t>& ids,
+          const std::string& title,
+          const std::string& crs)
+{
+  const std::string extension = extensionOf (file);
+  if (extension == ".geojson" || extension == ".gpkg")
+    return writeTextFile (file, mapFor (file, planToGeoJson (plan, ids, crs), "plan"));
+  const Drawing drawing = drawingOf (plan);
+  writeTextFile (file, extension == ".svg" ? toSvg (drawing, title) : toDxf (drawing));
 }
 
 } // namespace pcl_ops::apps

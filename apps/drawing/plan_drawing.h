@@ -23,4 +23,14 @@ planToGeoJson (const FloorPlan& plan,
                const std::vector<std::uint32_t>& ids,
                const std::string& crs);
 
+/** \brief Writes a plan as the name of the file asks for: .dxf, .svg, .geojson or
+ * .gpkg.
+ * \throws WorkError if it cannot be written */
+void
+savePlan (const std::string& file,
+          const FloorPlan& plan,
+          const std::vector<std::uint32_t>& ids,
+          const std::string& title,
+          const std::string& crs);
+
 } // namespace pcl_ops::apps

@@ -48,12 +48,12 @@ struct OutputOption {
 
 /** \brief All but OUTPUT, whose formats are not the same in every build. */
 const OutputOption output_options[] = {
-    {"planes", &Outputs::planes, {".json", ".csv", ".geojson"}},
+    {"planes", &Outputs::planes, {".json", ".csv", ".geojson", ".gpkg"}},
     {"image", &Outputs::image, {".png"}},
     {"view", &Outputs::view, {".html"}},
     {"mesh", &Outputs::mesh, {".ply", ".vtk", ".obj"}},
-    {"edges", &Outputs::edges, {".ply", ".vtk", ".json", ".dxf", ".geojson"}},
-    {"plan", &Outputs::plan, {".dxf", ".svg", ".geojson"}},
+    {"edges", &Outputs::edges, {".ply", ".vtk", ".json", ".dxf", ".geojson", ".gpkg"}},
+    {"plan", &Outputs::plan, {".dxf", ".svg", ".geojson", ".gpkg"}},
     {"rest", &Outputs::rest, {".pcd", ".ply"}},
     {"planes-dir", &Outputs::planes_dir, {}}};
 
@@ -67,7 +67,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("jobs N", options.jobs, from (0).upTo (256))
       .help ("INPUTs at a time; 0: one for each processor (1)");
   line.add ("planes FILE", outputs.planes)
-      .help ("write the planes: .json, .csv, .geojson or - (printed)");
+      .help ("write the planes: .json, .csv, .geojson, .gpkg or - (printed)");
   line.add ("image FILE.png", outputs.image).help ("write a picture of the planes");
   line.add ("view FILE.html", outputs.view)
       .help ("write a page to look at them in a browser");
@@ -94,9 +94,9 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("mesh FILE", outputs.mesh)
       .help ("write the hulls as a mesh: .ply, .vtk or .obj");
   line.add ("edges FILE", outputs.edges)
-      .help ("write where planes meet: .ply, .vtk, .json, .dxf or .geojson");
+      .help ("write where planes meet: .ply, .vtk, .json, .dxf, .geojson, .gpkg");
   line.add ("plan FILE", outputs.plan)
-      .help ("write a floor plan, walls, openings, rooms: .dxf, .svg, .geojson");
+      .help ("write a floor plan: .dxf, .svg, .geojson or .gpkg");
   line.add ("plan-height M", options.of_plan.cut_height, from (-1000).upTo (1000))
       .help ("where --plan cuts the walls, over the lowest floor (1.2)");
   line.add ("rest FILE", outputs.rest)

@@ -422,32 +422,22 @@ saveEdges (const std::string& file,
     return writeTextFile (file, toJson (edges));
   if (extension == ".dxf")
     return writeTextFile (file, toDxf (drawingOf (edges)));
-  if (extension == ".geojson")
-    return writeTextFile (file, edgesToGeoJson (edges, crs));
+  if (extension == ".geojson" || extension == ".gpkg")
+    return writeTextFile (file, mapFor (file, edgesToGeoJson (edges, crs), "edges"));
   savePolyData (file, cloud, toLines (edges));
 }
 
-void
-savePlan (const SegmentOptions& options,
-          const std::string& file,
-          const ShiftedCloud& shifted,
-          const Report& report)
+FloorPlan
+floorPlanOf (const SegmentOptions& options,
+             const ShiftedCloud& shifted,
+             const Detected& detected)
 {
-  const Detected& detected = report.detected;
-  const FloorPlan plan = findFloorPlan (*shifted.cloud,
-                                        detected.planes,
-                                        detected.kinds,
-                                        detected.up.cast<double>(),
-                                        options.of_plan,
-                                        shifted.shift);
-  const std::string extension = extensionOf (file);
-  if (extension == ".geojson")
-    return writeTextFile (file, planToGeoJson (plan, report.ids, options.map.crs));
-  const Drawing drawing = drawingOf (plan);
-  writeTextFile (file,
-                 extension == ".svg"
-                     ? toSvg (drawing, fs::path (report.input).filename().string())
-                     : toDxf (drawing));
+  return findFloorPlan (*shifted.cloud,
+                        detected.planes,
+                        detected.kinds,
+                        detected.up.cast<double>(),
+                        options.of_plan,
+                        shifted.shift);
 }
 
 } // namespace
@@ -495,7 +485,11 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.edges.empty())
     saveEdges (outputs.edges, cloud, shifted, report, options.map.crs);
   if (!outputs.plan.empty())
-    savePlan (options, outputs.plan, shifted, report);
+    savePlan (outputs.plan,
+              floorPlanOf (options, shifted, report.detected),
+              report.ids,
+              fs::path (report.input).filename().string(),
+              options.map.crs);
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())
