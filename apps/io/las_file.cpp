@@ -214,6 +214,18 @@ LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
   forRecords (*this, [&] (const char* record) { visit (placeIn (record, *this)); });
 }
 
+void
+LasFile::forLabels (const VisitLabelled& visit)
+{
+  const std::optional<std::uint64_t> label = placeOf (label_field, *this);
+  if (!label)
+    throw WorkError (file, "has no labels; give a file with labels");
+  forRecords (*this, [&] (const char* record) {
+    visit (placeIn (record, *this),
+           reinterpret_cast<const LasHeader::Long&> (record[*label]));
+  });
+}
+
 std::string
 LasFile::validate (const std::vector<LasField>& wanted) const
 {

@@ -20,6 +20,9 @@ namespace pcl_ops::apps {
 /** \brief Of the next point, given where that is. */
 using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
 
+/** \brief Called with the place and the label of a point. */
+using VisitLabelled = std::function<void (const Eigen::Vector3d&, std::uint32_t)>;
+
 /** \brief A field of extra bytes, and its four of the next point. */
 using LasColumn = std::pair<LasField, LabelOfPlace>;
 
@@ -63,6 +66,11 @@ struct LasFile {
   /** \brief Visits the places of all points, with a block of them in memory. */
   void
   forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
+
+  /** \brief Visits the places of all points with their labels, as \ref forPlaces.
+   * \throws WorkError if they have none */
+  void
+  forLabels (const VisitLabelled& visit);
 
   /** \brief Why there can be no such fields beside all else, with the fix, or empty. */
   std::string

@@ -61,13 +61,18 @@ Lengths are in the unit of the inputs, meters by default.
 void
 checkPlanes (const CommandLine& line, PlanesOutput& planes)
 {
-  checkExtension ("--planes", planes.file, {".geojson", ".csv", ".json"});
+  checkExtension ("--planes", planes.file, {".geojson", ".csv", ".json", ".gpkg"});
   finishChoice (line, planes.choice);
-  checkMap (line, planes.file);
+  checkMap (line, planes.file, {planes.floor_plan});
   if (const auto given = line.givenOf (title_of_choice);
-      !given.empty() && planes.file.empty() && planes.image.empty())
+      !given.empty() && planes.files().empty())
     throw UsageError ("--" + given.front(), "is about --planes FILE; give it, too");
   checkExtension ("--image", planes.image, {".png"});
+  checkExtension ("--view", planes.view, {".html"});
+  checkExtension (
+      "--floor-plan", planes.floor_plan, {".dxf", ".svg", ".geojson", ".gpkg"});
+  if (line.isGiven ("plan-height") && planes.floor_plan.empty())
+    throw UsageError ("--plan-height", "is about --floor-plan; give it, too");
 }
 
 /** \brief \return false if --help or --version was answered and nothing is left to do
@@ -89,9 +94,16 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   line.add ("plan FILE", options.plan_file)
       .help ("the plan to follow; written if there is none (DIR/work/plan.json)");
   line.add ("planes FILE", options.planes.file)
-      .help ("write planes, all or those to keep: .geojson, .csv or .json");
+      .help ("write planes, all or those to keep: .geojson, .gpkg, .csv, .json");
   line.add ("image FILE.png", options.planes.image)
       .help ("draw the same planes from above, by plane and by orientation");
+  line.add ("view FILE.html", options.planes.view)
+      .help ("a page that shows the same planes, and points, in a browser");
+  line.add ("floor-plan FILE", options.planes.floor_plan)
+      .help ("write walls, openings, rooms: .dxf, .svg, .geojson, .gpkg");
+  line.add (
+          "plan-height M", options.planes.of_plan.cut_height, from (-1000).upTo (1000))
+      .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
   declareMap (line, options.planes.map);
   line.add ("dry-run", options.dry_run).help ("print the plan, and do nothing");
   line.add ("quiet", options.quiet).help ("print nothing");
@@ -105,10 +117,10 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
                       "needs all points of a plane at once, which tiles have not; see "
                       "parts in planes.json, or run pcl_ops_segment on one file");
   // --plan is the plan of the tiles here.
-  if (hasExtension (options.plan_file, {".dxf", ".svg", ".geojson"}))
+  if (hasExtension (options.plan_file, {".dxf", ".svg", ".geojson", ".gpkg"}))
     throw UsageError ("--plan",
-                      "needs the points of walls at one height, which tiles have not; "
-                      "run pcl_ops_segment --plan on a file of the building");
+                      "is the plan of the tiles here; give --floor-plan " +
+                          options.plan_file);
   if (options.output_dir.empty())
     throw UsageError ("--output-dir", "is missing; give a folder for the outputs");
   checkPlanes (line, options.planes);
@@ -189,14 +201,12 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
   }
   input_of.emplace (resolvedName (folder.output (planes_file)), "");
   const auto check_output = [&] (const std::string& option, const std::string& file) {
-    if (file.empty())
-      return;
     if (!input_of.emplace (resolvedName (file), "").second)
       throw UsageError (file, "is an input or another output; give another " + option);
     checkWritable (file);
   };
-  check_output ("--planes", options.planes.file);
-  check_output ("--image", options.planes.image);
+  for (const auto& [option, file] : options.planes.files())
+    check_output (option, file);
 }
 
 std::string
@@ -387,8 +397,11 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   if (!is_done)
     folder.finish();
   folder.clean();
+  const auto points = [&] (const VisitLabelled& visit) {
+    forLabelledPoints (plan, folder, visit);
+  };
   const std::string planes =
-      saveChosenPlanes (folder.output (planes_file), options.planes);
+      saveChosenPlanes (folder.output (planes_file), points, options.planes);
   if (speaks)
     std::cout << times << options.output_dir
               << ": the labelled inputs and planes.json, " << planes << "\n";

@@ -4,6 +4,7 @@
 
 #include "planes_json.h"
 #include "point_file.h"
+#include <cli/program.h>
 #include <io/inputs.h>
 #include <io/las_file.h>
 #include <io/output_file.h>
@@ -226,6 +227,18 @@ outputOf (const Plan& plan, const RunFolder& folder, std::size_t input)
   const std::string& file = plan.inputs[input].file;
   const std::string extension = isLasName (file) ? extensionOf (file) : ".pcd";
   return folder.output (fs::path (file).stem().string() + extension);
+}
+
+void
+forLabelledPoints (const Plan& plan,
+                   const RunFolder& folder,
+                   const VisitLabelled& visit)
+{
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    stopIfInterrupted();
+    const std::string file = outputOf (plan, folder, i);
+    inMemory (file, "give smaller inputs", [&] { PointFile (file).forLabels (visit); });
+  }
 }
 
 } // namespace pcl_ops::apps

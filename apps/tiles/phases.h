@@ -4,6 +4,7 @@
 
 #include "plan.h"
 #include "run_files.h"
+#include <io/las_file.h>
 
 #include <filesystem>
 #include <system_error>
@@ -115,5 +116,12 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 
 std::string
 outputOf (const Plan& plan, const RunFolder& folder, std::size_t input);
+
+/** \brief Visits all points of a run that is done, with their labels.
+ * \throws WorkError if an output cannot be read or has no labels */
+void
+forLabelledPoints (const Plan& plan,
+                   const RunFolder& folder,
+                   const VisitLabelled& visit);
 
 } // namespace pcl_ops::apps

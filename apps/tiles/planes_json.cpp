@@ -3,8 +3,11 @@
 #include "planes_json.h"
 
 #include <cli/errors.h>
+#include <drawing/plan_drawing.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
+#include <page/page.h>
+#include <page/plane_page.h>
 #include <picture/image.h>
 
 #include <filesystem>
@@ -85,19 +88,6 @@ toObject (const Plan& plan,
   return object;
 }
 
-/** \brief As far as it can be chosen by. */
-PlaneSegment
-segmentIn (const Json& plane)
-{
-  PlaneSegment segment;
-  plane.at ("normal").get_to (segment.normal);
-  plane.at ("centroid").get_to (segment.centroid);
-  segment.moments.count = plane.at ("points").get<double>();
-  if (const auto known = orientationCalled (plane.at ("orientation")))
-    segment.orientation = *known;
-  return segment;
-}
-
 /** \return what was dropped */
 Dropped
 choosePlanes (const PlaneChoice& choice, Json& list)
@@ -141,6 +131,59 @@ saveImage (const std::string& file, const Json& planes)
   savePng (file, mapPicture (std::move (shapes)));
 }
 
+void
+saveView (const std::string& file,
+          const std::string& title,
+          const Json& list,
+          const LabelledPoints& points)
+{
+  const PlaneSample sample = samplePlanes (list, points, max_points_on_page);
+  Json planes = list.at ("planes");
+  for (Json& plane : planes)
+    for (const char* key : {"moments", "tiles", "inputs"})
+      plane.erase (key);
+  savePlanePage (file,
+                 {title,
+                  sample.shifted,
+                  sample.planes,
+                  std::move (planes),
+                  Eigen::Vector3f::UnitZ(),
+                  sample.points});
+}
+
+void
+saveFloorPlan (const PlanesOutput& output,
+               const std::string& title,
+               const Json& list,
+               const LabelledPoints& points)
+{
+  // Some hundred on a square meter of the walls of a large building.
+  constexpr std::size_t enough = 4'000'000;
+  const PlaneSample sample = samplePlanes (list, points, enough);
+  std::vector<PlaneKind> kinds;
+  std::vector<std::uint32_t> ids;
+  for (const Json& plane : list.at ("planes")) {
+    // Lists of earlier versions have no kinds.
+    const std::string kind = plane.value ("kind", std::string());
+    kinds.push_back (kindCalled (kind).value_or (PlaneKind::Other));
+    ids.push_back (plane.at ("id").get<std::uint32_t>());
+  }
+  const FloorPlan plan = findFloorPlan (*sample.shifted.cloud,
+                                        sample.planes,
+                                        kinds,
+                                        Eigen::Vector3d::UnitZ(),
+                                        output.of_plan,
+                                        sample.shifted.shift);
+  savePlan (output.floor_plan, plan, ids, title, output.map.crs);
+}
+
+/** \brief The name of the folder that a file is in. */
+std::string
+folderOf (const std::string& file)
+{
+  return fs::absolute (file).lexically_normal().parent_path().filename().string();
+}
+
 std::string
 numberOf (std::size_t planes)
 {
@@ -176,19 +219,24 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
 }
 
 std::string
-saveChosenPlanes (const std::string& list_file, const PlanesOutput& output)
+saveChosenPlanes (const std::string& list_file,
+                  const LabelledPoints& points,
+                  const PlanesOutput& output)
 try {
   Json list = Json::parse (readTextFile (list_file, "planes.json"));
-  if (output.file.empty() && output.image.empty())
+  if (output.files().empty())
     return numberOf (list.at ("planes").size());
   const Dropped dropped = choosePlanes (output.choice, list);
   if (!output.image.empty())
     saveImage (output.image, list.at ("planes"));
+  if (!output.view.empty())
+    saveView (output.view, folderOf (list_file), list, points);
+  if (!output.floor_plan.empty())
+    saveFloorPlan (output, folderOf (list_file), list, points);
   if (!output.file.empty())
     writeTextFile (output.file, planesFor (output.file, list, output.map));
   const std::string reasons = dropped.reasons();
-  return numberOf (dropped.found) + "; " +
-         (output.file.empty() ? output.image : output.file) + ": " +
+  return numberOf (dropped.found) + "; " + output.files().front().second + ": " +
          numberOf (list.at ("planes").size()) +
          (reasons.empty() ? "" : ", dropped " + reasons);
 }

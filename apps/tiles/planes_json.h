@@ -4,8 +4,10 @@
 
 #include "plan.h"
 #include "plane_joining.h"
+#include "plane_sample.h"
 #include <detection/plane_choice.h>
 #include <detection/plane_list.h>
+#include <pcl_ops/floor_plan.h>
 
 namespace pcl_ops::apps {
 
@@ -13,19 +15,41 @@ std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);
 
 struct PlanesOutput {
-  /** \brief .json, .csv or .geojson; empty for nowhere. */
+  /** \brief .json, .csv, .geojson or .gpkg; empty for nowhere. */
   std::string file;
   /** \brief A picture of them, .png; empty for nowhere. */
   std::string image;
+  /** \brief A page for a browser; empty for nowhere. */
+  std::string view;
+  /** \brief .dxf, .svg, .geojson or .gpkg; empty for nowhere. */
+  std::string floor_plan;
+  FloorPlanParameters of_plan;
   PlaneChoice choice;
   MapOptions map;
+
+  /** \brief Those that are asked for, with the options that do. */
+  std::vector<std::pair<std::string, std::string>>
+  files () const
+  {
+    std::vector<std::pair<std::string, std::string>> asked_for;
+    for (const auto& [option, name] : {std::pair ("--planes", &file),
+                                       {"--image", &image},
+                                       {"--view", &view},
+                                       {"--floor-plan", &floor_plan}})
+      if (!name->empty())
+        asked_for.emplace_back (option, *name);
+    return asked_for;
+  }
 };
 
-/** \brief Writes the planes of --planes, if there is such a file.
+/** \brief Writes what is asked for of the planes of a run.
  * \param[in] list_file the list of all planes
+ * \param[in] points with their labels, the ids of the planes
  * \return how many there are, and how many of them were written, in words
  * \throws WorkError if the list cannot be read or the file cannot be written */
 std::string
-saveChosenPlanes (const std::string& list_file, const PlanesOutput& output);
+saveChosenPlanes (const std::string& list_file,
+                  const LabelledPoints& points,
+                  const PlanesOutput& output);
 
 } // namespace pcl_ops::apps

@@ -20,7 +20,8 @@ namespace pcl_ops::apps {
 struct PointFile {
   /** \throws UsageError or WorkError as \ref loadCloud */
   explicit PointFile (const std::string& file)
-  : las (isLasName (file) ? openLas (file) : nullptr)
+  : name (file)
+  , las (isLasName (file) ? openLas (file) : nullptr)
   , cloud (las ? FileCloud() : loadCloud (file))
   {}
 
@@ -48,6 +49,25 @@ struct PointFile {
       visit (reader (i));
   }
 
+  /** \brief Visits the points of a file that \ref saveLabelled has written.
+   * \throws WorkError if they have no labels */
+  void
+  forLabels (const VisitLabelled& visit)
+  {
+    if (las)
+      return las->forLabels (visit);
+    const int index = pcl::getFieldIndex (cloud.points, label_field.name);
+    if (index < 0)
+      throw WorkError (name, "has no labels; give a file with labels");
+    const pcl::PCLPointField& field = cloud.points.fields[std::size_t (index)];
+    const NumberReader label = numberType (field.datatype).read;
+    const CoordinateReader place (cloud);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const std::size_t at = i * cloud.points.point_step + field.offset;
+      visit (place (i), static_cast<std::uint32_t> (label (&cloud.points.data[at])));
+    }
+  }
+
   /** \brief Writes all there is in the file with a label for each point.
    * \param[in] output a .las for a .las, else a .pcd
    * \param[in] label asked for each point, in their order
@@ -63,6 +83,7 @@ struct PointFile {
     saveLabelledCloud (output, cloud, labels, {}, false);
   }
 
+  std::string name;
   std::shared_ptr<LasFile> las;
   FileCloud cloud;
 };

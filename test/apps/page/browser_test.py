@@ -170,6 +170,27 @@ class Data(Page):
         survey = (self.folder / "survey.html").read_text(encoding="utf-8")
         self.assertTrue(json.loads(part_of(survey, "description"))["backs"])
 
+    def test_of_tiles_has_the_planes_of_the_run_with_their_points(self):
+        run(self.folder, "pcl_ops_simulate", "town", "--scene", "town", "--points", "20000", "--quiet")
+        run(self.folder, "pcl_ops_tiles", "town", "--output-dir", "out", "--tile", "60", "--quiet",
+            "--view", "town.html")
+        page = (self.folder / "town.html").read_text(encoding="utf-8")
+        shown = json.loads(part_of(page, "description"))
+        found = json.loads((self.folder / "out" / "planes.json").read_text())
+        groups = json.loads(part_of(page, "groups"))
+        self.assertEqual(len(groups), len(found["planes"]) + 1)
+        for one, plane, group in zip(shown["planes"], found["planes"], groups):
+            self.assertEqual({name: plane[name] for name in one if name != "color"},
+                             {name: value for name, value in one.items() if name != "color"})
+            self.assertEqual((group["all"], group["shown"]), (plane["points"], plane["points"]))
+            # Far from zero, where the middle of its points is known to half a step.
+            high = [o + 65535 * s for o, s in zip(group["origin"], group["step"])]
+            for low, middle, top in zip(group["origin"], plane["centroid"], high):
+                self.assertTrue(low <= middle <= top)
+        self.assertEqual(sum(group["all"] for group in groups), found["points"])
+        self.assertGreater(shown["view"][2], 0.3)  # from above
+        self.assertGreater(len(shown["edges"]), 0)
+
     def test_has_places_on_their_planes(self):
         numbers = memoryview(base64.b64decode(part_of(self.page, "places"))).cast("H")
         group, plane = json.loads(part_of(self.page, "groups"))[0], self.planes[0]
