@@ -6,6 +6,7 @@
 #include "parameters.h"
 #include <metrics/metrics.h>
 #include <pcl_ops/detect_planes.h>
+#include <pcl_ops/floor_plan.h>
 #include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_kinds.h>
 #include <pcl_ops/plane_pieces.h>
@@ -16,6 +17,7 @@
 #include <pybind11/numpy.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace pcl_ops::python {
@@ -335,6 +337,50 @@ edges (const PointRows& points,
   return all;
 }
 
+PlaneKind
+kindCalled (const std::string& name)
+{
+  for (const PlaneKind kind : {PlaneKind::Floor,
+                               PlaneKind::Ceiling,
+                               PlaneKind::Wall,
+                               PlaneKind::Slab,
+                               PlaneKind::Roof,
+                               PlaneKind::Ramp,
+                               PlaneKind::Table})
+    if (name == toString (kind))
+      return kind;
+  return PlaneKind::Other;
+}
+
+/** \return walls (start, end, thickness, openings, planes), with openings (start, end,
+ * sill, head); rooms (rings, area, enclosed, floor, ceiling, middle); and the heights
+ * of the floor and of the cut */
+py::tuple
+plan (const PointRows& points,
+      const Eigen::Vector3d& origin,
+      const PlaneSegments& planes,
+      const std::vector<std::string>& names,
+      const Eigen::Vector3d& up,
+      const FloorPlanParameters& parameters)
+{
+  std::vector<PlaneKind> kinds;
+  std::transform (names.begin(), names.end(), std::back_inserter (kinds), kindCalled);
+  const FloorPlan found =
+      findFloorPlan (viewOf (points), planes, kinds, up, parameters, origin);
+  py::list walls;
+  for (const PlanWall& wall : found.walls) {
+    py::list openings;
+    for (const auto& [from, to, sill, head] : wall.openings)
+      openings.append (py::make_tuple (from, to, sill, head));
+    walls.append (
+        py::make_tuple (wall.from, wall.to, wall.thickness, openings, wall.planes));
+  }
+  py::list rooms;
+  for (const auto& [rings, area, enclosed, floor, ceiling, middle] : found.rooms)
+    rooms.append (py::make_tuple (rings, area, enclosed, floor, ceiling, middle));
+  return py::make_tuple (walls, rooms, found.floor, found.height);
+}
+
 void
 defineTracker (py::module_& module)
 {
@@ -425,6 +471,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   defineParameters<UpAxisParameters> (module, "estimate_up_axis");
   defineParameters<PlaneEdgeParameters> (module, "find_plane_edges");
   defineParameters<PlaneRegularizationParameters> (module, "regularize_planes");
+  defineParameters<FloorPlanParameters> (module, "floor_plan");
   defineSegment (module);
   defineTracker (module);
   module.def ("segment", &segment<Ops>);
@@ -446,6 +493,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("match", &match);
   module.def ("up_axis", &upAxis);
   module.def ("edges", &edges);
+  module.def ("plan", &plan);
   module.def ("regularize", &regularize);
   module.def ("compare", &evaluate);
   module.def ("is_seen_from",

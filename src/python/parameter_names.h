@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/floor_plan.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane_edges.h>
@@ -161,6 +162,13 @@ inline const Overloaded visit_parameters = {
       visit ("max_angle", p.max_angle);
       visit ("max_offset", p.max_offset);
       visit ("max_displacement", p.max_displacement);
+    },
+    [] (FloorPlanParameters& p, const auto& visit) {
+      visit ("cut_height", p.cut_height);
+      visit ("min_opening", p.min_opening);
+      visit ("max_opening", p.max_opening);
+      visit ("max_snap", p.max_snap);
+      visit ("min_room", p.min_room);
     }};
 
 } // namespace pcl_ops::python

@@ -107,6 +107,42 @@ class Planes(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "^" + name):
                 pcl_ops.plane_kinds(planes, **wrong)
 
+    def test_of_a_room_make_a_floor_plan(self):
+        door = (1.0, 1.9)
+        length, height = 4.0, 2.5
+        cloud = [surface((0, 0, 0), (length, 0, 0), (0, 3, 0), 12000, seed=1),
+                 surface((0, 0, height), (length, 0, 0), (0, 3, 0), 12000, seed=2),
+                 surface((0, 3, 0), (length, 0, 0), (0, 0, height), 10000, seed=3),
+                 surface((0, 0, 0), (0, 3, 0), (0, 0, height), 7500, seed=4),
+                 surface((length, 0, 0), (0, 3, 0), (0, 0, height), 7500, seed=5)]
+        front = surface((0, 0, 0), (length, 0, 0), (0, 0, height), 10000, seed=6)
+        is_door = (front[:, 0] > door[0]) & (front[:, 0] < door[1]) & (front[:, 2] < 2.0)
+        points = np.vstack([*cloud, front[~is_door]]) + [500000.0, 5400000.0, 100.0]
+        room = pcl_ops.segment(points, viewpoint=(500002.0, 5400001.5, 101.2))[1]
+        plan = pcl_ops.floor_plan(room)
+        (only,) = plan.rooms
+        self.assertAlmostEqual(only.area, 12.0, delta=0.05)
+        self.assertAlmostEqual(only.ceiling - only.floor, height, delta=0.01)
+        self.assertAlmostEqual(plan.height - plan.floor, 1.2, delta=0.01)
+        self.assertEqual(only.rings[0].shape, (4, 2))
+        np.testing.assert_allclose(only.rings[0].min(axis=0), [500000.0, 5400000.0], atol=0.02)
+        np.testing.assert_allclose(only.middle, [500002.0, 5400001.5], atol=0.02)
+        self.assertEqual(len(plan.walls), 4)
+        for wall in plan.walls:
+            self.assertEqual({room[i].kind for i in wall.planes}, {"wall"})
+            self.assertIsNone(wall.thickness)
+        (gap,) = [one for wall in plan.walls for one in wall.openings]
+        self.assertAlmostEqual(np.linalg.norm(gap.end - gap.start), 0.9, delta=0.05)
+        self.assertAlmostEqual(gap.head, 2.0, delta=0.1)
+        self.assertIsNone(gap.sill)
+
+    def test_a_floor_plan_takes_parameters_and_refuses_wrong_ones(self):
+        self.assertEqual(pcl_ops.floor_plan(planes, min_room=100.0).rooms, [])
+        self.assertEqual(pcl_ops.floor_plan([])[:2], ([], []))
+        for wrong in ({"up": (0, 0, 0)}, {"min_room": 0.0}, {"max_snap": -1.0}):
+            with self.assertRaises(ValueError):
+                pcl_ops.floor_plan(planes, **wrong)
+
     def test_are_regularized_to_exact_angles(self):
         exact, moves = pcl_ops.regularize_planes(planes)
         for one, other in ((0, 1), (0, 2), (1, 2)):

@@ -361,6 +361,82 @@ def find_plane_edges(
             [PlaneCorner(tuple(of_planes), position) for of_planes, position in corners])
 
 
+class PlanOpening(NamedTuple):
+    """A gap of a wall at the height of the cut: a door, a window."""
+
+    start: NDArray[np.float64]
+    end: NDArray[np.float64]
+    sill: Optional[float]
+    """Height over the floor of the wall below it; None where none was seen."""
+    head: Optional[float]
+    """Height over the floor of the wall above it."""
+
+
+class PlanWall(NamedTuple):
+    """One side of a wall, from corner to corner; the room is to the left of the way."""
+
+    start: NDArray[np.float64]
+    end: NDArray[np.float64]
+    thickness: Optional[float]
+    """To its other side, where that was seen."""
+    openings: List[PlanOpening]
+    """From start to end."""
+    planes: Tuple[int, ...]
+    """Positions in the list of planes."""
+
+
+class PlanRoom(NamedTuple):
+    """A room, as far as its walls were seen."""
+
+    rings: List[NDArray[np.float64]]
+    """(m, 2) each: the outline, counter-clockwise, then holes, clockwise."""
+    area: float
+    enclosed: float
+    """The share of walls in the outline, 0 to 1."""
+    floor: Optional[float]
+    ceiling: Optional[float]
+    """Heights along up; None where they were not seen."""
+    middle: NDArray[np.float64]
+    """A place within, for a name."""
+
+
+class FloorPlan(NamedTuple):
+    """A level cut through a building. Where up is z, x and y are those of the planes."""
+
+    walls: List[PlanWall]
+    rooms: List[PlanRoom]
+    """By falling area."""
+    floor: float
+    height: float
+    """Of the floor, and of the cut."""
+
+
+@named_parameters("floor_plan")
+def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) -> FloorPlan:
+    """Draw the floor plan of the planes of a room, or of several: walls, openings, rooms.
+
+    planes: all Plane of one array, as segment gives them. Their kind says what makes the plan.
+    up: vector against gravity.
+    cut_height: where walls are cut, over the lowest floor.
+    min_opening, max_opening: lengths of gaps that are openings.
+    max_snap: how far ends of walls are moved to the wall they meet.
+    min_room: area of the smallest room.
+    """
+    planes = plane_list("planes", planes)
+    axis = place("up", up)
+    if not axis.any():
+        raise ValueError("up: has no direction")
+    single, origin = single_precision(_array_of(planes))
+    walls, rooms, floor, height = _pcl_ops.plan(
+        single, origin, planes, [plane.kind for plane in planes], axis,
+        with_given(_pcl_ops.floor_plan(), parameters))
+    return FloorPlan(
+        [PlanWall(start, end, thickness, [PlanOpening(*one) for one in openings], tuple(numbers))
+         for start, end, thickness, openings, numbers in walls],
+        [PlanRoom([np.reshape(ring, (-1, 2)) for ring in rings], *rest) for rings, *rest in rooms],
+        floor, height)
+
+
 @named_parameters("estimate_up_axis")
 def estimate_up_axis(
     planes: Planes, viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any
