@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How often kinds of planes are right, and how exact floor plans are, in simulated
+// rooms and surveys of houses. The tables of kinds.md and plan.md are what these tests
+// print: ctest --test-dir build -R lab_buildings_test -V
+#include <gtest/gtest.h>
+
+#include <pcl_ops/detect_planes.h>
+#include <pcl_ops/floor_plan.h>
+#include <pcl_ops/plane_kinds.h>
+#include <simulation/scenes.h>
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <string>
+
+using namespace pcl_ops;
+using namespace pcl_ops::simulation;
+
+namespace {
+
+constexpr Seed first_seed = 401;
+
+/** \brief A simulated cloud with what is found in it. */
+struct Found {
+  explicit Found (const Simulation& simulation)
+  : simulated (simulate (simulation)), cloud (simulated.cloud)
+  {
+    const Vector3d viewpoint = simulated.cloud.sensor_origin_.head<3>().cast<double>();
+    planes = detectPlanes (cloud, OrientedPointSamplingParameters(), viewpoint);
+    for (const PlaneSegment& plane : planes)
+      extents.push_back (planeExtent (cloud, plane));
+    kinds = planeKinds (planes, extents, Vector3d::UnitZ());
+  }
+
+  /** \brief The true plane that most of a found one is of; 0: of none. */
+  std::uint32_t
+  truthOf (const PlaneSegment& plane) const
+  {
+    std::map<std::uint32_t, std::size_t> points;
+    for (const pcl::index_t i : plane.inliers)
+      ++points[simulated.cloud[static_cast<std::size_t> (i)].label];
+    const auto most =
+        std::max_element (points.begin(), points.end(), [] (auto& a, auto& b) {
+          return a.second < b.second;
+        });
+    return most == points.end() ? 0 : most->first;
+  }
+
+  SimulatedCloud simulated;
+  CloudView cloud;
+  std::vector<PlaneSegment> planes;
+  std::vector<PlaneExtent> extents;
+  std::vector<PlaneKind> kinds;
+};
+
+/** \brief Areas of found planes that truly are of a kind, and that were called so
+ * [m^2].
+ */
+struct Count {
+  double truly = 0.0, called = 0.0, both = 0.0;
+
+  void
+  add (bool is_truly, bool is_called, double area)
+  {
+    truly += is_truly ? area : 0.0;
+    called += is_called ? area : 0.0;
+    both += is_truly && is_called ? area : 0.0;
+  }
+};
+
+using TrueKind = std::function<PlaneKind (const Plane&)>;
+
+/** \brief Counts floors, ceilings and so on, and all of them together. */
+class Counts {
+public:
+  explicit Counts (std::vector<PlaneKind> kinds)
+  : kinds_ (std::move (kinds)), counts_ (kinds_.size() + 1)
+  {}
+
+  void
+  add (const Found& found, const TrueKind& true_kind)
+  {
+    for (std::size_t i = 0; i < found.planes.size(); ++i) {
+      const std::uint32_t truth = found.truthOf (found.planes[i]);
+      const PlaneKind truly =
+          truth == 0 ? PlaneKind::Other : true_kind (found.simulated.planes[truth - 1]);
+      const double area = found.extents[i].area;
+      for (std::size_t k = 0; k < kinds_.size(); ++k)
+        for (Count* count : {&counts_[k], &counts_.back()})
+          count->add (truly == kinds_[k], found.kinds[i] == kinds_[k], area);
+    }
+  }
+
+  /** \brief Shares of what truly is such, then of what was called such. */
+  double
+  recall () const
+  {
+    return counts_.back().both / counts_.back().truly;
+  }
+
+  double
+  precision () const
+  {
+    return counts_.back().both / counts_.back().called;
+  }
+
+  void
+  print (const std::string& title) const
+  {
+    std::printf ("%s:", title.c_str());
+    for (std::size_t k = 0; k < kinds_.size(); ++k)
+      std::printf (" %s %.1f %%,",
+                   toString (kinds_[k]),
+                   100.0 * counts_[k].both / counts_[k].truly);
+    std::printf (" together %.1f %%, so named and right %.1f %%\n",
+                 100.0 * recall(),
+                 100.0 * precision());
+  }
+
+private:
+  std::vector<PlaneKind> kinds_;
+  std::vector<Count> counts_; // of each kind, then of all
+};
+
+/** \brief Told by the box of the room. */
+TrueKind
+shellOf (const Site& room)
+{
+  return [&room] (const Plane& plane) {
+    constexpr double same = 0.01; // [m], and as a sine
+    const Vector3d normal = turnZ (-room.yaw) * plane.normal;
+    if (std::abs (normal.z()) > 1.0 - same) {
+      const double height = -plane.offset / normal.z();
+      return std::abs (height) < same                   ? PlaneKind::Floor
+             : std::abs (height - room.size.z()) < same ? PlaneKind::Ceiling
+                                                        : PlaneKind::Other;
+    }
+    for (const int axis : {0, 1})
+      if (std::abs (normal[axis]) > 1.0 - same * same &&
+          std::abs (std::abs (plane.offset) - 0.5 * room.size[axis]) < same)
+        return PlaneKind::Wall;
+    return PlaneKind::Other;
+  };
+}
+
+Counts
+countRooms (const std::string& title, std::optional<double> points)
+{
+  constexpr Seed rooms = 20;
+  Counts counts ({PlaneKind::Floor, PlaneKind::Ceiling, PlaneKind::Wall});
+  for (Seed seed = first_seed; seed < first_seed + rooms; ++seed) {
+    Simulation simulation;
+    simulation.seed = seed;
+    simulation.points = points;
+    const Site room = makeRoom (seed);
+    counts.add (Found (simulation), shellOf (room));
+  }
+  counts.print (title);
+  return counts;
+}
+
+/** \brief What a wall along an axis has surfaces of at some height: from place to
+ * place, ascending.
+ * \param[in] place of the wall along the other axis */
+std::vector<std::pair<double, double>>
+solidParts (const Site& room, int axis, double place, double height)
+{
+  constexpr double same = 1e-6;
+  const Isometry3d to_room = turnZ (-room.yaw);
+  std::vector<std::pair<double, double>> parts;
+  for (const Shape& shape : room.scene.bodies.front().shapes) {
+    const Vector3d center = to_room * shape.center;
+    const Vector3d half = (shape.half_u * (to_room.linear() * shape.u)).cwiseAbs() +
+                          (shape.half_v * (to_room.linear() * shape.v)).cwiseAbs();
+    if (half[1 - axis] < same && std::abs (center[1 - axis] - place) < same &&
+        std::abs (center.z() - height) <= half.z())
+      parts.emplace_back (center[axis] - half[axis], center[axis] + half[axis]);
+  }
+  std::sort (parts.begin(), parts.end());
+  return parts;
+}
+
+/** \brief Widths of the doors and windows of a room at some height, ascending. */
+std::vector<double>
+trueOpenings (const Site& room, double height)
+{
+  constexpr double least = 1e-3;
+  std::vector<double> widths;
+  for (const int axis : {0, 1})
+    for (const double side : {-0.5, 0.5}) {
+      double solid_to = -0.5 * room.size[axis];
+      for (const auto& [from, to] :
+           solidParts (room, axis, side * room.size[1 - axis], height)) {
+        if (from > solid_to + least)
+          widths.push_back (from - solid_to);
+        solid_to = std::max (solid_to, to);
+      }
+    }
+  std::sort (widths.begin(), widths.end());
+  return widths;
+}
+
+std::string
+textOf (const std::vector<double>& lengths)
+{
+  std::string text;
+  for (const double length : lengths) {
+    std::array<char, 16> digits{};
+    std::snprintf (digits.data(), digits.size(), "%.2f", length);
+    text += (text.empty() ? "" : ", ") + std::string (digits.data());
+  }
+  return text.empty() ? "none" : text;
+}
+
+/** \brief What a plan is measured by. */
+struct PlanErrors {
+  double length = 0.0, area = 0.0; // largest, as shares
+  bool has_all_openings = false;
+};
+
+PlanErrors
+errorsOf (Seed seed)
+{
+  Simulation simulation;
+  simulation.seed = seed;
+  simulation.points = 1e6;
+  const Found found (simulation);
+  const FloorPlan plan =
+      findFloorPlan (found.cloud, found.planes, found.kinds, Vector3d::UnitZ());
+  const Site room = makeRoom (seed);
+  std::vector<double> lengths;
+  std::vector<double> openings;
+  for (const PlanWall& wall : plan.walls) {
+    lengths.push_back (wall.length());
+    for (const PlanOpening& opening : wall.openings)
+      openings.push_back (opening.width());
+  }
+  std::sort (lengths.rbegin(), lengths.rend());
+  std::sort (openings.begin(), openings.end());
+  lengths.resize (4, 0.0); // the longest: those of furniture are shorter
+  std::vector<double> sides = {
+      room.size.x(), room.size.x(), room.size.y(), room.size.y()};
+  std::sort (sides.rbegin(), sides.rend());
+  PlanErrors errors;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    errors.length = std::max (errors.length, std::abs (lengths[i] / sides[i] - 1.0));
+  const double true_area = room.size.x() * room.size.y();
+  const double area = plan.rooms.empty() ? 0.0 : plan.rooms.front().area;
+  errors.area = std::abs (area / true_area - 1.0);
+  const std::vector<double> true_openings = trueOpenings (room, plan.height);
+  constexpr double same = 0.05; // [m]
+  errors.has_all_openings = openings.size() == true_openings.size();
+  for (std::size_t i = 0; errors.has_all_openings && i < openings.size(); ++i)
+    errors.has_all_openings = std::abs (openings[i] - true_openings[i]) < same;
+  std::printf ("| %u | %.2f %% | %.2f m^2 | %.2f m^2 | %s | %s |\n",
+               seed,
+               100.0 * errors.length,
+               area,
+               true_area,
+               textOf (openings).c_str(),
+               textOf (true_openings).c_str());
+  return errors;
+}
+
+} // namespace
+
+TEST (Kinds, AreRightInRoomsScannedFromEverywhere)
+{
+  const Counts counts = countRooms ("20 rooms from everywhere", 300'000.0);
+  EXPECT_GT (counts.recall(), 0.98);
+  EXPECT_GT (counts.precision(), 0.95);
+}
+
+TEST (Kinds, AreRightInRoomsInOneDepthImage)
+{
+  const Counts counts = countRooms ("20 rooms in one depth image", {});
+  EXPECT_GT (counts.recall(), 0.95);
+  EXPECT_GT (counts.precision(), 0.93);
+}
+
+TEST (Kinds, AreRightOfHousesInASurvey)
+{
+  constexpr Seed surveys = 10;
+  Counts counts ({PlaneKind::Floor, PlaneKind::Wall, PlaneKind::Roof});
+  for (Seed seed = 1; seed <= surveys; ++seed) {
+    Simulation simulation;
+    simulation.scene = "survey";
+    simulation.seed = seed;
+    counts.add (Found (simulation), [] (const Plane& plane) {
+      constexpr double level = 0.99; // cosine
+      const double upright = std::abs (plane.normal.z());
+      return upright > level         ? PlaneKind::Floor
+             : upright < 1.0 - level ? PlaneKind::Wall
+                                     : PlaneKind::Roof;
+    });
+  }
+  counts.print ("10 surveys of 36 houses");
+  EXPECT_GT (counts.recall(), 0.98);
+  EXPECT_GT (counts.precision(), 0.98);
+}
+
+TEST (Plans, OfRoomsAreRightToAPercentWithNearlyAllOpenings)
+{
+  constexpr Seed rooms = 8;
+  constexpr Seed rooms_with_all_openings = 6;
+  Seed with_all_openings = 0;
+  for (Seed seed = first_seed; seed < first_seed + rooms; ++seed) {
+    const PlanErrors errors = errorsOf (seed);
+    EXPECT_LT (errors.length, 0.01) << seed;
+    EXPECT_LT (errors.area, 0.02) << seed;
+    with_all_openings += errors.has_all_openings ? 1 : 0;
+  }
+  EXPECT_GE (with_all_openings, rooms_with_all_openings);
+}
