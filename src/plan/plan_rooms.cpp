@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -20,6 +22,22 @@ using Eigen::Vector2d;
 // Share of a side that divides rooms, and of the outline of one, that is a wall.
 constexpr double min_walled = 0.5;
 
+/** \brief Points on a square meter, of those that have some; of no points infinite. */
+double
+densityOf (const PlanPoints& points, const Eigen::AlignedBox2d& box)
+{
+  double inside = 0.0;
+  std::set<std::pair<long, long>> meters;
+  for (const Eigen::Vector3d& point : points)
+    if (box.contains (point.head<2>().eval())) {
+      inside += 1.0;
+      meters.emplace (std::lround (point.x()), std::lround (point.y()));
+    }
+  if (meters.empty())
+    return std::numeric_limits<double>::infinity();
+  return inside / static_cast<double> (meters.size());
+}
+
 /** \brief Which squares of a grid have points. */
 class CoveredSquares {
 public:
@@ -28,7 +46,11 @@ public:
     constexpr double smallest = 0.1; // edge of a square [m]
     constexpr double max_squares = 4e6;
     const Vector2d sizes = box.sizes();
-    edge_ = std::max (smallest, std::sqrt (sizes.x() * sizes.y() / max_squares));
+    // So that where there are points few squares are without.
+    constexpr double points_of_square = 3.0;
+    edge_ = std::max ({smallest,
+                       std::sqrt (sizes.x() * sizes.y() / max_squares),
+                       std::sqrt (points_of_square / densityOf (points, box))});
     low_ = box.min();
     columns_ = static_cast<std::size_t> (sizes.x() / edge_) + 1;
     rows_ = static_cast<std::size_t> (sizes.y() / edge_) + 1;
@@ -252,6 +274,41 @@ ringsOf (const std::vector<Side>& sides)
   return rings;
 }
 
+bool
+isWithin (const PlanarPoints& ring, const Vector2d& place)
+{
+  bool is_within = false;
+  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
+    const Vector2d& a = ring[i];
+    const Vector2d& b = ring[last];
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
+      is_within = !is_within;
+  }
+  return is_within;
+}
+
+/** \brief The center of area of a room, where that is in it. */
+std::optional<Vector2d>
+centerOf (const PlanarRings& rings)
+{
+  Vector2d sum = Vector2d::Zero();
+  double twice_area = 0.0;
+  const Vector2d& origin = rings.front().front();
+  for (const PlanarPoints& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector2d from = ring[i] - origin;
+      const Vector2d to = ring[(i + 1) % ring.size()] - origin;
+      twice_area += cross (from, to);
+      sum += cross (from, to) * (from + to);
+    }
+  const Vector2d center = origin + sum / (3.0 * twice_area);
+  for (const PlanarPoints& ring : rings)
+    if (isWithin (ring, center) != (&ring == &rings.front()))
+      return {};
+  return center;
+}
+
 /** \brief Outline and holes of a room, and a place in it; no area if there is none.
  * \param[in] largest its largest cell */
 PlanRoom
@@ -272,21 +329,9 @@ roomWithin (const std::vector<Side>& sides, const PlanCell& largest)
   }
   for (const Vector2d& corner : largest.corners)
     room.middle += corner / static_cast<double> (largest.corners.size());
+  if (!room.rings.empty())
+    room.middle = centerOf (room.rings).value_or (room.middle);
   return room;
-}
-
-bool
-isWithin (const PlanarPoints& ring, const Vector2d& place)
-{
-  bool is_within = false;
-  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
-    const Vector2d& a = ring[i];
-    const Vector2d& b = ring[last];
-    if ((a.y() > place.y()) != (b.y() > place.y()) &&
-        place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
-      is_within = !is_within;
-  }
-  return is_within;
 }
 
 /** \brief The median height of the points in a ring. */

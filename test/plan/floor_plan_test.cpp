@@ -298,6 +298,22 @@ TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
   EXPECT_NEAR (plan.rooms[1].area, 9.0, 0.01);
 }
 
+TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
+{
+  // Six on a square meter, as a survey from the air has them.
+  Building house;
+  std::vector<Vector3d> roof;
+  for (double x = 0.2; x < 8.0; x += 40_cm)
+    for (double y = 0.2; y < 6.0; y += 40_cm)
+      roof.emplace_back (x, y, 3.0 + 0.2 * y);
+  house.add (PlaneKind::Roof, Vector3d (0.0, -0.2, 1.0).normalized(), roof);
+  house.wall ({8, 0}, {0, 0}).wall ({8, 6}, {8, 0});
+  house.wall ({0, 6}, {8, 6}).wall ({0, 0}, {0, 6});
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
 TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
 {
   Building room;
@@ -309,6 +325,7 @@ TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
   EXPECT_EQ (plan.rooms[0].rings.at (0).size(), 6u);
+  EXPECT_TRUE (plan.rooms[0].middle.isApprox (Vector2d (5.0 / 3.0, 5.0 / 3.0), 1e-3));
 }
 
 TEST (FloorPlan, OfARoomAroundAShaftHasAHole)
@@ -330,6 +347,8 @@ TEST (FloorPlan, OfARoomAroundAShaftHasAHole)
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_EQ (plan.rooms[0].rings.size(), 2u);
   EXPECT_NEAR (plan.rooms[0].area, 32.0, 0.01);
+  const Vector2d off = plan.rooms[0].middle - Vector2d (3.0, 3.0);
+  EXPECT_GT (off.cwiseAbs().maxCoeff(), 1.0) << "not in the shaft";
 }
 
 TEST (FloorPlan, CutsOverTheLowestFloorWhereverThatIs)
