@@ -4,8 +4,11 @@
 
 #include <boost/format.hpp>
 
+#include <Eigen/Geometry>
+
 #include <io/output_file.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_ops::apps {
@@ -33,12 +36,24 @@ heightOf (const PlanRoom& room)
   return *room.ceiling - *room.floor;
 }
 
-/** \brief Area, and below it the height, that fit into the room. */
-void
-addTexts (const PlanRoom& room, Drawing& drawing)
+/** \brief How high texts are that can be read beside all there is of a plan [m]. */
+double
+largestText (const FloorPlan& plan)
 {
-  constexpr double largest = 0.2;
-  constexpr double share_of_width = 0.06; // [m]
+  constexpr double usual = 0.2;
+  constexpr double share = 0.01;
+  Eigen::AlignedBox2d box;
+  for (const PlanWall& wall : plan.walls)
+    box.extend (wall.from).extend (wall.to);
+  return box.isEmpty() ? usual : std::max (usual, share * box.diagonal().norm());
+}
+
+/** \brief Area, and below it the height, that fit into the room.
+ * \param[in] largest height of the texts [m] */
+void
+addTexts (const PlanRoom& room, double largest, Drawing& drawing)
+{
+  constexpr double share_of_width = 0.08;
   const double size = std::min (largest, share_of_width * std::sqrt (room.area));
   std::vector<std::string> lines = {str (boost::format ("%.2f m\u00b2") % room.area)};
   constexpr double closed = 0.95; // of the outline
@@ -153,6 +168,7 @@ drawingOf (const FloorPlan& plan)
                     {wall_layer, 7, "#000000", 0.5},
                     {opening_layer, 5, "#3060c0", 0.18},
                     {text_layer, 8, "#404040", 0.18}};
+  const double largest_text = largestText (plan);
   for (const PlanRoom& room : plan.rooms) {
     for (const PlanarPoints& ring : room.rings) {
       DrawnLine outline{room_layer, {}, true};
@@ -160,7 +176,7 @@ drawingOf (const FloorPlan& plan)
         outline.corners.push_back (inSpace (corner));
       drawing.lines.push_back (std::move (outline));
     }
-    addTexts (room, drawing);
+    addTexts (room, largest_text, drawing);
   }
   for (const PlanWall& wall : plan.walls) {
     for (const auto& [from, to] : wall.solidParts())
