@@ -67,7 +67,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("jobs N", options.jobs, from (0).upTo (256))
       .help ("INPUTs at a time; 0: one for each processor (1)");
   line.add ("planes FILE", outputs.planes)
-      .help ("write the planes: .json, .csv, .geojson, .gpkg or - (printed)");
+      .help ("write planes: .json, .csv, .geojson, .gpkg; -: print");
   line.add ("image FILE.png", outputs.image).help ("write a picture of the planes");
   line.add ("view FILE.html", outputs.view)
       .help ("write a page to look at them in a browser");
@@ -94,7 +94,7 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("mesh FILE", outputs.mesh)
       .help ("write the hulls as a mesh: .ply, .vtk or .obj");
   line.add ("edges FILE", outputs.edges)
-      .help ("write where planes meet: .ply, .vtk, .json, .dxf, .geojson, .gpkg");
+      .help ("write where planes meet: .ply, .vtk, .dxf, .json, .geojson, .gpkg");
   line.add ("plan FILE", outputs.plan)
       .help ("write a floor plan: .dxf, .svg, .geojson or .gpkg");
   line.add ("plan-height M", options.of_plan.cut_height, from (-1000).upTo (1000))
