@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan/wall_fronts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_ops::internal {
@@ -15,19 +16,30 @@ squareAt (const Eigen::Vector2d& place)
   return {std::lround (place.x() / edge), std::lround (place.y() / edge)};
 }
 
+using Squares = std::vector<std::pair<long, long>>;
+
+/** \brief Adds the squares of points; sorted, each once. */
+void
+addSquares (const PlanPoints& points, Squares& squares)
+{
+  for (const Eigen::Vector3d& point : points)
+    squares.push_back (squareAt (point.head<2>()));
+  std::sort (squares.begin(), squares.end());
+  squares.erase (std::unique (squares.begin(), squares.end()), squares.end());
+}
+
 } // namespace
 
 RoomSides::RoomSides (const std::vector<const PlanPoints*>& level)
 {
   for (const PlanPoints* const points : level)
-    for (const Eigen::Vector3d& point : *points)
-      squares_.insert (squareAt (point.head<2>()));
+    addSquares (*points, squares_);
 }
 
 bool
 RoomSides::has (const Eigen::Vector2d& place) const
 {
-  return squares_.count (squareAt (place)) > 0;
+  return std::binary_search (squares_.begin(), squares_.end(), squareAt (place));
 }
 
 bool
@@ -36,9 +48,8 @@ RoomSides::areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) cons
   // Beyond what noise moves, nearer than the other side of a wall is.
   constexpr double beside = 0.08; // [m]
   constexpr std::size_t few = 3;  // squares
-  std::set<std::pair<long, long>> of_wall;
-  for (const Eigen::Vector3d& point : wall)
-    of_wall.insert (squareAt (point.head<2>()));
+  Squares of_wall;
+  addSquares (wall, of_wall);
   std::size_t before = 0;
   std::size_t behind = 0;
   for (const auto& [x, y] : of_wall) {

@@ -4,7 +4,6 @@
 
 #include "plan/wall_faces.h"
 
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,8 @@ private:
   bool
   has (const Eigen::Vector2d& place) const;
 
-  std::set<std::pair<long, long>> squares_;
+  /** \brief Those with points, sorted. */
+  std::vector<std::pair<long, long>> squares_;
 };
 
 } // namespace pcl_ops::internal
