@@ -143,7 +143,7 @@ install_packages() {
 # What pcl_ops_segment and pcl_ops_simulate need; the rest of the project needs PCL.
 # shellcheck disable=SC2034
 build_packages_without_pcl=(g++ cmake make libeigen3-dev libboost-dev nlohmann-json3-dev
-  libpng-dev libsqlite3-dev '?liblaszip-dev')
+  libpng-dev '?liblaszip-dev')
 # What every other build needs.
 # shellcheck disable=SC2034
 build_packages=(g++ cmake make libpcl-dev nlohmann-json3-dev libpng-dev libsqlite3-dev
