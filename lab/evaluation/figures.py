@@ -82,6 +82,19 @@ def plot_accuracy(name, means, folder):
         plt.close("all")
 
 
+def plot_true_planes(truths, bounds, of_paper, file):
+    """How many planes a grown truth has, by the points of the smallest that counts.
+
+    truths: by name, the number of all planes and of those of at least each of the bounds.
+    """
+    axes = plt.subplots()[1]
+    axes.set(xscale="log", yscale="log")
+    for name, counts in truths.items():
+        axes.plot((50, *bounds), counts, marker="o", label=name)
+    axes.axhline(of_paper, color="black", linestyle="--", linewidth=1, label="the paper")
+    finish(axes, "points of the smallest plane", "true planes per cloud", file)
+
+
 def label_dots(axes, dots):
     """Names beside their dots, each at the first place around it that is free."""
     renderer = axes.figure.canvas.get_renderer()

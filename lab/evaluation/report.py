@@ -4,12 +4,14 @@
 """report.py FOLDER: tables and plots of what a program wrote into the folder.
 
 Of results.csv (pcl_ops_evaluate run) report.md: for each data set all metrics, numbers of
-planes, true planes found by size, times of the stages and, where it is of a kind the paper has,
-the tables of the paper with its figures beside ours; comparison.csv, a row for each data set and method, with versions of
-detectors.txt (pcl_ops_evaluate detectors); plots of the accuracy over time and over the
-sampling rate. Of comparison.csv figure.png: all methods on rooms and streets or, where there
-are none, on the first two data sets. Of labels/ (pcl_ops_evaluate run --labels) strips of pictures. Of scaling.csv
-(pcl_ops_benchmark --scaling) throughput.png and plots of the time over what grows.
+planes, true planes found by size, times of the stages and, where it is of a kind the paper
+has, the tables of the paper with its figures beside ours; how many planes a grown truth has
+by the points of the smallest (truth.png); comparison.csv, a row for each data set and method,
+with versions of detectors.txt (pcl_ops_evaluate detectors); plots of the accuracy over time
+and over the sampling rate. Of comparison.csv figure.png: all methods on rooms and streets or,
+where there are none, on the first two data sets. Of labels/ (pcl_ops_evaluate run --labels)
+strips of pictures. Of scaling.csv (pcl_ops_benchmark --scaling) throughput.png and plots of
+the time over what grows.
 """
 import csv
 import math
@@ -195,14 +197,33 @@ def write_comparison(means_of_sets, folder):
                                 for column in SUMMARY] + [seconds and f"{seconds:.3g}"])
 
 
+SMALLEST = (200, 500, 1000, 3000, 10000)  # bounds of the classes of true planes [points]
+
+
+def true_planes_of(means):
+    """How many true planes a cloud has, and how many of at least SMALLEST points."""
+    mean = next(iter(means.values()))
+    counts = [mean[f"planes_by_points_below_{bound}"] for bound in SMALLEST]
+    counts.append(mean[f"planes_by_points_from_{SMALLEST[-1]}"])
+    return [sum(counts[i:]) for i in range(len(counts))]
+
+
+def truth_table(truths):
+    rows = [[name, *(text(count, 1) for count in counts)] for name, counts in truths.items()]
+    return table(f"True planes per cloud by the points of the smallest (the paper: {TRUE_PLANES})",
+                 ["truth", "all", *(f"{bound} and more" for bound in SMALLEST)], rows)
+
+
 def report_results(all_rows, folder):
     groups = defaultdict(list)
     for row in latest(all_rows):
         groups[row["data_set"], row["truth"]].append(row)
-    report, means_of_sets = "", {}
+    report, means_of_sets, truths = "", {}, {}
     for (data_set, truth), rows in sorted(groups.items()):
         name = f"{data_set}, truth {truth}"
         means = means_of_sets[data_set] = means_of(rows)
+        if truth.startswith("grown"):
+            truths[name] = true_planes_of(means)
         report += metrics_table(name, means)
         if is_of_paper(data_set):
             report += paper_tables(name, means)
@@ -211,6 +232,9 @@ def report_results(all_rows, folder):
             plots = folder / f"{data_set}-{truth}"
             plots.mkdir(exist_ok=True)
             figures.plot_accuracy(name, means, plots)
+    report += truth_table(truths)
+    if figures and truths:
+        figures.plot_true_planes(truths, SMALLEST, TRUE_PLANES, folder / "truth.png")
     write_comparison(means_of_sets, folder)
     (folder / "report.md").write_text(report, encoding="utf-8")
     print(report, end="")

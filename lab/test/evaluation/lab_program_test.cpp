@@ -351,6 +351,18 @@ TEST_F (Report, HasPlanesByTheirSize)
   EXPECT_TRUE (contains (report_.out, "below 0.03"));
 }
 
+TEST_F (Report, CountsTruePlanesOfAGrownTruthByTheirSmallest)
+{
+  EXPECT_FALSE (contains (report_.out, "by the points of the smallest"));
+  std::string results = contentOf (folder_ / "results.csv");
+  const std::string planes = rowsOf (results).at (0).at ("truth_planes");
+  results.replace (results.find (",exact,"), 7, ",grown-k30,");
+  folder_.write ("results.csv", results);
+  const std::string report = shell ("\"$PYTHON\" \"$REPORT\" .").out;
+  EXPECT_TRUE (contains (report, "by the points of the smallest (the paper: 25.38)"));
+  EXPECT_TRUE (contains (report, "| simulated, truth grown-k30 | " + planes + ".0 |"));
+}
+
 TEST_F (Report, CountsRunsThatWereStopped)
 {
   EXPECT_TRUE (contains (report_.out, "| ops-3-30 | 1 |"));
