@@ -117,23 +117,45 @@ def label_dots(axes, dots):
         taken.append(box)
 
 
+def panels_of(data_sets):
+    """The data sets of each panel of the figure, by its title."""
+    simulated = [name for name in ("rooms", "streets") if name in data_sets]
+    real = [name for name in data_sets if name.startswith("real-")]
+    if simulated and real:
+        return {f"simulated {' and '.join(simulated)}": simulated,
+                "real rooms, facades and roofs, labeled by people": real}
+    return {name: [name] for name in simulated or data_sets[:2]}
+
+
+def dots_of(rows, data_sets):
+    """Time and F-score of each method that has all of the data sets: means over these, of the
+    time the geometric one."""
+    lines = defaultdict(list)
+    for row in rows:
+        if row["data_set"] in data_sets and row["values"] != "own":
+            lines[row["method"]].append(row)
+    return {method: (np.exp(np.mean([np.log(float(row["seconds_per_million_points"]))
+                                     for row in of_method])),
+                     np.mean([float(row["f_score"]) for row in of_method]))
+            for method, of_method in lines.items() if len(of_method) == len(data_sets)}
+
+
 def plot_comparison(rows, folder):
-    """F-score over the time per million points, a panel each for rooms and streets or, where
-    there are none, for the first two data sets."""
+    """F-score over the time per million points: a panel for simulated data sets, and one for
+    real ones; where there is one kind, for rooms and streets or the first two data sets."""
     rows = [row for row in rows if row["f_score"]]
-    data_sets = list(dict.fromkeys(row["data_set"] for row in rows))
-    names = [name for name in ("rooms", "streets") if name in data_sets] or data_sets[:2]
-    if not names:
+    panels_by_title = panels_of(list(dict.fromkeys(row["data_set"] for row in rows)))
+    if not panels_by_title:
         return
     has_own = any(row["values"] == "own" for row in rows)
-    best = max(float(row["f_score"]) for row in rows)
-    figure, panels = plt.subplots(1, len(names), sharey=True, squeeze=False,
-                                  figsize=(6.4 * len(names), 5), layout="constrained")
-    for axes, name in zip(panels[0], names):
-        dots = {row["method"]: (float(row["seconds_per_million_points"]), float(row["f_score"]))
-                for row in rows if row["data_set"] == name and row["values"] != "own"}
-        is_simulated = name in ("rooms", "streets")
-        axes.set_title(f"{name} with exact truth" if is_simulated else name, fontsize=12)
+    best = max(float(row["f_score"]) for row in rows
+               if any(row["data_set"] in names for names in panels_by_title.values()))
+    count = len(panels_by_title)
+    figure, panels = plt.subplots(1, count, sharey=True, squeeze=False,
+                                  figsize=(6.4 * count, 5), layout="constrained")
+    for axes, (title, data_sets) in zip(panels[0], panels_by_title.items()):
+        dots = dots_of(rows, data_sets)
+        axes.set_title(title, fontsize=12)
         axes.set(xscale="log", ylim=(0, max(0.9, best + 0.05)))
         axes.xaxis.set_major_formatter("{x:g}")
         axes.margins(x=0.15)
@@ -148,7 +170,7 @@ def plot_comparison(rows, folder):
                 axes.plot(*zip(dots[usual], dot), color=color, linewidth=0.7, alpha=0.5)
             labels.append(("" if usual != method else NAMES.get(method, method), dot, color))
         draw_own(axes, {row["method"]: float(row["f_score"]) for row in rows
-                        if row["data_set"] == name and row["values"] == "own"})
+                        if row["data_set"] in data_sets and row["values"] == "own"})
         axes.set_xlabel("processor time per million points [s]", fontsize=11)
         figure.canvas.draw()
         label_dots(axes, labels)

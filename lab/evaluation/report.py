@@ -8,8 +8,8 @@ planes, true planes found by size, times of the stages and, where it is of a kin
 has, the tables of the paper with its figures beside ours; how many planes a grown truth has
 by the points of the smallest (truth.png); comparison.csv, a row for each data set and method,
 with versions of detectors.txt (pcl_ops_evaluate detectors); plots of the accuracy over time
-and over the sampling rate. Of comparison.csv figure.png: all methods on rooms and streets or,
-where there are none, on the first two data sets. Of labels/ (pcl_ops_evaluate run --labels)
+and over the sampling rate. Of comparison.csv figure.png: all methods on simulated and on real
+data sets or, where there is one kind, on rooms and streets or the first two. Of labels/ (pcl_ops_evaluate run --labels)
 strips of pictures. Of scaling.csv (pcl_ops_benchmark --scaling) throughput.png and plots of
 the time over what grows.
 """
