@@ -74,8 +74,11 @@ storiesOf (const std::vector<PlaneShape>& shapes)
   for (const PlaneShape& shape : shapes) {
     if (shape.orientation == Orientation::Horizontal)
       level.push_back ({shape.middle, shape.area, shape.faces_down});
+    // A road falls by more than a step, and lies no deeper for it.
+    const double bottom =
+        shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
     if (shape.area >= smallest)
-      lowest = std::min (lowest, shape.low);
+      lowest = std::min (lowest, bottom);
   }
   return internal::storiesOf (levelsOf (std::move (level)), lowest);
 }

@@ -79,13 +79,17 @@ levelsOf (std::vector<LevelPlane> planes)
 std::vector<Story>
 storiesOf (const std::vector<Level>& levels, double lowest)
 {
+  // More than the tables of a room have together: the ground, although the foot of a
+  // wall or a ditch is deeper [m^2].
+  constexpr double smallest_ground = 50.0;
   const std::vector<Level> large = largeOnes (levels);
   std::vector<Story> stories = {{lowest}};
   for (std::size_t i = 0; i < large.size(); ++i) {
     const Level& level = large[i];
     Story& story = stories.back();
     const double rise = level.height - story.floor;
-    if (i == 0 && !level.faces_down && rise < step)
+    const double most = level.area >= smallest_ground ? headroom : step;
+    if (i == 0 && !level.faces_down && rise < most)
       story = {level.height, {}, level.area};
     else if (rise < headroom)
       continue;

@@ -32,9 +32,12 @@ std::vector<Level>
 levelsOf (std::vector<LevelPlane> planes);
 
 /** \brief Stories from the lowest up, at least one: a level of less than a fifth of the
- * largest one's area, or of less than a square meter, makes none.
+ * largest one's area, or of less than a square meter, makes none. The lowest level is
+ * the first floor if it is a step above the lowest plane, or less, or as large as no
+ * furniture is.
  * \param[in] levels ascending [m]
- * \param[in] lowest of all planes: the floor of the first story where none was seen */
+ * \param[in] lowest of all planes, of level ones their middle: the floor of the first
+ * story where none was seen */
 std::vector<Story>
 storiesOf (const std::vector<Level>& levels, double lowest);
 

@@ -202,6 +202,29 @@ TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
       << "a board that leans";
 }
 
+TEST (PlaneKinds, OfARoadThatFallsIsAFloor)
+{
+  Rectangles road;
+  road.add ({0, 0, 1}, {100, 0, -2}, {0, 10, 0});
+  EXPECT_EQ (road.kinds(), Names{"floor"});
+}
+
+TEST (PlaneKinds, OfARoadAboveTheFootOfAWallIsAFloor)
+{
+  Rectangles road;
+  road.add ({0, 20, -1}, {20, 0, 0}, {0, 0, 4}).level (0.0, 20_m, 10_m);
+  EXPECT_EQ (road.kinds(), (Names{"wall", "floor"}));
+}
+
+TEST (PlaneKinds, OfDesksWhoseFloorIsOutOfSightAreTables)
+{
+  Rectangles office;
+  office.add ({0, 3, 0}, {8, 0, 0}, {0, 0, 2.5});
+  for (const double x : {0.0, 2.0, 4.0, 6.0})
+    office.level (0.75, 1.6_m, 0.8_m, x);
+  EXPECT_EQ (office.kinds(), (Names{"wall", "table", "table", "table", "table"}));
+}
+
 TEST (PlaneKinds, OfAGalleryIsASlab)
 {
   Rectangles hall;
