@@ -18,6 +18,9 @@ int
 compareCommand (int argc, const char* const* argv);
 
 int
+groundCommand (int argc, const char* const* argv);
+
+int
 planesCommand (int argc, const char* const* argv);
 
 int

@@ -21,7 +21,8 @@ PAGES = [README, *sorted((SOURCES / "src/doc").glob("*.md"))]
 ROOM = " --seed 1 --width 160 --height 120"
 # Commands that need no display, no data of others and no minutes.
 RUN = ("pcl_ops_simulate ", "pcl_ops_segment ", "cat room.pcd | ", "pcl_ops_tiles ",
-       "pcl_ops_evaluate compare ", "pcl_ops_evaluate planes ", "pcl_ops_evaluate track ",
+       "pcl_ops_evaluate compare ", "pcl_ops_evaluate ground ", "pcl_ops_evaluate planes ",
+       "pcl_ops_evaluate track ",
        "printf ")
 
 # What the tables of comparisons call the columns and rows of src/doc/comparison.csv.

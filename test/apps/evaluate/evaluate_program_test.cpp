@@ -18,6 +18,7 @@ protected:
   {
     fs::copy (PCL_OPS_INPUTS, folder_.path(), fs::copy_options::recursive);
     writeFloors();
+    writeStreets();
     writeNoisyClouds();
     folder_.write ("one_pose.txt", "0 0 0 0 0 0 0 1\n");
     folder_.write ("brace.json", "{");
@@ -38,6 +39,36 @@ private:
     folder_.write ("broken.xyz", withFirstPoint ("0,0,0,1.5", floor));
     folder_.write ("incomplete.xyz", withoutFivePoints ("nan,0,0,1\n"));
     folder_.write ("incomplete_found.xyz", withoutFivePoints ("nan,0,0,0\n"));
+  }
+
+  void
+  writeStreets () const
+  {
+    folder_.write ("street.xyz", street (40, 40, 50, 70, 70));
+    folder_.write ("street_planes.xyz", street (1, 1, 2, 0, 0));
+    folder_.write ("street_half.xyz", street (0, 1, 2, 0, 0));
+    folder_.write ("street_hedge.xyz", street (1, 1, 2, 1, 0));
+    folder_.write ("bare.xyz", "x,y,z\n0,0,0\n");
+  }
+
+  /** A road of 20 x 20 points, 25 cm apart, 10 rows of them again as a roof 6 m above
+   * it, and a hedge of 50 points at its corner, by the labels of the halves of the
+   * road, of the roof, of the lowest five points of the hedge and of its others. */
+  static std::string
+  street (int near, int far, int roof, int foot, int hedge)
+  {
+    std::ostringstream text ("x,y,z,label\n", std::ios::ate);
+    const auto add_level = [&text] (int first_row, double height, int label) {
+      for (int i = 0; i < 200; ++i)
+        text << 0.25 * (i % 20) << ',' << 0.25 * (first_row + i / 20) << ',' << height
+             << ',' << label << '\n';
+    };
+    add_level (0, 0.0, near);
+    add_level (10, 0.0, far);
+    add_level (0, 6.0, roof);
+    for (int i = 0; i < 50; ++i)
+      text << "-1,-1," << 0.02 * i << ',' << (i < 5 ? foot : hedge) << '\n';
+    return text.str();
   }
 
   static std::string

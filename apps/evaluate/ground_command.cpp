@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Planes beside a truth of classes: how well those that are the ground are found.
+#include <pcl/common/point_tests.h>
+
+#include "answer.h"
+#include "commands.h"
+#include "labeled_clouds.h"
+#include <cli/command_line.h>
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <pcl_ops/plane_extent.h>
+#include <pcl_ops/plane_kinds.h>
+
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace pcl_ops::evaluation {
+
+using namespace apps;
+
+namespace {
+
+using Classes = std::set<std::uint32_t>;
+
+std::vector<std::string>
+partsOf (const std::string& list)
+{
+  std::vector<std::string> parts;
+  std::istringstream text (list + ",");
+  for (std::string part; std::getline (text, part, ',');)
+    parts.push_back (part);
+  return parts;
+}
+
+/** \throw UsageError of the option if the list has what is no class */
+Classes
+classesIn (const std::string& option, const std::string& list)
+{
+  Classes classes;
+  for (const std::string& part : partsOf (list))
+    classes.insert (parseNumber<std::uint32_t> (option, part, from (0)));
+  return classes;
+}
+
+/** \throw UsageError if the list has what no plane is named */
+std::set<PlaneKind>
+kindsIn (const std::string& list)
+{
+  std::set<PlaneKind> kinds;
+  for (const std::string& part : partsOf (list)) {
+    const std::size_t known = kinds.size();
+    for (int kind = 0; kind <= int (PlaneKind::Other); ++kind)
+      if (part == toString (PlaneKind (kind)))
+        kinds.insert (PlaneKind (kind));
+    if (kinds.size() == known)
+      throw UsageError ("--kinds",
+                        "'" + part +
+                            "' is no kind, or there twice; give some of floor, ramp, "
+                            "slab, table, roof, ceiling, wall and other");
+  }
+  return kinds;
+}
+
+struct GroundRules {
+  /** Of SemanticKITTI: road, parking, sidewalk, other ground, lane marking, terrain;
+   * and unlabeled, outlier, vegetation, as Patchwork++ counts them (Lee, Lim & Myung,
+   * IROS 2022, section IV-A). */
+  Classes ground = {40, 44, 48, 49, 60, 72};
+  Classes ignored = {0, 1, 70};
+  std::set<PlaneKind> kinds = {PlaneKind::Floor, PlaneKind::Ramp};
+  Vector3d up = Vector3d::UnitZ();
+};
+
+/** Of each point, whether it is on a plane of one of the kinds. */
+std::vector<bool>
+groundFound (const LabeledCloud& result, const GroundRules& rules)
+{
+  const PlaneIds ids = planeIds (result.labels);
+  const auto planes = planesOf (*result.cloud, ids, {rules.up});
+  std::vector<PlaneExtent> extents;
+  for (const PlaneSegment& plane : planes)
+    extents.push_back (planeExtent (*result.cloud, plane));
+  const std::vector<PlaneKind> kinds = planeKinds (planes, extents, rules.up);
+  std::vector<bool> is_ground;
+  for (const std::uint32_t id : ids.of_point)
+    is_ground.push_back (id != PlaneIds::none && rules.kinds.count (kinds[id]) > 0);
+  return is_ground;
+}
+
+/** Points of a class. */
+struct ClassCounts {
+  std::size_t points = 0;
+  /** Those on planes that are taken for the ground. */
+  std::size_t as_ground = 0;
+};
+
+using CountsByClass = std::map<std::uint32_t, ClassCounts>;
+
+CountsByClass
+countsByClass (const LabeledCloud& truth, const std::vector<bool>& is_ground)
+{
+  CountsByClass counts;
+  for (std::size_t i = 0; i < is_ground.size(); ++i) {
+    if (!pcl::isXYZFinite ((*truth.cloud)[i]))
+      continue;
+    ClassCounts& of_class = counts[truth.labels[i]];
+    ++of_class.points;
+    of_class.as_ground += is_ground[i] ? 1 : 0;
+  }
+  return counts;
+}
+
+/** NaN, which is printed as -, where there is nothing that has a share. */
+double
+shareOf (std::size_t part, std::size_t whole)
+{
+  return whole > 0 ? double (part) / double (whole)
+                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+Answer
+answerOf (const CountsByClass& counts, const GroundRules& rules)
+{
+  ClassCounts ground;
+  ClassCounts other;
+  ClassCounts ignored;
+  Answer by_class = Answer::array();
+  for (const auto& [number, of_class] : counts) {
+    const bool is_ignored = rules.ignored.count (number) > 0;
+    const bool is_ground = rules.ground.count (number) > 0;
+    ClassCounts& all = is_ignored ? ignored : is_ground ? ground : other;
+    all.points += of_class.points;
+    all.as_ground += of_class.as_ground;
+    by_class.push_back ({{"class", number},
+                         {"truth",
+                          is_ignored  ? "ignored"
+                          : is_ground ? "ground"
+                                      : "other"},
+                         {"points", of_class.points},
+                         {"as_ground", shareOf (of_class.as_ground, of_class.points)}});
+  }
+  const std::size_t found = ground.as_ground + other.as_ground;
+  return {{"points", ground.points + other.points},
+          {"points_ignored", ignored.points},
+          {"truth_ground", ground.points},
+          {"result_ground", found},
+          {"precision", shareOf (ground.as_ground, found)},
+          {"recall", shareOf (ground.as_ground, ground.points)},
+          {"f_score", shareOf (2 * ground.as_ground, found + ground.points)},
+          {"iou", shareOf (ground.as_ground, ground.points + other.as_ground)},
+          {"by_class", by_class}};
+}
+
+} // namespace
+
+int
+groundCommand (int argc, const char* const* argv)
+{
+  std::string truth_file;
+  std::string result_file;
+  GroundRules rules;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  bool json = false;
+  CommandLine line (
+      "pcl_ops_evaluate ground",
+      "Tells how well the ground is found: points of the true classes of the ground\n"
+      "beside those on planes that are floors or ramps by their kind.",
+      PCL_OPS_VERSION);
+  line.addArgument ("TRUTH", truth_file, "the true classes, field label");
+  line.addArgument (
+      "RESULT", result_file, "planes found in the same points, field label");
+  line.add ("classes LIST",
+            [&rules] (const std::string& list) {
+              rules.ground = classesIn ("--classes", list);
+            })
+      .help ("true classes that are the ground (40,44,48,49,60,72)");
+  line.add ("ignore LIST",
+            [&rules] (const std::string& list) {
+              rules.ignored = classesIn ("--ignore", list);
+            })
+      .help ("true classes that do not count (0,1,70)");
+  line.add ("kinds LIST",
+            [&rules] (const std::string& list) { rules.kinds = kindsIn (list); })
+      .help ("kinds of planes taken for the ground (floor,ramp)");
+  line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
+  line.add ("json", json).help ("print JSON instead of text");
+  if (!line.parse (argc, argv))
+    return ExitCode::done;
+  rules.up = up.cast<double>().normalized();
+  const auto [truth, result] = loadLabeledClouds (truth_file, result_file, 1);
+  const Answer answer =
+      answerOf (countsByClass (truth, groundFound (result, rules)), rules);
+  if (answer.at ("truth_ground") == 0)
+    throw WorkError (truth_file,
+                     "has no point of the classes of the ground; name some of its own "
+                     "by --classes");
+  print (answer, json);
+  return ExitCode::done;
+}
+
+} // namespace pcl_ops::evaluation
