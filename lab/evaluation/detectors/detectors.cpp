@@ -32,7 +32,7 @@ using Kht = KernelHoughTransform<pcl::PointXYZ>;
 std::string
 rowName (const char* prefix, double first, double second)
 {
-  return concatenate (prefix, '-', first, '-', second);
+  return apps::concatenate (prefix, '-', first, '-', second);
 }
 
 template <typename Detector>

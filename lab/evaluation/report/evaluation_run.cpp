@@ -17,9 +17,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <sstream>
 
 namespace pcl_ops::evaluation {
@@ -311,31 +313,43 @@ struct Evaluation {
            csvCell (configuration.name) + csvCell (std::to_string (plan.settings.seed));
   }
 
-  void
-  evaluateCloud (const CloudSource& source)
+  /** Known without loading the cloud only where its rows say which truth it has. Labels
+   * of one's own are read again. */
+  bool
+  isThere (const CloudSource& source, const Configuration& configuration) const
   {
-    // Known without loading the cloud only where its rows say which truth it has.
-    const auto is_there = [&] (const Configuration& configuration) {
-      if (configuration.is_own)
-        return false;
-      for (const std::string& truth :
-           {grownTruth(), std::string ("exact"), std::string ("none")})
-        if (results.has (keyOf (source, truth, configuration)))
-          return true;
+    if (configuration.is_own)
       return false;
-    };
+    const std::string truths[] = {grownTruth(), "exact", "none"};
+    return std::any_of (
+        std::begin (truths), std::end (truths), [&] (const std::string& truth) {
+          return results.has (keyOf (source, truth, configuration));
+        });
+  }
+
+  bool
+  isDone (const CloudSource& source) const
+  {
     const std::vector<Configuration>& all = plan.configurations;
     const bool only_saves = all.empty() && !plan.labels_folder.empty();
-    if (!only_saves && std::all_of (all.begin(), all.end(), is_there)) {
-      count (&EvaluationSummary::clouds);
-      return;
-    }
+    return !only_saves && std::all_of (all.begin(),
+                                       all.end(),
+                                       [&] (const Configuration& configuration) {
+                                         return isThere (source, configuration);
+                                       });
+  }
+
+  /** \return nothing where it is left out, which is said */
+  std::optional<LoadedCloud>
+  load (const CloudSource& source)
+  {
     LoadedCloud cloud{source};
     try {
       inMemory (source.name, fewer_at_a_time, [&] {
         cloud.loaded = shifted (source.load(), plan.shift);
         cloud.truth = truthOf (cloud.loaded, plan.truth);
       });
+      return cloud;
     }
     catch (const OutputError&) {
       throw;
@@ -343,12 +357,22 @@ struct Evaluation {
     catch (const std::exception& error) {
       count (&EvaluationSummary::broken_clouds,
              std::string ("left out: ") + error.what());
-      return;
+      return std::nullopt;
     }
-    saveLabels (cloud, "truth", cloud.truth);
-    for (const Configuration& configuration : all)
-      if (!configuration.needs_image || cloud.loaded.image)
-        evaluateConfiguration (cloud, configuration);
+  }
+
+  void
+  evaluateCloud (const CloudSource& source)
+  {
+    if (!isDone (source)) {
+      const std::optional<LoadedCloud> cloud = load (source);
+      if (!cloud)
+        return;
+      saveLabels (*cloud, "truth", cloud->truth);
+      for (const Configuration& configuration : plan.configurations)
+        if (!configuration.needs_image || cloud->loaded.image)
+          evaluateConfiguration (*cloud, configuration);
+    }
     count (&EvaluationSummary::clouds);
   }
 
