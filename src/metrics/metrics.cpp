@@ -8,6 +8,7 @@
 #include "partitions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -184,9 +185,14 @@ instanceMetrics (const Matching& matching)
           {"missed", fraction (truth.unexplained(), truth_planes, 0)}};
 }
 
+// Without a destructor: threads of Python may still compare while the program ends.
+using ClassLimits = std::array<double, 5>;
+constexpr ClassLimits point_limits{200, 500, 1000, 3000, 10'000};
+constexpr ClassLimits width_limits{0.03, 0.06, 0.12, 0.25, 1.0}; // [m]
+
 /** Classes between limits and beyond them, without a plane. */
 SizeClasses
-emptyClasses (const std::vector<double>& limits)
+emptyClasses (const ClassLimits& limits)
 {
   SizeClasses classes (1);
   for (const double limit : limits) {
@@ -196,14 +202,11 @@ emptyClasses (const std::vector<double>& limits)
   return classes;
 }
 
-const std::vector<double> point_limits{200, 500, 1000, 3000, 10'000};
-const std::vector<double> width_limits{0.03, 0.06, 0.12, 0.25, 1.0}; // [m]
-
 SizeClasses
 classesOf (const Matching& at_50,
            const Matching& at_75,
            const std::vector<double>& sizes,
-           const std::vector<double>& limits)
+           const ClassLimits& limits)
 {
   SizeClasses classes = emptyClasses (limits);
   for (std::size_t plane = 0; plane < sizes.size(); ++plane) {
