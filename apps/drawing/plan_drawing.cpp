@@ -215,7 +215,9 @@ savePlan (const std::string& file,
   if (extension == ".geojson" || extension == ".gpkg")
     return writeTextFile (file, mapFor (file, planToGeoJson (plan, ids, crs), "plan"));
   const Drawing drawing = drawingOf (plan);
-  writeTextFile (file, extension == ".svg" ? toSvg (drawing, title) : toDxf (drawing));
+  const bool is_picture = extension == ".svg";
+  const std::string text = is_picture ? toSvg (drawing, title) : toDxf (drawing);
+  writeTextFile (file, text);
 }
 
 } // namespace pcl_ops::apps

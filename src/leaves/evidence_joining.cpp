@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leaves/evidence_joining.h"
 
+#include "leaves/plane_contacts.h"
 #include "leaves/plane_evidence.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
+#include <iterator>
 #include <optional>
 
 namespace pcl_ops::internal {
@@ -27,6 +27,7 @@ public:
   : cloud_ (cloud)
   , surfels_ (surfels)
   , planes_ (planes)
+  , contacts_ (cloud, planes)
   , parts_ (partsOfPlanes (cloud, planes))
   , evidence_ (parts_.size(), 0.0)
   , is_to_be_judged_ (parts_.size(), 1)
@@ -42,12 +43,16 @@ public:
       const std::vector<Union> unions = chosenUnions();
       if (unions.empty())
         return changed;
-      std::fill (is_to_be_judged_.begin(), is_to_be_judged_.end(), 0);
+      std::vector<char> changed_now (parts_.size(), 0);
       for (const Union& both : unions) {
-        changed[both.into] = 1;
-        changed[both.from] = 1;
         apply (both);
+        for (const std::int32_t plane : {both.into, both.from}) {
+          changed[plane] = 1;
+          changed_now[plane] = 1;
+        }
       }
+      contacts_.update (cloud_, planes_, changed_now);
+      markToBeJudged (changed_now);
     }
   }
 
@@ -58,7 +63,19 @@ private:
     return evidence_[plane] > 0.0;
   }
 
-  // Planes whose evidence may have changed.
+  // The evidence of a plane depends on itself and on those it touches.
+  void
+  markToBeJudged (const std::vector<char>& changed)
+  {
+    is_to_be_judged_ = changed;
+    for (std::size_t plane = 0; plane < changed.size(); ++plane)
+      if (changed[plane] != 0)
+        for (const PlaneContact* contact = contacts_.begin (plane);
+             contact != contacts_.end (plane);
+             ++contact)
+          is_to_be_judged_[contact->to] = 1;
+  }
+
   void
   judge ()
   {
@@ -67,23 +84,8 @@ private:
         evidence_[own.number] = evidenceOf (cloud_, planes_, surfels_, own);
   }
 
-  /** \brief How many links of a plane lead to each other one; all under no plane. */
-  std::map<std::int32_t, double>
-  linksOf (const PlaneParts& own) const
-  {
-    std::map<std::int32_t, double> links;
-    for (const std::uint32_t leaf : own.leaves)
-      for (const std::uint32_t k : cloud_.neighbors[leaf]) {
-        const std::int32_t to = planes_.plane_of_leaf[k];
-        if (to == own.number)
-          continue;
-        links[no_plane] += 1.0;
-        if (to != no_plane)
-          links[to] += 1.0;
-      }
-    return links;
-  }
-
+  // Unions that gain, of planes that would not be kept with those they touch along a
+  // good part of their border.
   std::vector<Union>
   goodUnions () const
   {
@@ -92,14 +94,18 @@ private:
     for (const PlaneParts& own : parts_) {
       if (own.leaves.empty() || isKept (own.number))
         continue;
-      std::map<std::int32_t, double> links = linksOf (own);
-      const double min_links = min_share_of_border * links[no_plane];
-      links.erase (no_plane);
-      for (const auto& [to, number] : links)
-        if (number >= min_links &&
-            (is_to_be_judged_[own.number] != 0 || is_to_be_judged_[to] != 0))
-          if (const std::optional<double> gain = gainOf (own, parts_[to]))
-            good.push_back ({own.number, to, *gain});
+      const double min_links = min_share_of_border * contacts_.border (own.number);
+      for (const PlaneContact* contact = contacts_.begin (own.number);
+           contact != contacts_.end (own.number);
+           ++contact) {
+        const std::int32_t to = contact->to;
+        const bool is_new =
+            is_to_be_judged_[own.number] != 0 || is_to_be_judged_[to] != 0;
+        if (!is_new || contact->links < min_links)
+          continue;
+        if (const std::optional<double> gain = gainOf (own, parts_[to]))
+          good.push_back ({own.number, to, *gain});
+      }
     }
     return good;
   }
@@ -178,15 +184,12 @@ private:
     setPlane (from.leaves, into.number);
     from.leaves.clear();
     planes_.planes[into.number] = into.plane;
-    is_to_be_judged_[into.number] = 1;
-    for (const auto& [to, number] : linksOf (into))
-      if (to != no_plane)
-        is_to_be_judged_[to] = 1;
   }
 
   const LeafCloud& cloud_;
   const std::vector<LeafSurfel>& surfels_;
   LeafPlanes& planes_;
+  PlaneContacts contacts_;
   std::vector<PlaneParts> parts_;
   std::vector<double> evidence_;
   std::vector<char> is_to_be_judged_;

@@ -238,7 +238,9 @@ TEST (FloorPlan, DrawsEndsOfWallsToTheCornersBetween)
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
 }
 
-TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
+/** \brief Two rooms of 4 m x 3 m and a wall of 10 cm with a door between them. */
+Building
+twoRooms ()
 {
   Building flat;
   for (const double x : {0.0, 4.1}) {
@@ -247,6 +249,12 @@ TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
   }
   flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
   flat.wall ({4, 0}, {4, 3}, {door}).wall ({4.1, 3}, {4.1, 0}, {{1.1, 2.0, 0.0, 2.05}});
+  return flat;
+}
+
+TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
+{
+  Building flat = twoRooms();
   const FloorPlan plan = flat.plan();
   ASSERT_EQ (plan.rooms.size(), 2u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
@@ -263,13 +271,7 @@ TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
 
 TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
 {
-  Building flat;
-  for (const double x : {0.0, 4.1}) {
-    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
-    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
-  }
-  flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
-  flat.wall ({4, 0}, {4, 3}, {door}).wall ({4.1, 3}, {4.1, 0}, {{1.1, 2.0, 0.0, 2.05}});
+  Building flat = twoRooms();
   const FloorPlan before = flat.plan();
   // As if all had been seen from the far left, below.
   for (PlaneSegment& plane : flat.planes)
