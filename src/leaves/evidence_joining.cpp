@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leaves/evidence_joining.h"
 
+#include "base/parallel.h"
 #include "leaves/plane_contacts.h"
 #include "leaves/plane_evidence.h"
 
@@ -23,9 +24,11 @@ class EvidenceJoining {
 public:
   EvidenceJoining (const LeafCloud& cloud,
                    const std::vector<LeafSurfel>& surfels,
+                   unsigned threads,
                    LeafPlanes& planes)
   : cloud_ (cloud)
   , surfels_ (surfels)
+  , threads_ (threads)
   , planes_ (planes)
   , contacts_ (cloud, planes)
   , parts_ (partsOfPlanes (cloud, planes))
@@ -79,18 +82,22 @@ private:
   void
   judge ()
   {
+    Labels judged;
     for (const PlaneParts& own : parts_)
       if (is_to_be_judged_[own.number] != 0 && !own.leaves.empty())
-        evidence_[own.number] = evidenceOf (cloud_, planes_, surfels_, own);
+        judged.push_back (own.number);
+    parallelFor (threads_, judged.size(), 1, [&] (std::size_t i, std::size_t) {
+      evidence_[judged[i]] = evidenceOf (cloud_, planes_, surfels_, parts_[judged[i]]);
+    });
   }
 
-  // Unions that gain, of planes that would not be kept with those they touch along a
-  // good part of their border.
+  // Planes that would not be kept, with those they touch along a good part of their
+  // border, where either has changed.
   std::vector<Union>
-  goodUnions () const
+  possibleUnions () const
   {
     constexpr double min_share_of_border = 0.1;
-    std::vector<Union> good;
+    std::vector<Union> possible;
     for (const PlaneParts& own : parts_) {
       if (own.leaves.empty() || isKept (own.number))
         continue;
@@ -98,16 +105,28 @@ private:
       for (const PlaneContact* contact = contacts_.begin (own.number);
            contact != contacts_.end (own.number);
            ++contact) {
-        const std::int32_t to = contact->to;
         const bool is_new =
-            is_to_be_judged_[own.number] != 0 || is_to_be_judged_[to] != 0;
-        if (!is_new || contact->links < min_links)
-          continue;
-        if (const std::optional<double> gain = gainOf (own, parts_[to]))
-          good.push_back ({own.number, to, *gain});
+            is_to_be_judged_[own.number] != 0 || is_to_be_judged_[contact->to] != 0;
+        if (is_new && contact->links >= min_links)
+          possible.push_back ({own.number, contact->to});
       }
     }
-    return good;
+    return possible;
+  }
+
+  // Unions that gain.
+  std::vector<Union>
+  goodUnions () const
+  {
+    std::vector<Union> unions = possibleUnions();
+    parallelFor (threads_, unions.size(), 1, [&] (std::size_t i, std::size_t) {
+      unions[i].gain = gainOf (parts_[unions[i].into], parts_[unions[i].from]);
+    });
+    unions.erase (std::remove_if (unions.begin(),
+                                  unions.end(),
+                                  [] (const Union& both) { return both.gain <= 0.0; }),
+                  unions.end());
+    return unions;
   }
 
   // Of unions that share a plane the one that gains most.
@@ -130,49 +149,61 @@ private:
     return chosen;
   }
 
-  /** \return nothing where they are two planes, or none together */
-  std::optional<double>
+  /** \return 0 where they are two planes, or none together */
+  double
   gainOf (const PlaneParts& own, const PlaneParts& other) const
   {
     constexpr double max_noisier = 1.5;
-    const std::optional<PlaneParts> both = unionOf (own, other);
-    if (!both)
-      return std::nullopt;
+    const std::optional<Plane> plane = planeOfBoth (own, other);
+    if (!plane)
+      return 0.0;
     const double noise = std::max (meanSquaredDistance (own.moments, own.plane),
                                    meanSquaredDistance (other.moments, other.plane));
-    if (meanSquaredDistance (both->moments, both->plane) >
+    if (meanSquaredDistance (momentsOfBoth (own, other), *plane) >
         max_noisier * max_noisier * noise)
-      return std::nullopt;
+      return 0.0;
     const double of_better =
         std::max ({0.0, evidence_[own.number], evidence_[other.number]});
-    setPlane (other.leaves, own.number);
-    const double gain = evidenceOf (cloud_, planes_, surfels_, *both) - of_better;
-    setPlane (other.leaves, other.number);
-    return gain > 0.0 ? std::optional<double> (gain) : std::nullopt;
+    return std::max (
+        0.0,
+        evidenceOf (cloud_, planes_, surfels_, unionOf (own, other, *plane)) -
+            of_better);
   }
 
-  static std::optional<PlaneParts>
-  unionOf (const PlaneParts& own, const PlaneParts& other)
+  static Moments
+  momentsOfBoth (const PlaneParts& own, const PlaneParts& other)
   {
     Moments moments = own.moments;
     moments += other.moments;
-    const std::optional<PlaneFit> fit = fitPlane (moments);
-    if (!fit)
-      return std::nullopt;
-    PlaneParts both{own.number, fit->plane, {}, moments};
-    std::merge (own.leaves.begin(),
-                own.leaves.end(),
-                other.leaves.begin(),
-                other.leaves.end(),
-                std::back_inserter (both.leaves));
+    return moments;
+  }
+
+  static std::optional<Plane>
+  planeOfBoth (const PlaneParts& own, const PlaneParts& other)
+  {
+    const std::optional<PlaneFit> fit = fitPlane (momentsOfBoth (own, other));
+    return fit ? std::optional<Plane> (fit->plane) : std::nullopt;
+  }
+
+  static Indices
+  merged (const Indices& own, const Indices& other)
+  {
+    Indices both;
+    both.reserve (own.size() + other.size());
+    std::merge (
+        own.begin(), own.end(), other.begin(), other.end(), std::back_inserter (both));
     return both;
   }
 
-  void
-  setPlane (const Indices& leaves, std::int32_t plane) const
+  static PlaneParts
+  unionOf (const PlaneParts& own, const PlaneParts& other, const Plane& plane)
   {
-    for (const std::uint32_t leaf : leaves)
-      planes_.plane_of_leaf[leaf] = plane;
+    return {own.number,
+            plane,
+            momentsOfBoth (own, other),
+            merged (own.leaves, other.leaves),
+            merged (own.border_leaves, other.border_leaves),
+            other.number};
   }
 
   void
@@ -180,14 +211,17 @@ private:
   {
     PlaneParts& into = parts_[both.into];
     PlaneParts& from = parts_[both.from];
-    into = *unionOf (into, from);
-    setPlane (from.leaves, into.number);
+    into = unionOf (into, from, planeOfBoth (into, from).value());
+    into.other_number = no_plane;
+    for (const std::uint32_t leaf : from.leaves)
+      planes_.plane_of_leaf[leaf] = into.number;
     from.leaves.clear();
     planes_.planes[into.number] = into.plane;
   }
 
   const LeafCloud& cloud_;
   const std::vector<LeafSurfel>& surfels_;
+  unsigned threads_;
   LeafPlanes& planes_;
   PlaneContacts contacts_;
   std::vector<PlaneParts> parts_;
@@ -200,9 +234,10 @@ private:
 std::vector<char>
 joinByEvidence (const LeafCloud& cloud,
                 const std::vector<LeafSurfel>& surfels,
+                unsigned threads,
                 LeafPlanes& planes)
 {
-  return EvidenceJoining (cloud, surfels, planes).joinAll();
+  return EvidenceJoining (cloud, surfels, threads, planes).joinAll();
 }
 
 } // namespace pcl_ops::internal

@@ -18,6 +18,7 @@ namespace pcl_ops::internal {
 std::vector<char>
 joinByEvidence (const LeafCloud& cloud,
                 const std::vector<LeafSurfel>& surfels,
+                unsigned threads,
                 LeafPlanes& planes);
 
 } // namespace pcl_ops::internal

@@ -76,10 +76,12 @@ borderOf (const LeafCloud& cloud,
   const double far =
       max_noises * max_noises * meanSquaredDistance (own.moments, own.plane); // [m^2]
   PlaneBorder border;
-  for (const std::uint32_t leaf : own.leaves) {
+  border.inner_leaves =
+      static_cast<double> (own.leaves.size() - own.border_leaves.size());
+  for (const std::uint32_t leaf : own.border_leaves) {
     bool is_inner = true;
     for (const std::uint32_t k : cloud.neighbors[leaf]) {
-      if (planes.plane_of_leaf[k] == own.number)
+      if (own.has (planes.plane_of_leaf[k]))
         continue;
       is_inner = false;
       border.links += 1.0;
@@ -135,10 +137,18 @@ partsOfPlanes (const LeafCloud& cloud, const LeafPlanes& planes)
   std::vector<PlaneParts> parts;
   const std::vector<Moments> moments = momentsOfPlanes (cloud, planes);
   for (std::size_t p = 0; p < planes.planes.size(); ++p)
-    parts.push_back ({static_cast<std::int32_t> (p), planes.planes[p], {}, moments[p]});
-  for (std::uint32_t i = 0; i < cloud.size(); ++i)
-    if (planes.plane_of_leaf[i] != no_plane)
-      parts[planes.plane_of_leaf[i]].leaves.push_back (i);
+    parts.push_back ({static_cast<std::int32_t> (p), planes.planes[p], moments[p]});
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    const std::int32_t plane = planes.plane_of_leaf[i];
+    if (plane == no_plane)
+      continue;
+    parts[plane].leaves.push_back (i);
+    const IndexRange around = cloud.neighbors[i];
+    if (std::any_of (around.begin(), around.end(), [&] (std::uint32_t k) {
+          return planes.plane_of_leaf[k] != plane;
+        }))
+      parts[plane].border_leaves.push_back (i);
+  }
   return parts;
 }
 

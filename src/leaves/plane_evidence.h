@@ -20,13 +20,25 @@ struct PlaneBorder {
   double inner_leaves = 0.0;
 };
 
-/** \brief A plane as evidence has it: with its leaves, in ascending order, and the
- * moments of their points. */
+/** \brief A plane as evidence has it, or two planes as if they were one. */
 struct PlaneParts {
-  std::int32_t number;
-  Plane plane;
-  Indices leaves;
-  Moments moments;
+  std::int32_t number = no_plane;
+  Plane plane = {};
+  Moments moments = {};
+  /** \brief All leaves, in ascending order. */
+  Indices leaves = {};
+  /** \brief Those that touched leaves of others when the parts were made. What planes
+   * are joined never adds to them. */
+  Indices border_leaves = {};
+  /** \brief The number of the other of two planes. */
+  std::int32_t other_number = no_plane;
+
+  bool
+  has (std::int32_t plane_of_leaf) const
+  {
+    return plane_of_leaf != no_plane &&
+           (plane_of_leaf == number || plane_of_leaf == other_number);
+  }
 };
 
 /** \brief The leaves and moments of each plane; planes without leaves have none. */
@@ -40,7 +52,7 @@ partsOfPlanes (const LeafCloud& cloud, const LeafPlanes& planes);
  * goes on smoothly; for it its size, the share of its border where it ends, and the
  * share of its leaves that are inside. Tests one after the other lose planes that fail
  * one of them by little.
- * \param[in] planes where the leaves of \p own have its number
+ * \param[in] planes where the leaves of \p own have one of its numbers
  * \param[in] surfels of leaves without a plane */
 double
 evidenceOf (const LeafCloud& cloud,

@@ -364,7 +364,7 @@ joinUnsure (const Rounds& rounds,
             LeafPlanes& planes)
 {
   const unsigned threads = rounds.parameters.threads;
-  const std::vector<char> changed = joinByEvidence (cloud, surfels, planes);
+  const std::vector<char> changed = joinByEvidence (cloud, surfels, threads, planes);
   if (std::find (changed.begin(), changed.end(), 1) == changed.end())
     return;
   measureNoise (cloud, threads, planes, &changed);

@@ -17,7 +17,7 @@ joinIn (LeafScene& scene)
   refitPlanes (scene.cloud, scene.planes);
   measureNoise (scene.cloud, 1, scene.planes);
   const auto surfels = orientLeaves (scene.cloud, scene.planes, {30.0, 4}, 1);
-  return joinByEvidence (scene.cloud, surfels, scene.planes);
+  return joinByEvidence (scene.cloud, surfels, 1, scene.planes);
 }
 
 bool
