@@ -14,7 +14,7 @@ namespace {
 // facades and offices, whose creases look uneven, too.
 constexpr float max_even_slope = 0.009f;
 constexpr double points_where_uneven = 5.0;
-constexpr float max_slope_to_halve = 0.03f;
+constexpr float max_slope_to_halve = 0.0125f;
 
 MortonCode
 cornerOf (MortonCode code, int level)
