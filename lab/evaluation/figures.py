@@ -18,8 +18,7 @@ NAMES = {"ops": "pcl_ops", "ops-3-30": "pcl_ops, paper", "kht": "3D-KHT", "fspf"
          "cgal-region-growing": "CGAL region growing", "open3d": "Open3D segment_plane loop",
          "voxel-octree": "voxel octree (VoxelMap)"}
 OURS = ("ops", "ops-3-30", "kht", "fspf")
-IN_STRIP = ("truth", "ops", "pcl-sac", "pcl-region-growing", "cgal-ransac",
-            "cgal-region-growing", "open3d", "voxel-octree")
+IN_STRIP = ("truth", "ops", "cgal-region-growing", "cgal-ransac", "pcl-region-growing", "pcl-sac")
 MEASURED = "-measured"
 OWN_COLOR = "C2"
 
@@ -212,38 +211,72 @@ def colors_like(truth, labels):
     return colors[labels]
 
 
-def picture_of(points, colors, origin, axes, width=316, height=237):
-    """What the sensor saw as an image; what is all around it from above at a slant."""
-    seen = (points - origin) @ axes
-    if (seen[:, 2] > 0).all():
-        columns, rows, depth = seen[:, 0] / seen[:, 2], seen[:, 1] / seen[:, 2], seen[:, 2]
-    else:
-        near = np.hypot(*(points - origin).T[:2]) < 30  # [m]
-        (x, y, z), colors = (points[near] - origin).T, colors[near]
-        turned, depth = 0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x
-        columns, rows, depth = turned, -0.5 * depth - 0.87 * z, 0.87 * depth - 0.5 * z
-    scale = max(np.ptp(columns) / (width - 2), np.ptp(rows) / (height - 2))
+def corner_camera(points):
+    """The corner of a room below its ceiling, and the axes of a camera that looks across."""
+    low, high = np.quantile(points, (0.02, 0.98), axis=0)
+    eye = np.array([low[0], high[1], high[2] + 0.6])  # [m]
+    forward = np.append((low + high)[:2] / 2, low[2] + 0.4) - eye
+    forward /= np.linalg.norm(forward)
+    right = np.cross(forward, (0, 0, 1))
+    right /= np.linalg.norm(right)
+    return eye, np.stack([right, np.cross(forward, right), forward], axis=1)
+
+
+def seen_by(points, eye, axes, nearest=0.0, reach=np.inf):
+    """Which points are in front of a camera, where in its image, and how far away."""
+    columns, rows, depth = ((points - eye) @ axes).T
+    shown = (depth > nearest) & (np.maximum(abs(columns), abs(rows)) < reach * depth)
+    depth = depth[shown]
+    return shown, columns[shown] / depth, rows[shown] / depth, depth
+
+
+def from_above(points, center):
+    """The surroundings of a center [m], at a slant: which points, where, and how far away."""
+    far = np.hypot(*(points - center).T[:2])
+    radius = max(30, np.sort(far)[min(20000, far.size) - 1])
+    shown = far < radius
+    x, y, z = (points[shown] - center).T
+    turned, depth = 0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x
+    return shown, turned, -0.5 * depth - 0.87 * z, 0.87 * depth - 0.5 * z
+
+
+def view_of(points, origin, axes):
+    """What a depth camera saw, a room from its corner, and what is wide from above."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    by_camera = seen_by(points, origin, axes, reach=2)
+    if by_camera[0].all():
+        return by_camera
+    if max(high - low) < 20:  # [m]
+        return seen_by(points, *corner_camera(points), 0.25 * np.hypot(*(high - low)[:2]), 1.2)
+    inside = (low + 0.1 * (high - low) < origin) & (origin < high - 0.1 * (high - low))
+    return from_above(points, origin if inside[:2].all() else (low + high) / 2)
+
+
+def drawn(columns, rows, depth, colors, width):
+    """Squares that close the gaps between their points, the nearest in front."""
+    scale = np.ptp(columns) / (width - 5)
     column = ((columns - columns.min()) / scale).astype(int)
     row = ((rows - rows.min()) / scale).astype(int)
-    image = np.ones((height, width, 3))
-    palette = np.array([color for name in ("tab20", "tab20b", "tab20c", "Set1", "Dark2")
-                        for color in plt.get_cmap(name).colors if np.ptp(color) > 0.15])
-    shown = np.where(colors[:, None] > 0, palette[(colors - 1) % len(palette)], 0.75)
-    far_first = np.argsort(-depth)
-    for right, down in ((1, 1), (1, 0), (0, 1), (0, 0)):
-        image[row[far_first] + down, column[far_first] + right] = shown[far_first]
+    cell = row // 8 * width + column // 8
+    size = np.clip(np.ceil(8 / np.sqrt(np.bincount(cell)[cell])), 2, 4)  # [pixels]
+    squares = [(point, row[point] + down, column[point] + right)
+               for down in range(4) for right in range(4)
+               for point in [np.flatnonzero(size > max(down, right))]]
+    point, row, column = (np.concatenate(parts) for parts in zip(*squares))
+    far_first = np.argsort(-depth[point], kind="stable")
+    image = np.ones((row.max() + 1, width, 3))
+    image[row[far_first], column[far_first]] = colors[point[far_first]]
     return image
 
 
-def better_of(truth, files):
-    """Of a method's results the picture that has more points in their true colors."""
-    true_labels = labeled_points(truth)[1]
-    clouds = [labeled_points(file) for file in files]
-    colors = [colors_like(true_labels, labels) for _, labels, _, _ in clouds]
-    right = [np.count_nonzero(each == true_labels) for each in colors]
-    best = right.index(max(right))
-    points, _, origin, axes = clouds[best]
-    return picture_of(points, colors[best], origin, axes)
+def picture_of(points, colors, origin, axes, width=424):
+    """Points in the colors of their planes; gray are those of none."""
+    palette = np.array([color for name in ("tab20", "tab20b", "tab20c", "Set1", "Dark2")
+                        for color in plt.get_cmap(name).colors if np.ptp(color) > 0.15])
+    shown, columns, rows, depth = view_of(points, origin, axes)
+    colors = colors[shown]
+    shades = np.where(colors[:, None] > 0, palette[(colors - 1) % len(palette)], 0.75)
+    return drawn(columns, rows, depth, shades, width)
 
 
 def own_names(folder):
@@ -256,25 +289,51 @@ def own_names(folder):
                                   if row["values"] == "own"))
 
 
+def scores_of(folder):
+    """F-scores by data set, cloud and configuration."""
+    file = folder / "results.csv"
+    if not file.exists():
+        return {}
+    with open(file, newline="", encoding="utf-8") as stream:
+        return {(row["data_set"], row["cloud"], row["configuration"]): float(row["f_score"])
+                for row in csv.DictReader(stream)}
+
+
+def panels_of_strip(truth, own, scores):
+    """The title and the file of the truth and of each method, by the better of its settings."""
+    panels = {}
+    for name in (*IN_STRIP, *own):
+        settings = [name] if name in own else [name, name + MEASURED]
+        of_setting = {scores.get((*truth.parts[-3:-1], setting), np.nan): setting
+                      for setting in settings if truth.with_name(setting + ".pcd").is_file()}
+        if of_setting:
+            score = np.nanmax([-1, *of_setting])
+            setting = of_setting.get(score, next(iter(of_setting.values())))
+            title = NAMES.get(name, name) + (f", F {score:.2f}" if score >= 0 else "")
+            panels[title] = truth.with_name(setting + ".pcd")
+    return panels
+
+
 def plot_strips(_, folder):
     """Of each cloud in labels/ (pcl_ops_evaluate run --labels): every method's planes."""
-    own = own_names(folder)
+    own, scores = own_names(folder), scores_of(folder)
     for truth in sorted((folder / "labels").rglob("truth.pcd")):
-        results = defaultdict(list)
-        for name, end in [(name, end) for name in IN_STRIP for end in ("", MEASURED)
-                          if name + end not in own] + [(name, "") for name in own]:
-            file = truth.with_name(name + end + ".pcd")
-            if file.is_file():
-                results[name].append(file)
-        columns = (len(results) + 1) // 2
-        figure, panels = plt.subplots(2, columns, squeeze=False, figsize=(3.2 * columns, 5.3),
-                                      gridspec_kw={"left": 0, "right": 1, "bottom": 0, "top": 0.95,
-                                                   "wspace": 0.01, "hspace": 0.1})
+        true_labels = labeled_points(truth)[1].astype(int)
+        shown = {}
+        for title, file in panels_of_strip(truth, own, scores).items():
+            points, labels, *view = labeled_points(file)
+            shown[title] = picture_of(points, colors_like(true_labels, labels.astype(int)), *view)
+        rows, height = (len(shown) + 2) // 3, len(next(iter(shown.values()))) / 100
+        figure, panels = plt.subplots(rows, 3, squeeze=False,
+                                      figsize=(12.8, (height + 0.3) * rows),
+                                      gridspec_kw={"left": 0, "right": 1, "bottom": 0,
+                                                   "top": 1 - 0.3 / (height + 0.3) / rows,
+                                                   "wspace": 0.01, "hspace": 0.3 / height})
         for axes in panels.flat:
             axes.axis("off")
-        for axes, (name, files) in zip(panels.flat, results.items()):
-            axes.imshow(better_of(truth, files))
-            axes.set_title(NAMES.get(name, name), fontsize=12, pad=3)
+        for axes, (title, image) in zip(panels.flat, shown.items()):
+            axes.imshow(image)
+            axes.set_title(title, fontsize=17, pad=4)
         save(figure, folder / f"strip-{truth.parent.name}.png")
 
 
