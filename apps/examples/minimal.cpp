@@ -11,7 +11,8 @@
 int
 main (int argc, char** argv)
 {
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
+  using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+  const Cloud::Ptr cloud (new Cloud);
   if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0) {
     std::fprintf (stderr, "Usage: minimal CLOUD.pcd\n");
     return 2;

@@ -95,7 +95,8 @@ def plot_true_planes(truths, bounds, of_paper, file):
 
 
 def label_dots(axes, dots):
-    """Names beside their dots, each at the first place around it that is free."""
+    """Names beside their dots, each at the first place around it that is free; a line leads
+    to a name that is not right beside its dot."""
     renderer = axes.figure.canvas.get_renderer()
     taken = [matplotlib.transforms.Bbox.from_bounds(x - 6, y - 6, 12, 12)
              for x, y in axes.transData.transform([dot for _, dot, _ in dots])]
@@ -107,12 +108,16 @@ def label_dots(axes, dots):
     for name, dot, color in dots:
         for x, y, side in places:
             label = axes.annotate(name, dot, xytext=(x, y), textcoords="offset points", ha=side,
-                                  fontsize=10, color=color)
+                                  fontsize=12, color=color)
             box = label.get_window_extent(renderer)
-            fits = frame.x0 < box.x0 and box.x1 < frame.x1 and not box.count_overlaps(taken)
+            fits = (frame.x0 < box.x0 and box.x1 < frame.x1 and frame.y0 < box.y0 and
+                    not box.count_overlaps(taken))
             if fits or (x, y, side) == places[-1]:
                 break
             label.remove()
+        if name and abs(y) > 9:
+            axes.annotate("", dot, xytext=(x, y + 9 * (y < 0)), textcoords="offset points",
+                          arrowprops={"arrowstyle": "-", "color": color, "linewidth": 0.7})
         taken.append(box)
 
 
@@ -150,16 +155,19 @@ def plot_comparison(rows, folder):
     best = max(float(row["f_score"]) for row in rows
                if any(row["data_set"] in names for names in panels_by_title.values()))
     count = len(panels_by_title)
-    figure, panels = plt.subplots(1, count, sharey=True, squeeze=False,
-                                  figsize=(6.4 * count, 5), layout="constrained")
-    for axes, (title, data_sets) in zip(panels[0], panels_by_title.items()):
+    labels_of = {}
+    figure, panels = plt.subplots(count, 1, sharex=True, squeeze=False,
+                                  figsize=(8.3, 3.7 * count), layout="constrained")
+    for axes, (title, data_sets) in zip(panels[:, 0], panels_by_title.items()):
         dots = dots_of(rows, data_sets)
-        axes.set_title(title, fontsize=12)
+        axes.set_title(title, fontsize=14)
+        axes.set_ylabel("F-score at an overlap of 0.5", fontsize=13)
+        axes.tick_params(labelsize=12)
         axes.set(xscale="log", ylim=(0, max(0.9, best + 0.05)))
         axes.xaxis.set_major_formatter("{x:g}")
         axes.margins(x=0.15)
         axes.grid(True, alpha=0.3)
-        labels = []
+        labels = labels_of[axes] = []
         for method, dot in dots.items():
             usual = method.removesuffix(MEASURED)
             color = "C3" if usual in OURS else "C0"
@@ -170,17 +178,18 @@ def plot_comparison(rows, folder):
             labels.append(("" if usual != method else NAMES.get(method, method), dot, color))
         draw_own(axes, {row["method"]: float(row["f_score"]) for row in rows
                         if row["data_set"] in data_sets and row["values"] == "own"})
-        axes.set_xlabel("processor time per million points [s]", fontsize=11)
-        figure.canvas.draw()
-        label_dots(axes, labels)
-    panels[0][0].set_ylabel("F-score of planes at an overlap of 0.5", fontsize=11)
+    panels[-1][0].set_xlabel("processor time per million points [s]", fontsize=13)
     marks = [panels[0][0].scatter([], [], color="gray", s=45, label="values of tutorials"),
              panels[0][0].scatter([], [], color="gray", s=45, facecolors="none",
                                   label="values measured from the cloud")]
     if has_own:
         marks += panels[0][0].plot([], [], color=OWN_COLOR, linestyle="--",
                                    label="labels of one's own, no time")
-    panels[0][0].legend(handles=marks, fontsize=10, loc="upper right")
+    panels[0][0].legend(handles=marks, fontsize=12, loc="upper right")
+    figure.canvas.draw()
+    figure.set_layout_engine("none")
+    for axes, labels in labels_of.items():
+        label_dots(axes, labels)
     save(figure, folder / "figure.png")
 
 
@@ -309,7 +318,7 @@ def panels_of_strip(truth, own, scores):
         if of_setting:
             score = np.nanmax([-1, *of_setting])
             setting = of_setting.get(score, next(iter(of_setting.values())))
-            title = NAMES.get(name, name) + (f", F {score:.2f}" if score >= 0 else "")
+            title = NAMES.get(name, name) + (f"\nF {score:.2f}" if score >= 0 else "\n")
             panels[title] = truth.with_name(setting + ".pcd")
     return panels
 
@@ -324,16 +333,17 @@ def plot_strips(_, folder):
             points, labels, *view = labeled_points(file)
             shown[title] = picture_of(points, colors_like(true_labels, labels.astype(int)), *view)
         rows, height = (len(shown) + 2) // 3, len(next(iter(shown.values()))) / 100
+        title_height = 0.75
         figure, panels = plt.subplots(rows, 3, squeeze=False,
-                                      figsize=(12.8, (height + 0.3) * rows),
+                                      figsize=(12.8, (height + title_height) * rows),
                                       gridspec_kw={"left": 0, "right": 1, "bottom": 0,
-                                                   "top": 1 - 0.3 / (height + 0.3) / rows,
-                                                   "wspace": 0.01, "hspace": 0.3 / height})
+                                                   "top": 1 - title_height / (height + title_height) / rows,
+                                                   "wspace": 0.01, "hspace": title_height / height})
         for axes in panels.flat:
             axes.axis("off")
         for axes, (title, image) in zip(panels.flat, shown.items()):
             axes.imshow(image)
-            axes.set_title(title, fontsize=17, pad=4)
+            axes.set_title(title, fontsize=20, pad=4)
         save(figure, folder / f"strip-{truth.parent.name}.png")
 
 

@@ -41,6 +41,7 @@ METHODS = {"pcl_ops": "ops", "pcl_ops, as in the paper": "ops-3-30", "3D-KHT": "
            "FSPF": "fspf", "PCL `SACSegmentation` loop": "pcl-sac",
            "PCL `RegionGrowing`": "pcl-region-growing",
            "PCL `OrganizedMultiPlaneSegmentation`": "pcl-organized",
+           "PCL organized planes": "pcl-organized",
            "CGAL Efficient RANSAC": "cgal-ransac",
            "CGAL region growing": "cgal-region-growing",
            "Open3D `segment_plane` loop": "open3d", "Voxel octree as in VoxelMap": "voxel-octree"}
