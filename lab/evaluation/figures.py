@@ -81,15 +81,30 @@ def plot_accuracy(name, means, folder):
         plt.close("all")
 
 
+def styles_of(truths, data_sets):
+    """A color for each data set, and a line for each number of neighbors."""
+    names = [name for name, _ in truths]
+    neighbors = list(dict.fromkeys(name.rpartition("-k")[2] for name in names))
+    return [f"C{data_sets.index(name.partition(',')[0])}o" +
+            ("-", "--", ":", "-.")[neighbors.index(name.rpartition("-k")[2]) % 4]
+            for name in names]
+
+
 def plot_true_planes(truths, bounds, of_paper, file):
     """How many planes a grown truth has, by the points of the smallest that counts.
 
     truths: by name, the number of all planes and of those of at least each of the bounds.
     """
-    axes = plt.subplots()[1]
-    axes.set(xscale="log", yscale="log")
-    for name, counts in truths.items():
-        axes.plot((50, *bounds), counts, marker="o", label=name)
+    axes = plt.subplots(figsize=(8, 5))[1]
+    axes.set(xscale="log", yscale="log", xticks=(50, *bounds), yticks=(1, 10, 100, 1000))
+    axes.minorticks_off()
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_major_formatter("{x:g}")
+    data_sets = list(dict.fromkeys(name.partition(",")[0] for name in truths))
+    by_neighbors = sorted(truths.items(), key=lambda truth: int(truth[0].rpartition("-k")[2]))
+    for (name, counts), style in zip(by_neighbors, styles_of(by_neighbors, data_sets)):
+        label = name.replace("truth grown-k", "normals of ") + " neighbors"
+        axes.plot((50, *bounds), counts, style, label=label)
     axes.axhline(of_paper, color="black", linestyle="--", linewidth=1, label="the paper")
     finish(axes, "points of the smallest plane", "true planes per cloud", file)
 
