@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the strips of pictures show: the better setting of a method, and rooms from inside.
+
+python3 figures_test.py SOURCES: the project's folder.
+"""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "lab/evaluation"))
+try:
+    import figures
+    import numpy as np
+except ImportError:
+    figures = None
+
+FLOOR, WALL = 1, 2
+
+
+def room_seen_all_around():
+    """A floor of 6 m by 6 m and four walls of 3 m around it; labels."""
+    along, across = (grid.ravel() for grid in np.meshgrid(*[np.linspace(0, 6, 150)] * 2))
+    zero = np.zeros_like(along)
+    walls = [[along, zero, across / 2], [along, zero + 6, across / 2],
+             [zero, along, across / 2], [zero + 6, along, across / 2]]
+    points = np.concatenate([np.stack(part, axis=1) for part in ([along, across, zero], *walls)])
+    return points, np.repeat([FLOOR, WALL, WALL, WALL, WALL], along.size)
+
+
+@unittest.skipUnless(figures, "needs NumPy, matplotlib and Pillow")
+class Strips(unittest.TestCase):
+    def test_a_method_is_shown_by_the_setting_with_the_higher_score(self):
+        with tempfile.TemporaryDirectory() as folder:
+            cloud = pathlib.Path(folder, "rooms", "room-1")
+            cloud.mkdir(parents=True)
+            for name in ("truth", "ops", "pcl-sac", "pcl-sac-measured"):
+                (cloud / f"{name}.pcd").touch()
+            scores = {("rooms", "room-1", "ops"): 0.7, ("rooms", "room-1", "pcl-sac"): 0.2,
+                      ("rooms", "room-1", "pcl-sac-measured"): 0.4}
+            shown = figures.panels_of_strip(cloud / "truth.pcd", [], scores)
+        self.assertEqual({title: file.stem for title, file in shown.items()},
+                         {"truth\n": "truth", "pcl_ops\nF 0.70": "ops",
+                          "PCL SACSegmentation loop\nF 0.40": "pcl-sac-measured"})
+
+    def test_the_walls_of_a_room_do_not_hide_its_floor(self):
+        points, labels = room_seen_all_around()
+        image = figures.picture_of(points, labels, np.array([3.0, 3.0, 1.5]), np.eye(3))
+        of_floor, of_walls = (np.count_nonzero(np.all(np.isclose(image, color), axis=-1))
+                              for color in figures.plt.get_cmap("tab20").colors[:2])
+        self.assertGreater(of_floor, 0.5 * of_walls)
+
+    def test_of_two_points_in_a_line_of_sight_the_nearer_one_is_drawn(self):
+        corners, middle = np.array([0.0, 1.0, 0.0, 1.0]), np.array([0.5, 0.5])
+        columns = np.concatenate([corners, middle])
+        rows = np.concatenate([[0.0, 0.0, 1.0, 1.0], middle])
+        red, blue = (1, 0, 0), (0, 0, 1)
+        for near, far in ((4, 5), (5, 4)):
+            depth, colors = np.full(6, 2.0), np.array([red] * 6)
+            depth[near], colors[near] = 1.0, blue
+            image = figures.drawn(columns, rows, depth, colors, 50)
+            self.assertEqual(tuple(image[22, 22]), blue, f"{far} is behind")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
