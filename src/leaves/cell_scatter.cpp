@@ -17,11 +17,51 @@ namespace {
 constexpr std::uint32_t points_of_a_sum = 6;
 constexpr double min_points_of_scatter = 8.0;
 
-Eigen::Matrix3d
-outerProduct (const Eigen::Vector3d& vector)
-{
-  return vector * vector.transpose();
-}
+/** \brief Points in the eighths of a cell, by the last bits of their codes. */
+struct EighthsOfCell {
+  std::array<double, 8> count{};
+  std::array<Eigen::Vector3d, 8> sum;
+
+  EighthsOfCell() { sum.fill (Eigen::Vector3d::Zero()); }
+
+  void
+  set (unsigned eighth, const Moments& moments)
+  {
+    count[eighth] = moments.count;
+    sum[eighth] = moments.sum;
+  }
+};
+
+/** \brief How the quarters of a cell, columns along an axis, lie about a plane. */
+struct QuartersOfCell {
+  double number = 0.0;
+  double uneven = 0.0; // mean squared distance of their centroids, by points [m^2]
+
+  /** \brief The columns run along the axis next to the normal: a surface between two
+   * eighths would part its noise into what is above and what is below. */
+  QuartersOfCell (const EighthsOfCell& eighths,
+                  const Eigen::Vector3d& centroid,
+                  const Eigen::Vector3d& normal)
+  {
+    int axis = 0;
+    normal.cwiseAbs().maxCoeff (&axis);
+    const unsigned above = 1U << static_cast<unsigned> (axis);
+    double points = 0.0;
+    for (unsigned eighth = 0; eighth < 8; ++eighth) {
+      if ((eighth & above) != 0)
+        continue;
+      const double count = eighths.count[eighth] + eighths.count[eighth | above];
+      if (count == 0.0)
+        continue;
+      const Eigen::Vector3d sum = eighths.sum[eighth] + eighths.sum[eighth | above];
+      const double height = normal.dot (sum / count - centroid);
+      uneven += count * height * height;
+      points += count;
+      number += 1.0;
+    }
+    uneven /= points;
+  }
+};
 
 /** \brief Walks up the octree, and looks at cells many at a time. */
 class ScatterOfCells {
@@ -47,17 +87,18 @@ private:
         moments.add (points_.x[i], points_.y[i], points_.z[i]);
       return moments;
     }
-    std::array<Moments, 8> eighths;
-    std::size_t number = 0;
+    EighthsOfCell eighths;
+    int number = 0;
     for (std::uint32_t i = begin; i < end; ++number) {
       const std::uint32_t next = endOfCell (points_.code, i, end, level - 1);
-      eighths[number] = momentsOfCell (i, next, level - 1);
-      moments.addAligned (eighths[number]);
+      const Moments of_eighth = momentsOfCell (i, next, level - 1);
+      eighths.set (points_.code[i] >> 3 * (level - 1) & 7, of_eighth);
+      moments.addAligned (of_eighth);
       i = next;
     }
     // A cell of a single occupied eighth is no wider than that.
     if (moments.count >= min_points_of_scatter && number > 1)
-      add (begin, level, moments, eighths, number);
+      add (begin, level, moments, eighths);
     return moments;
   }
 
@@ -65,22 +106,16 @@ private:
   add (std::uint32_t begin,
        int level,
        const Moments& moments,
-       const std::array<Moments, 8>& eighths,
-       std::size_t number)
+       const EighthsOfCell& eighths)
   {
-    const Eigen::Vector3d center = moments.centroid();
-    Eigen::Matrix3d between = Eigen::Matrix3d::Zero();
-    for (std::size_t k = 0; k < number; ++k)
-      between += eighths[k].count / moments.count *
-                 outerProduct (eighths[k].centroid() - center);
     CellScatter cell;
     cell.begin = begin;
     cell.count = static_cast<std::uint32_t> (moments.count);
     cell.level = level;
     cells_.push_back (cell);
+    centroids_.push_back (moments.centroid());
     covariances_.push_back (moments.covariance());
-    of_centers_.push_back (between);
-    eighths_.push_back (static_cast<double> (number));
+    eighths_.push_back (eighths);
     constexpr std::size_t at_once = 512;
     if (covariances_.size() == at_once)
       measure();
@@ -94,16 +129,17 @@ private:
     principalAxes (covariances_.data(), covariances_.size(), axes_.data());
     const std::size_t first = cells_.size() - covariances_.size();
     for (std::size_t k = 0; k < covariances_.size(); ++k)
-      measure (axes_[k], of_centers_[k], eighths_[k], cells_[first + k]);
+      measure (axes_[k],
+               QuartersOfCell (eighths_[k], centroids_[k], axes_[k].normal),
+               cells_[first + k]);
+    centroids_.clear();
     covariances_.clear();
-    of_centers_.clear();
     eighths_.clear();
   }
 
   void
   measure (const PrincipalAxes& axes,
-           const Eigen::Matrix3d& of_centers,
-           double eighths,
+           const QuartersOfCell& quarters,
            CellScatter& cell) const
   {
     // Of a square that is evenly covered the variance along an edge is edge^2 / 12.
@@ -114,17 +150,18 @@ private:
     const double count = cell.count;
     cell.noise =
         static_cast<float> (std::sqrt (axes.values[0] * count / (count - 3.0)));
-    const double uneven = axes.normal.dot (of_centers * axes.normal);
     // sigma^2 / n of the mean of n points.
-    const double of_means = std::max (0.0, axes.values[0] - uneven) * eighths / count;
+    const double of_means =
+        std::max (0.0, axes.values[0] - quarters.uneven) * quarters.number / count;
     cell.unevenness =
-        static_cast<float> (std::sqrt (std::max (0.0, uneven - of_means)));
+        static_cast<float> (std::sqrt (std::max (0.0, quarters.uneven - of_means)));
   }
 
   const CurvePoints& points_;
   std::vector<CellScatter> cells_;
-  std::vector<Eigen::Matrix3d> covariances_, of_centers_;
-  std::vector<double> eighths_;
+  std::vector<Eigen::Vector3d> centroids_;
+  std::vector<Eigen::Matrix3d> covariances_;
+  std::vector<EighthsOfCell> eighths_;
   std::vector<PrincipalAxes> axes_;
 };
 

@@ -12,9 +12,9 @@ namespace {
 // Leaves where it is larger hold several times the points: leaves as small as elsewhere
 // are facets there (src/doc/decisions.md). Not to divide them at all costs CAD models,
 // facades and offices, whose creases look uneven, too.
-constexpr float max_even_slope = 0.009f;
+constexpr float max_even_slope = 0.0045f;
 constexpr double points_where_uneven = 5.0;
-constexpr float max_slope_to_halve = 0.0125f;
+constexpr float max_slope_to_halve = 0.03f;
 
 MortonCode
 cornerOf (MortonCode code, int level)

@@ -15,10 +15,10 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Pieces are thinner than what they may make together, and that than what is split:
-// else a plane at the limit would be split for nothing.
+// Pieces are halved until they are this thin, and joined again only where both together
+// are nearly as thin as noise: up to 6 times it hills come back (src/doc/decisions.md).
 constexpr double max_thickness_of_piece = 4.0;
-constexpr double max_thickness_of_union = 6.0;
+constexpr double max_thickness_of_union = 3.0;
 
 /** \brief Leaves of one plane. */
 struct Piece {

@@ -12,7 +12,8 @@ namespace {
 float
 lowQuantile (std::vector<float>& values)
 {
-  constexpr std::size_t min_cells = 4;
+  // Of fewer the quantile is that of one or two cells.
+  constexpr std::size_t min_cells = 8;
   if (values.size() < min_cells)
     return 0.0f;
   // At .4 creases of furniture and roofs count as noise, at .1 far walls do not.

@@ -186,7 +186,7 @@ divide (const Rounds& rounds)
 bool
 prefersVoxels (const Rounds& rounds, const std::vector<Leaf>& leaves)
 {
-  constexpr double max_share_of_errors = 0.25;
+  constexpr double max_share_of_errors = 0.12;
   return shareOfCommonErrors (rounds.points, rounds.cells, rounds.expected, leaves) >
          max_share_of_errors;
 }

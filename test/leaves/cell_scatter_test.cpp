@@ -55,6 +55,14 @@ TEST (CellScatter, OfWhiteNoiseIsNotUneven)
   EXPECT_LT (unevenness, 0.15e-3);
 }
 
+TEST (CellScatter, OfWhiteNoiseBetweenUpperAndLowerEighthsIsNotUneven)
+{
+  // Half of the noise is above the middle of the cells, in eighths of its own.
+  const Surface between = {{0, 0, 0.1}, {2, 0, 0}, {0, 2, 0}};
+  for (const CellScatter& cell : cellsOf20cm (gridsOf ({between}, 120, 1_cm)))
+    EXPECT_LT (cell.unevenness, 2_mm);
+}
+
 TEST (CellScatter, IsAsUnevenAsTheBumpsOfTheSizeOfItsEighths)
 {
   // Squares of 10 cm, a quarter of such a cell, are 1 cm higher and lower in turn.

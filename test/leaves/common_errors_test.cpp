@@ -7,7 +7,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief In leaves of 10 cm, whose places are 40 cm wide.
+/** \brief In leaves of 20 cm, whose places are 80 cm wide.
  * \param[in] noise_of_level of cells of 10 cm, and of twice the edge each [m] */
 double
 shareOf (const Coordinates& positions, const std::vector<double>& noise_of_level)
@@ -22,7 +22,7 @@ shareOf (const Coordinates& positions, const std::vector<double>& noise_of_level
     ++level;
   }
   const LeafSizes sizes{level_of_10_cm + 1, level_of_10_cm + 1, 0.0};
-  const UnevenNoise uneven (points, cells, level_of_10_cm + 2);
+  const UnevenNoise uneven (points, cells, level_of_10_cm + 3);
   return shareOfCommonErrors (
       points, cells, {expected, finest_cell}, divideIntoLeaves (points, sizes, uneven));
 }
@@ -31,13 +31,13 @@ shareOf (const Coordinates& positions, const std::vector<double>& noise_of_level
 
 TEST (CommonErrors, AreWhereSurfacesAreUneven)
 {
-  const Coordinates points = checkerboard (1_cm, before (0.8));
-  EXPECT_NEAR (shareOf (points, {1_cm, 1_cm, 1_cm, 1_cm}), 0.4, 0.05);
+  const Coordinates points = checkerboard (1_cm, before (1.2));
+  EXPECT_NEAR (shareOf (points, {1_cm, 1_cm, 1_cm, 1_cm}), 0.6, 0.05);
 }
 
 TEST (CommonErrors, AreNoneOnSurfacesThatScatterTheMoreTheLargerOneLooks)
 {
-  const Coordinates points = checkerboard (1_cm, before (0.8));
+  const Coordinates points = checkerboard (1_cm, before (1.2));
   EXPECT_EQ (shareOf (points, {1_mm, 1_cm, 10_cm, 100_cm}), 0.0);
 }
 

@@ -7,8 +7,9 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Places of 40 cm: four cells of 20 cm on a ground. */
-constexpr int level_of_place = level_of_10_cm + 2;
+/** \brief Places of 80 cm, which begin at 40 cm and 1.2 m: 16 cells of 20 cm on a
+ * ground. */
+constexpr int level_of_place = level_of_10_cm + 3;
 
 /** \brief The unevenness of cells of 20 cm at a place on the ground. */
 float
@@ -27,17 +28,17 @@ unevennessAt (const Coordinates& positions, const Eigen::Vector3d& place)
 
 TEST (UnevenNoise, IsThatOfThePlace)
 {
-  const Coordinates points = checkerboard (1_cm, before (0.8));
+  const Coordinates points = checkerboard (1_cm, before (1.2));
   EXPECT_NEAR (unevennessAt (points, {0.5, 1.1, 0.05}), 1_cm, 1_mm);
   EXPECT_NEAR (unevennessAt (points, {1.5, 1.1, 0.05}), 0.0, 0.1e-3);
 }
 
 TEST (UnevenNoise, OfAPlaceIsThatOfItsFlatterCells)
 {
-  // Of the four cells of a place the two behind are even.
+  // Of the 16 cells of a place every second column is even.
   const Coordinates points = checkerboard (
       1_cm, [] (const auto& at) { return std::fmod (at.x(), 0.4) < 0.2; });
-  EXPECT_LT (unevennessAt (points, {0.1, 1.1, 0.05}), 1_cm);
+  EXPECT_LT (unevennessAt (points, {0.5, 1.1, 0.05}), 1_mm);
 }
 
 TEST (UnevenNoise, IsNoneWhereTooFewCellsTell)
@@ -45,7 +46,7 @@ TEST (UnevenNoise, IsNoneWhereTooFewCellsTell)
   const Coordinates points = checkerboard (1_cm, anywhere);
   Coordinates few;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (points.x[i] < 0.2 && points.y[i] < 0.4)
+    if (points.x[i] < 0.4 && points.y[i] < 0.4)
       few.add (points.x[i], points.y[i], points.z[i]);
   EXPECT_EQ (unevennessAt (few, {0.1, 0.1, 0.05}), 0.0f);
   EXPECT_EQ (unevennessAt (gridsOf ({ground}, 3), {1, 1, 0.05}), 0.0f);
