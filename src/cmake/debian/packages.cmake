@@ -60,6 +60,7 @@ if(TARGET pcl_ops_python)
   string(REGEX MATCH "([0-9]+)\\.([0-9]+)" version ${PCL_OPS_PYTHON_VERSION})
   math(EXPR next_minor "${CMAKE_MATCH_2} + 1")
   set(next_version ${CMAKE_MATCH_1}.${next_minor})
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${pcl_ops_debian_dir}/prerm)
   pcl_ops_add_package(python NAME python3-pcl-ops SECTION python
     DEPENDS "python3 (>= ${version}), python3 (<< ${next_version}), python3-numpy"
     COMPONENTS library
