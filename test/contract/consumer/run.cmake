@@ -35,6 +35,29 @@ if(with_surface)
   run(${surface_consumer})
 endif()
 
+# The first block of code of that language.
+function(block_of_readme language result)
+  file(READ ${source}/../../../README.md page)
+  string(REGEX MATCH "```${language}\n([^`]*)```" block "${page}")
+  set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+endfunction()
+
+message(STATUS "README's program, by README's CMake file")
+block_of_readme(cpp program)
+block_of_readme(cmake project)
+set(readme ${WORK}/readme)
+file(WRITE ${readme}/planes.cpp "${program}")
+file(WRITE ${readme}/CMakeLists.txt "${project}")
+file(WRITE ${readme}/cloud.pcd "VERSION 0.7
+FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1
+WIDTH 4\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4\nDATA ascii
+0 0 0\n1 0 0\n0 1 0\n1 1 0\n")
+run(${CMAKE_COMMAND} -S ${readme} -B ${readme}/build
+  -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${readme}/build)
+find_program(planes planes PATHS ${readme}/build NO_DEFAULT_PATH)
+run(${planes} ${readme}/cloud.pcd)
+
 message(STATUS "pkg-config")
 set(ENV{PKG_CONFIG_PATH} "${prefix}/${LIBDIR}/pkgconfig:$ENV{PKG_CONFIG_PATH}")
 execute_process(COMMAND ${PKG_CONFIG} --cflags --libs pcl_ops
