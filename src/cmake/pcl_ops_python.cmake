@@ -30,6 +30,10 @@ function(pcl_ops_choose_python_install_dir)
       "import os, sysconfig; print(os.path.basename(sysconfig.get_path('platlib')))"
     OUTPUT_VARIABLE packages OUTPUT_STRIP_TRAILING_WHITESPACE)
   set(version ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})
+  # Debian's folder is one of these prefixes only; colcon and venv have the usual one.
+  if(packages STREQUAL "dist-packages" AND NOT CMAKE_INSTALL_PREFIX MATCHES "^/usr(/local)?/?$")
+    set(packages site-packages)
+  endif()
   # Debian's packages are those of all its versions of Python 3.
   if(CMAKE_INSTALL_PREFIX STREQUAL "/usr" AND packages STREQUAL "dist-packages")
     set(version ${Python3_VERSION_MAJOR})
