@@ -105,6 +105,7 @@ class Pages(unittest.TestCase):
                 os.chdir(folder)
                 np.save("room.npy", room())
                 np.savetxt("room.xyz", room())
+                pcl_ops.write("room.pcd", room())
                 pathlib.Path("roofs.las").write_bytes(las(room()[np.isfinite(room()[:, 0])]))
                 known = {"pcl_ops": pcl_ops, "points": room()}
                 if importlib.util.find_spec("open3d") is None:
