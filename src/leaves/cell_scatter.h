@@ -23,9 +23,9 @@ struct CellScatter {
   /** \brief RMS distance of the points to their plane, of as many as are free [m]. */
   float noise = 0.0f;
   /** \brief RMS distance of the centroids of its quarters along the plane to that
-   * plane, less what independent noise gives means of so many points [m]. Zero for white noise, however
-   * large; the noise itself where neighboring points err alike, as those of a smoothed
-   * depth image do. */
+   * plane, less what independent noise gives means of so many points [m]. Zero for
+   * white noise, however large; the noise itself where neighboring points err alike, as
+   * those of a smoothed depth image do. */
   float unevenness = 0.0f;
 };
 
