@@ -186,7 +186,7 @@ divide (const Rounds& rounds)
 bool
 prefersVoxels (const Rounds& rounds, const std::vector<Leaf>& leaves)
 {
-  constexpr double max_share_of_errors = 0.12;
+  constexpr double max_share_of_errors = 0.1;
   return shareOfCommonErrors (rounds.points, rounds.cells, rounds.expected, leaves) >
          max_share_of_errors;
 }
@@ -442,17 +442,6 @@ smallestEdge (const LeafCloud& cloud)
   return *std::min_element (cloud.edge.begin(), cloud.edge.end());
 }
 
-std::size_t
-countPlanes (const LeafPlanes& planes)
-{
-  std::vector<char> has_leaves (planes.planes.size(), 0);
-  for (const std::int32_t plane : planes.plane_of_leaf)
-    if (plane != no_plane)
-      has_leaves[plane] = 1;
-  return static_cast<std::size_t> (
-      std::count (has_leaves.begin(), has_leaves.end(), 1));
-}
-
 LeafPlanes
 noPlanes (std::size_t leaves)
 {
@@ -509,7 +498,8 @@ detectOnLeaves (const Points& points,
   timed (times.search, [&] { divideAgain (rounds, cloud, planes); });
   const std::vector<LeafSurfel> surfels =
       findPlanes (last_max_thickness, last_leaves_per_inlier);
-  const std::size_t planes_before_merging = countPlanes (planes);
+  // Those that were joined after the first round keep their places in the list.
+  const std::size_t planes_before_merging = planes.planes.size();
   timed (times.merging, [&] {
     finishPlanes (rounds, cloud, planes);
     split (rounds, cloud, planes);

@@ -75,10 +75,10 @@ TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
   Ops ops = opsOn (halves.noise (2_cm).build().cloud);
   const auto planes = planesOf (ops);
   ASSERT_EQ (planes.size(), 1u);
-  EXPECT_EQ (ops.getNumberOfPlanesBeforeMerging(), 2u);
+  EXPECT_GE (ops.getNumberOfPlanesBeforeMerging(), 2u);
   // Each half has its points on the one plane, which lies between them.
   EXPECT_GE (planes[0].inliers.size(), 0.9 * ops.getInputCloud()->size());
-  EXPECT_NEAR (planes[0].centroid.z(), 10_mm, 5_mm);
+  EXPECT_NEAR (planes[0].centroid.z(), 5_mm, 2_mm);
   MergingParameters by_distance;
   by_distance.noise_factor = 0.0;
   for (const auto& [distance, number] : {std::pair (1_mm, 2u), {10_cm, 1u}}) {
@@ -169,7 +169,7 @@ TEST (DefaultPath, LetsAGroundGoOnInTheRingsOfALidar)
   // Two lines of points, too few for a plane of their own.
   auto scene = Scene().floor (2, 2).spacing (2_cm).noise (2_mm).build();
   const std::size_t on_floor = scene.cloud->size();
-  for (const float x : {2.4f, 2.7f})
+  for (const float x : {2.1f, 2.2f})
     for (int i = 0; i < 80; ++i)
       scene.cloud->push_back ({x, 0.025f * i, i % 2 == 0 ? 0.002f : -0.002f});
   const auto planes = planesAmong (scene.cloud);

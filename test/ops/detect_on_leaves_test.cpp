@@ -353,21 +353,24 @@ TEST (DetectOnLeaves, LeavesCloudsToVoxelsWhereNeighborsErrAlike)
 
 TEST (DetectOnLeaves, PartsTheSidesOfAWallThinnerThanAVoxel)
 {
-  // Seen from both sides, 10 cm apart: points of both are in each voxel of 16 cm, and
-  // what one shares with its neighbors there looks like noise that errs alike.
-  const Points points = drawnPoints ({{{0, 0, 0.1}, {4, 0, 0}, {0, 4, 0}},
-                                      {{0, 0, 0.2}, {4, 0, 0}, {0, 4, 0}},
-                                      {{0, 0, -0.8}, {4, 0, 0}, {0, 4, 0}}},
-                                     7.3e-2,
-                                     2_mm);
+  // Seen from both sides, 3 cm apart: points of both are in each voxel. A bumpy wall, as
+  // that of a smoothed depth image, has the cloud divided into voxels.
+  Points points = drawnPoints ({{{0, 0, 0.01}, {2, 0, 0}, {0, 2, 0}},
+                                {{0, 0, 0.04}, {2, 0, 0}, {0, 2, 0}},
+                                {{0, 0, -1}, {4, 0, 0}, {0, 4, 0}}},
+                               1e-2,
+                               1_mm);
+  const std::size_t side = points.size() / 6;
+  const auto wave = [] (float along) { return std::sin (2.0 * M_PI * along / 0.3); };
+  for (std::size_t i = 2 * side; i < points.size(); ++i)
+    points.z[i] += static_cast<float> (3_cm * wave (points.x[i]) * wave (points.y[i]));
   LeafParameters parameters;
   ASSERT_EQ (parameters.sampling, pcl_ops::Sampling::Automatic);
   pcl_ops::StageDurations durations;
   const LabelledPlanes on_voxels = detectOnVoxels (points, parameters, durations);
   ASSERT_EQ (on_voxels.planes.fits.size(), 2u);
-  const std::size_t side = points.size() / 3;
   const LabelledPlanes found = detectIn (points, parameters);
-  expectEachHasItsPlane (found, {side, 2 * side, 3 * side}, 0.99);
+  expectEachHasItsPlane (found, {side, 2 * side, points.size()}, 0.95);
   EXPECT_EQ (found.planes.fits.size(), 3u);
   EXPECT_EQ (found.used.voxel_size, on_voxels.used.voxel_size);
 }
