@@ -353,8 +353,8 @@ TEST (DetectOnLeaves, LeavesCloudsToVoxelsWhereNeighborsErrAlike)
 
 TEST (DetectOnLeaves, PartsTheSidesOfAWallThinnerThanAVoxel)
 {
-  // Seen from both sides, 3 cm apart: points of both are in each voxel. A bumpy wall, as
-  // that of a smoothed depth image, has the cloud divided into voxels.
+  // Seen from both sides, 3 cm apart: points of both are in each voxel. A bumpy wall,
+  // as that of a smoothed depth image, has the cloud divided into voxels.
   Points points = drawnPoints ({{{0, 0, 0.01}, {2, 0, 0}, {0, 2, 0}},
                                 {{0, 0, 0.04}, {2, 0, 0}, {0, 2, 0}},
                                 {{0, 0, -1}, {4, 0, 0}, {0, 4, 0}}},
