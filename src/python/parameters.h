@@ -76,6 +76,18 @@ kindOf ()
     return "Vector";
 }
 
+/** \brief A value for Python, a vector as a tuple: to copy an array numpy lets other
+ * threads run, and where Python ends meanwhile, this one is ended amid its frames. */
+template <typename T>
+py::object
+valueOf (const T& member)
+{
+  if constexpr (std::is_base_of_v<Eigen::MatrixBase<T>, T>)
+    return py::make_tuple (member[0], member[1], member[2]);
+  else
+    return py::cast (member);
+}
+
 /** \brief Defines a struct of parameters, which Python copies, reads and sets. */
 template <typename P>
 py::class_<P>
@@ -90,7 +102,7 @@ defineParameters (py::module_& module, const char* name)
               py::dict all;
               visit_parameters (p, [&] (const char* key, const auto& member) {
                 using Member = std::decay_t<decltype (member)>;
-                all[key] = py::make_tuple (member, kindOf<Member>());
+                all[key] = py::make_tuple (valueOf (member), kindOf<Member>());
               });
               return all;
             })

@@ -16,8 +16,7 @@ Vector = Union[Sequence[float], NDArray[Any]]
 
 def parameters_of(struct: Any) -> Dict[str, Tuple[Any, str]]:
     """Value and annotation of each by its name."""
-    return {name: (tuple(value.tolist()) if isinstance(value, np.ndarray) else value, kind)
-            for name, (value, kind) in struct.values_and_kinds().items()}
+    return struct.values_and_kinds()
 
 
 def camera_up() -> Tuple[float, float, float]:
