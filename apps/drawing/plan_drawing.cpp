@@ -215,9 +215,9 @@ savePlan (const std::string& file,
   if (extension == ".geojson" || extension == ".gpkg")
     return writeTextFile (file, mapFor (file, planToGeoJson (plan, ids, crs), "plan"));
   const Drawing drawing = drawingOf (plan);
-  const bool is_picture = extension == ".svg";
-  const std::string text = is_picture ? toSvg (drawing, title) : toDxf (drawing);
-  writeTextFile (file, text);
+  if (extension == ".svg")
+    return writeTextFile (file, toSvg (drawing, title));
+  writeTextFile (file, toDxf (drawing));
 }
 
 } // namespace pcl_ops::apps

@@ -8,7 +8,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Uneven noise over the edge of a cell is the slope that normals of its eighths err by.
+// Uneven noise over the edge of a cell is the slope that normals of its parts err by.
 // Leaves where it is larger hold several times the points: leaves as small as elsewhere
 // are facets there (src/doc/decisions.md). Not to divide them at all costs CAD models,
 // facades and offices, whose creases look uneven, too.

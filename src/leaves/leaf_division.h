@@ -30,7 +30,7 @@ struct LeafSizes {
 };
 
 /** \brief Divides the octree from its root down, by the number of points: leaves are
- * small where points are dense, and larger where noise is uneven, as their eighths
+ * small where points are dense, and larger where noise is uneven, as their parts
  * would be facets of the noise. */
 std::vector<Leaf>
 divideIntoLeaves (const CurvePoints& points,
