@@ -86,6 +86,8 @@ borderOf (const LeafCloud& cloud,
       is_inner = false;
       border.links += 1.0;
       const Plane* const beyond = planeAt (k, planes, surfels);
+      if (beyond == nullptr)
+        border.shapeless += 1.0;
       if (meanSquaredDistance (cloud.moments[k], own.plane) >= far)
         border.ends += 1.0;
       else if (beyond != nullptr && turn.goesOn (own.plane, *beyond) &&
@@ -107,6 +109,7 @@ balance (const LeafBending& bending,
 {
   constexpr double max_bend = 5.0;
   constexpr double of_going_on = 6.5;
+  constexpr double of_shapeless = 7.0;
   constexpr double of_size = 2.8; // for each decade of leaves above the next
   // What planes of noise have by chance: more where there are more leaves.
   constexpr double usual_leaves = 100.0; // in a cloud of so many points
@@ -121,8 +124,9 @@ balance (const LeafBending& bending,
   const double links = std::max (1.0, border.links);
   const double bend =
       bending.amplitude / (bending.left + rounding * bending.half_extent);
-  const double against =
-      std::min (max_bend, bend) + of_going_on * border.goes_on / links;
+  const double against = std::min (max_bend, bend) +
+                         of_going_on * border.goes_on / links +
+                         of_shapeless * border.shapeless / links;
   const double in_favor = of_size * std::log10 (leaves / leaves_by_chance) +
                           of_ending * border.ends / links +
                           of_inner * border.inner_leaves / leaves;

@@ -16,6 +16,9 @@ struct PlaneBorder {
   double links = 0.0;
   double goes_on = 0.0;
   double ends = 0.0;
+  /** \brief What lies beyond has no surface: leaves of vegetation, or of a tight bend.
+   */
+  double shapeless = 0.0;
   /** \brief Leaves that touch none of others. */
   double inner_leaves = 0.0;
 };
@@ -48,10 +51,10 @@ partsOfPlanes (const LeafCloud& cloud, const LeafPlanes& planes);
 /** \brief What speaks for a plane less what speaks against it; a plane is kept where
  * more speaks for it.
  *
- * Against a plane speak its bend over its noise, and the share of its border where it
- * goes on smoothly; for it its size, the share of its border where it ends, and the
- * share of its leaves that are inside. Tests one after the other lose planes that fail
- * one of them by little.
+ * Against a plane speak its bend over its noise, and the shares of its border where it
+ * goes on smoothly and where what lies beyond has no surface; for it its size, the
+ * share of its border where it ends, and the share of its leaves that are inside. Tests
+ * one after the other lose planes that fail one of them by little.
  * \param[in] planes where the leaves of \p own have one of its numbers
  * \param[in] surfels of leaves without a plane */
 double

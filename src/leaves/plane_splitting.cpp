@@ -15,11 +15,6 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Pieces are halved until they are this thin, and joined again only where both together
-// are nearly as thin as noise: up to 6 times it hills come back (src/doc/decisions.md).
-constexpr double max_thickness_of_piece = 4.0;
-constexpr double max_thickness_of_union = 3.0;
-
 /** \brief Leaves of one plane. */
 struct Piece {
   Indices leaves;
@@ -35,7 +30,8 @@ struct Piece {
 };
 
 // Scatter of a leaf's points, and of those of its plane beside it, about the plane
-// through them [m]; 0 where they are few, or on a line like those of one lidar beam.
+// through them [m], within limits of what the cloud shows elsewhere; 0 where they are
+// few, or on a line like those of one lidar beam.
 double
 noiseAround (const LeafCloud& cloud,
              const LeafPlanes& planes,
@@ -46,6 +42,9 @@ noiseAround (const LeafCloud& cloud,
   constexpr double min_width = 0.2; // over the length
   // The steps of a quantized depth are flat: only what holds some of them tells.
   constexpr double points_that_tell = 16.0; // over those around
+  // A rough slope is noise to itself. Without this limit half of the points of airborne
+  // surveys are on planes thicker than 50 cm.
+  constexpr double max_expected = 2.5;
   Moments around = cloud.moments[leaf];
   for (const std::uint32_t k : cloud.neighbors[leaf])
     if (k != leaf && planes.plane_of_leaf[k] == planes.plane_of_leaf[leaf] &&
@@ -58,8 +57,8 @@ noiseAround (const LeafCloud& cloud,
     return 0.0;
   const double variance =
       std::max (0.0, axes.values[0]) * around.count / (around.count - 3.0);
-  return std::max (std::sqrt (variance),
-                   cloud.expectedNoise (leaf, points_that_tell * around.count));
+  const double expected = cloud.expectedNoise (leaf, points_that_tell * around.count);
+  return std::clamp (std::sqrt (variance), expected, max_expected * expected);
 }
 
 /** \brief Divides one plane. */
@@ -99,11 +98,8 @@ public:
         if (half.size() < min_leaves)
           continue;
         Piece part = pieceOf (std::move (half), piece.noise);
-        const bool is_thin = part.thickness() <= max_thickness_of_piece;
-        if (is_thin)
-          thin.push_back (std::move (part));
-        else
-          thick.push_back (std::move (part));
+        const bool is_thin = part.thickness() <= max_thickness_of_plane;
+        (is_thin ? thin : thick).push_back (std::move (part));
       }
     }
     return thin;
@@ -117,7 +113,7 @@ public:
     while (!pairs.empty()) {
       const auto best =
           std::min_element (pairs.begin(), pairs.end(), Pair::makesThinner);
-      if (best->thickness > max_thickness_of_union)
+      if (best->thickness > max_thickness_of_plane)
         break;
       const auto [into, from] = std::make_pair (best->first, best->second);
       pieces[into] = unionOf (pieces[into], pieces[from]);

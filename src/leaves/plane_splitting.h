@@ -9,18 +9,18 @@
 namespace pcl_ops::internal {
 
 /** \brief A plane is thick where the rms distance of its points exceeds this multiple
- * of the noise of its surroundings. Planes that people labeled reach 6.5 (a facade),
- * 5.4 (a fused office) and 4.7 (plaster that bends), the ground of a scan of KITTI,
- * which is one, 10; hills taken for one plane have 15 to 40 (src/doc/decisions.md). */
-constexpr double max_thickness_of_plane = 12.0;
+ * of the noise of its surroundings. Planes that people labeled reach 5.8 (a fused
+ * office) and 4.7 (plaster that bends); hills taken for one plane have 15 to 40
+ * (src/doc/decisions.md). */
+constexpr double max_thickness_of_plane = 6.0;
 
 /** \brief Divides planes that are thick into connected pieces that are not, and joins
  * pieces while what they make is thin. Leaves of what is thick until it is small go on
  * no plane.
  *
  * The noise of the surroundings is the median over the leaves of a plane of how far
- * points scatter about the plane through a leaf and those beside it, at least what is
- * expected of somewhat larger planes there.
+ * points scatter about the plane through a leaf and those beside it: at least what is
+ * expected of somewhat larger planes there, at most 2.5 times that.
  * \param[in] points_around such surroundings have so many points
  * \return the planes that changed, of as many as there are then; they have to be fitted
  * again */

@@ -73,7 +73,9 @@ octreeSizes (const Points& points, const OpsParameters& parameters)
   }
   constexpr int usual_level = 6;
   constexpr int smallest_level = 1;
-  const double smallest = smallestVoxel (points);
+  // Surveys in UTM and single precision lose their roofs if leaves have to be larger.
+  constexpr double smallest_in_steps = 2.0;
+  const double smallest = smallest_in_steps * singlePrecisionStep (points);
   const double edge = std::sqrt (2.0) * usualEdge (points, parameters.sampling_rate);
   sizes.cell = std::ldexp (edge > 0.0 ? std::max (edge, smallest) : 0.0, -usual_level);
   sizes.leaves.largest_level = usual_level + 1;

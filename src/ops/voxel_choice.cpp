@@ -90,11 +90,10 @@ wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_vo
 }
 
 double
-smallestVoxel (const Points& points)
+singlePrecisionStep (const Points& points)
 {
-  constexpr double steps = 8.0;
   const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
-  return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
+  return std::nextafter (largest, 2.0f * largest + 1.0f) - largest;
 }
 
 double
@@ -115,7 +114,8 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
   if (!(size > 0.0))
     return {};
   // Of twice the edge, as they are halved where needed.
-  const double smallest = 2.0 * smallestVoxel (points);
+  constexpr double smallest_in_steps = 2.0 * 8.0;
+  const double smallest = smallest_in_steps * singlePrecisionStep (points);
   VoxelLevels voxels =
       coarsen (voxelize (points, 0.5 * std::max (size, smallest), threads));
   const double finer = std::max (voxelSizeByNoise (voxels.coarse), smallest);

@@ -13,10 +13,11 @@ namespace pcl_ops::internal {
 double
 wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel);
 
-/** \brief Single precision rounds coordinates far from zero to steps, which are planes
- * to voxels no larger than they: the edge of the smallest ones that are of use [m]. */
+/** \brief The steps to which single precision rounds coordinates far from zero [m]:
+ * half a meter in the northings of UTM. They are planes to cells no larger than they.
+ */
 double
-smallestVoxel (const Points& points);
+singlePrecisionStep (const Points& points);
 
 /** \brief Divides a cloud into voxels as large as its noise asks and its points allow.
  * \param[in] sampling_rate alpha_s, which the number of voxels grows with

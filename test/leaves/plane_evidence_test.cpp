@@ -64,6 +64,23 @@ TEST (PlaneEvidence, DropsAFacetWhoseSurroundingsHaveNoPlane)
   EXPECT_EQ (keptIn (scene), std::vector<char>{0});
 }
 
+TEST (PlaneEvidence, DropsAPatchAroundWhichNothingHasASurface)
+{
+  // A patch of 24 cm that ends at a step of 6 cm, to a ground or to leaves without
+  // normals, as in the crown of a tree.
+  const auto isPatch = [] (double x, double y) {
+    return std::abs (x) < 0.12 && std::abs (y) < 0.12;
+  };
+  LeafScene scene (pointsOver (
+      1_m, 2_mm, [&] (double x, double y) { return isPatch (x, y) ? 6_cm : 0.0; }));
+  scene.addPlane (
+      ground, 0.0, [&] (const auto& at) { return isPatch (at.x(), at.y()); });
+  EXPECT_EQ (keptIn (scene), std::vector<char>{1});
+  const std::vector<LeafSurfel> none (scene.cloud.size());
+  EXPECT_EQ (keptPlanes (scene.cloud, scene.planes, none, {1000}),
+             std::vector<char>{0});
+}
+
 TEST (PlaneEvidence, KeepsAShelfBelowClutter)
 {
   // What lies 6 cm above is near, and turned by 8 degrees: a continuation, were it

@@ -45,7 +45,7 @@ hill (double noise)
 
 TEST (PlaneSplitting, DividesAHillIntoPiecesAsThinAsTheirSurroundings)
 {
-  LeafScene scene (hill (2_cm));
+  LeafScene scene (hill (2_cm), rmsOfNoise (2_cm));
   splitWhole (scene);
   EXPECT_GT (scene.planesWithLeaves(), 2u);
   EXPECT_LT (scene.planesWithLeaves(), 40u);
@@ -84,13 +84,25 @@ TEST (PlaneSplitting, PartsTerracesAtTheirStep)
 
 TEST (PlaneSplitting, LeavesNoisyAndSlightlyBentPlanesWhole)
 {
-  LeafScene noisy (pointsOver (2_m, 5_cm, [] (double, double) { return 0.0; }));
+  LeafScene noisy (pointsOver (2_m, 5_cm, [] (double, double) { return 0.0; }),
+                   rmsOfNoise (5_cm));
   EXPECT_EQ (splitWhole (noisy), std::vector<char>{0});
   // A table that bends by five times the rms of its noise.
-  LeafScene table (pointsOver (
-      2_m, 1_cm, [] (double x, double) { return 9e-2 * std::cos (x * M_PI / 4.0); }));
+  LeafScene table (
+      pointsOver (2_m,
+                  1_cm,
+                  [] (double x, double) { return 9e-2 * std::cos (x * M_PI / 4.0); }),
+      rmsOfNoise (1_cm));
   EXPECT_EQ (splitWhole (table), std::vector<char>{0});
   EXPECT_EQ (table.leavesOn (0), table.cloud.size());
+}
+
+TEST (PlaneSplitting, TakesARoughSlopeForNoPlaneWhereOtherSurfacesAreSmooth)
+{
+  const auto rough = pointsOver (2_m, 5_cm, [] (double x, double) { return 0.3 * x; });
+  LeafScene scene (rough, 1_mm);
+  EXPECT_EQ (splitWhole (scene), std::vector<char>{1});
+  EXPECT_EQ (scene.leavesOn (no_plane), scene.cloud.size());
 }
 
 TEST (PlaneSplitting, LeavesQuantizedPlanesWhole)
@@ -136,7 +148,7 @@ TEST (PlaneSplitting, TakesWhatIsThickHoweverSmallFromItsPlane)
 
 TEST (PlaneSplitting, LeavesOtherPlanesAsTheyAre)
 {
-  LeafScene scene (hill (2_cm));
+  LeafScene scene (hill (2_cm), rmsOfNoise (2_cm));
   scene.addPlane (ground, 1_cm, anywhere);
   scene.addPlane (
       ground, 1_cm, [] (const auto& at) { return at.x() > 3.2 && at.y() > 3.2; });

@@ -174,6 +174,22 @@ TEST (DetectOnLeaves, FindsTheFacesOfARoofAndNoPlaneInTheHillBelow)
   EXPECT_GT (share_of_second, 0.9);
 }
 
+TEST (DetectOnLeaves, FindsTheFacesOfARoofInSinglePrecisionOfMapCoordinates)
+{
+  // A roof above a ground, 4 points a square meter, at a northing where single
+  // precision has steps of half a meter.
+  Points points;
+  addDrawn (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 50_cm, 5_cm);
+  const std::size_t ground_end = points.size();
+  addDrawn (points, {{-6, -10, 4}, {6, 0, 3}, {0, 20, 0}}, 50_cm, 5_cm);
+  const std::size_t half = points.size();
+  addDrawn (points, {{0, -10, 7}, {6, 0, -3}, {0, 20, 0}}, 50_cm, 5_cm);
+  points.origin = {0.0, 5e6, 0.0};
+  for (float& y : points.y)
+    y = 0.5f * std::round (2.0f * y);
+  expectEachHasItsPlane (detectIn (points), {ground_end, half, points.size()}, 0.8);
+}
+
 TEST (DetectOnLeaves, TellsTheSidesOfAWallApart)
 {
   // 10 cm thick: less than leaves are wide.
