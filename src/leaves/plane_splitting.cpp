@@ -44,7 +44,7 @@ noiseAround (const LeafCloud& cloud,
   constexpr double points_that_tell = 16.0; // over those around
   // A rough slope is noise to itself. Without this limit half of the points of airborne
   // surveys are on planes thicker than 50 cm.
-  constexpr double max_expected = 2.5;
+  constexpr double max_expected = 1.25;
   Moments around = cloud.moments[leaf];
   for (const std::uint32_t k : cloud.neighbors[leaf])
     if (k != leaf && planes.plane_of_leaf[k] == planes.plane_of_leaf[leaf] &&

@@ -87,14 +87,14 @@ TEST (PlaneSplitting, LeavesNoisyAndSlightlyBentPlanesWhole)
   LeafScene noisy (pointsOver (2_m, 5_cm, [] (double, double) { return 0.0; }),
                    rmsOfNoise (5_cm));
   EXPECT_EQ (splitWhole (noisy), std::vector<char>{0});
-  // A table that bends by five times the rms of its noise.
-  LeafScene table (
+  // A ground that bends by seven times the rms of its noise.
+  LeafScene bent (
       pointsOver (2_m,
                   1_cm,
-                  [] (double x, double) { return 9e-2 * std::cos (x * M_PI / 4.0); }),
+                  [] (double x, double) { return 13e-2 * std::cos (x * M_PI / 4.0); }),
       rmsOfNoise (1_cm));
-  EXPECT_EQ (splitWhole (table), std::vector<char>{0});
-  EXPECT_EQ (table.leavesOn (0), table.cloud.size());
+  EXPECT_EQ (splitWhole (bent), std::vector<char>{0});
+  EXPECT_EQ (bent.leavesOn (0), bent.cloud.size());
 }
 
 TEST (PlaneSplitting, TakesARoughSlopeForNoPlaneWhereOtherSurfacesAreSmooth)
