@@ -204,8 +204,17 @@ LasFile::readPoints()
 Eigen::Vector3d
 LasFile::place (std::uint64_t point)
 {
-  const std::uint64_t begin = header.points_offset + point * header.record_length;
-  return placeIn (bytes (begin, begin + sizeof (LasPoint::raw)).data(), *this);
+  // Read one after the other they come in blocks: a jump in the file costs more than a
+  // point.
+  constexpr std::uint64_t most = 4096;
+  if (point < first_in_block || point >= first_in_block + points_in_block) {
+    const bool is_next = point == first_in_block + points_in_block;
+    points_in_block = is_next ? std::min (most, header.pointCount() - point) : 1;
+    first_in_block = point;
+    const std::uint64_t begin = header.points_offset + point * header.record_length;
+    block = bytes (begin, begin + points_in_block * header.record_length);
+  }
+  return placeIn (&block[(point - first_in_block) * header.record_length], *this);
 }
 
 void

@@ -106,6 +106,9 @@ struct LasFile {
   /** \brief The extra bytes that are described, and where they end in a record. */
   std::vector<LasField> fields;
   std::uint64_t fields_end;
+  /** \brief Records that \ref place read last. */
+  std::string block;
+  std::uint64_t first_in_block = 0, points_in_block = 0;
 };
 
 bool

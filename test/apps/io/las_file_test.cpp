@@ -65,6 +65,23 @@ TEST_F (LasFileTest, KeepsEveryIntegerOfMorePointsThanABlockHas)
     ASSERT_EQ (std::lround ((x[i] - 500000) / 0.001), recipe.points[i][0]);
 }
 
+TEST_F (LasFileTest, TellsThePlaceOfAnyPointInAnyOrder)
+{
+  LasRecipe recipe;
+  recipe.points.clear();
+  for (std::int32_t i = 0; i < 10000; ++i)
+    recipe.points.push_back ({i, 0, 0});
+  const std::shared_ptr<LasFile> las = load ("a.las", lasBytes (recipe)).las;
+  const auto expectPlace = [&las] (std::uint64_t point) {
+    ASSERT_EQ (std::lround ((las->place (point).x() - 500000) / 0.001),
+               static_cast<long> (point));
+  };
+  for (std::uint64_t i = 0; i < 10000; ++i)
+    expectPlace (i);
+  for (const std::uint64_t i : {0, 9999, 1, 2, 5000, 4999, 5000, 5001, 9998, 9999})
+    expectPlace (i);
+}
+
 TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
 {
   constexpr std::uint32_t added = 54 + 192;
