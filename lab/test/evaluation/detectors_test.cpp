@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <evaluation/data/data_sets.h>
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/detectors/peers.h>
 #include <numbers/random.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <thread>
 
 namespace {
 
 using namespace pcl_ops::evaluation;
+namespace fs = std::filesystem;
 
 /** A square of \p side x \p side points, 2 cm apart. */
 void
@@ -70,6 +74,31 @@ TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
           << detector.name << ", of at least " << min_points << ": " << on_board;
     }
   }
+}
+
+TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
+{
+  // In pieces it is no floor to planeKinds.
+  constexpr std::uint32_t road = 40; // of SemanticKITTI
+  const auto file = fs::path (PCL_OPS_DATA_DIR) / "real/lidar64_semkitti_00_000000.pcd";
+  if (!fs::exists (file))
+    GTEST_SKIP() << "no " << file;
+  const EvaluationCloud cloud = dataSetOf ("clouds:" + file.string()).at (0).load();
+  const PlaneLabels labels =
+      selectConfigurations ("ops").at (0).run (cloud.cloud, {}).labels;
+  std::map<std::uint32_t, std::size_t> points_of_plane;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (cloud.truth->at (i) == road) {
+      ++points;
+      ++points_of_plane[labels[i]];
+    }
+  points_of_plane.erase (0);
+  std::size_t most = 0;
+  for (const auto& [plane, number] : points_of_plane)
+    most = std::max (most, number);
+  ASSERT_GT (points, 30000u);
+  EXPECT_GT (most, points / 2);
 }
 
 TEST (Detectors, ProcessorTimeLeavesOutWhatOthersDo)
