@@ -485,6 +485,8 @@ planeObject (std::size_t id,
   object["centroid"] = segment.centroid;
   object["normal"] = segment.normal;
   object["rms"] = segment.rms();
+  if (segment.noise)
+    object["noise"] = *segment.noise;
   object["area"] = extent.area;
   object["slope"] = toDegrees (slopeOf (segment.normal, up));
   object["aspect"] = aspectOf (segment, up);

@@ -168,6 +168,12 @@ struct PCL_OPS_EXPORT PlaneSegment {
   Moments moments;
   /** \brief Ascending indices into the input cloud. */
   pcl::Indices inliers;
+  /** \brief The noise of the plane's surroundings [m]: what the flattest places with
+   * points as dense scatter by, the median over the plane. Of OPS; not known where the
+   * cloud has no such places, and with other detectors. \ref rms is at most 8 times
+   * this, but where the cloud is divided into voxels, as images of depth cameras are,
+   * and where MergingParameters::distance_threshold is given. */
+  std::optional<double> noise = std::nullopt;
 
   Plane
   plane () const

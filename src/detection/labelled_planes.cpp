@@ -12,6 +12,7 @@ namespace {
 PlaneSegment
 toSegment (const Moments& moments,
            const PlaneFit& fit,
+           const std::optional<double>& noise,
            const Eigen::Vector3d& local_viewpoint)
 {
   const bool faces_sensor = fit.plane.distance (local_viewpoint) >= 0.0;
@@ -19,7 +20,8 @@ toSegment (const Moments& moments,
           faces_sensor ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal),
           Orientation::Other,
           moments.about (fit.centroid),
-          pcl::Indices (static_cast<std::size_t> (moments.count))};
+          pcl::Indices (static_cast<std::size_t> (moments.count)),
+          noise};
 }
 
 // Writes each label's indices to its segment, which has room for them. Points that
@@ -61,16 +63,20 @@ sortByFallingCount (LabelledPlanes& found)
     return planes.moments[a].count > planes.moments[b].count;
   });
   MergedPlanes sorted;
+  std::vector<std::optional<double>> noises;
   sorted.merged_into.resize (order.size());
   for (const std::size_t p : order) {
     sorted.merged_into[p] = static_cast<std::int32_t> (sorted.moments.size());
     sorted.moments.push_back (planes.moments[p]);
     sorted.fits.push_back (planes.fits[p]);
+    if (!found.noises.empty())
+      noises.push_back (found.noises[p]);
   }
   relabel (found.labels, sorted.merged_into, 1);
   relabel (planes.merged_into, sorted.merged_into, 1);
   sorted.merged_into = std::move (planes.merged_into);
   planes = std::move (sorted);
+  found.noises = std::move (noises);
 }
 
 } // namespace
@@ -85,6 +91,21 @@ mergeAssigned (AssignedPoints assigned,
                        assigned.moments.size()};
   relabel (found.labels, found.planes.merged_into, threads);
   return found;
+}
+
+LabelledPlanes
+relabelled (const LabelledPlanes& found, AssignedPoints assigned, unsigned threads)
+{
+  MergingParameters none;
+  none.enabled = false;
+  LabelledPlanes planes = mergeAssigned (std::move (assigned), none, threads);
+  planes.planes_before_merging = found.planes_before_merging;
+  planes.used = found.used;
+  planes.noises.resize (planes.planes.fits.size());
+  for (std::size_t plane = 0; plane < found.noises.size(); ++plane)
+    if (const std::int32_t into = planes.planes.merged_into[plane]; into != no_plane)
+      planes.noises[into] = found.noises[plane];
+  return planes;
 }
 
 void
@@ -113,8 +134,11 @@ toSegments (const Points& points,
 {
   std::vector<PlaneSegment> segments;
   for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
-    segments.push_back (toSegment (
-        found.planes.moments[p], found.planes.fits[p], viewpoint - points.origin));
+    segments.push_back (
+        toSegment (found.planes.moments[p],
+                   found.planes.fits[p],
+                   found.noises.empty() ? std::nullopt : found.noises[p],
+                   viewpoint - points.origin));
   addInliers (points, found.labels, segments);
   for (PlaneSegment& segment : segments)
     segment.moveBy (points.origin);

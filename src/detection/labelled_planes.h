@@ -9,6 +9,7 @@
 #include <pcl_ops/visibility.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -18,6 +19,9 @@ struct LabelledPlanes {
   Labels labels;
   MergedPlanes planes;
   std::size_t planes_before_merging = 0;
+  /** \brief The noise of the surroundings of each plane [m], \ref PlaneSegment::noise;
+   * empty where the detector does not measure it. */
+  std::vector<std::optional<double>> noises = {};
   /** \brief A threshold that parameters give need not be repeated. */
   UsedLengths used = {};
 };
@@ -38,6 +42,11 @@ LabelledPlanes
 mergeAssigned (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads);
+
+/** \brief The planes that other labels of the points make of those that were found.
+ * The first of them keep their noise. */
+LabelledPlanes
+relabelled (const LabelledPlanes& found, AssignedPoints assigned, unsigned threads);
 
 /** \brief Has the planes of points hold their copies, too, and sorts them anew by their
  * numbers of points: equations stay those of the places. */

@@ -85,4 +85,13 @@ endOfCell (const std::vector<MortonCode>& codes,
   return outside;
 }
 
+Labels
+alongCurve (const CurvePoints& points, const Labels& labels)
+{
+  Labels along (points.size(), no_plane);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    along[points.of_input[i]] = labels[i];
+  return along;
+}
+
 } // namespace pcl_ops::internal

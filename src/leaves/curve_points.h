@@ -4,6 +4,7 @@
 
 #include "geometry/points.h"
 #include "voxels/morton_code.h"
+#include <pcl_ops/plane.h>
 
 #include <cstdint>
 #include <vector>
@@ -37,5 +38,9 @@ endOfCell (const std::vector<MortonCode>& codes,
            std::uint32_t begin,
            std::uint32_t end,
            int level);
+
+/** \brief Labels of the points of a cloud, in the order of the curve. */
+Labels
+alongCurve (const CurvePoints& points, const Labels& labels);
 
 } // namespace pcl_ops::internal

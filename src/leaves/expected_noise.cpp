@@ -126,6 +126,12 @@ ExpectedNoise::of (double density, double points) const
                     weight * curves_[below + 1].at (level));
 }
 
+bool
+ExpectedNoise::isKnown (double noise)
+{
+  return noise < std::exp2 (0.5 * unknown_noise);
+}
+
 double
 ExpectedNoise::lowest (double density) const
 {

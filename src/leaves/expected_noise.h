@@ -28,6 +28,10 @@ public:
   double
   of (double density, double points) const;
 
+  /** \brief Whether cells told what \ref of gives. */
+  static bool
+  isKnown (double noise);
+
   /** \brief No more than \ref of gives for any number of points: cheap to compare
    * with. */
   double

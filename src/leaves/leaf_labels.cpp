@@ -127,4 +127,14 @@ countLabels (const Labels& labels, std::size_t planes)
   return counts;
 }
 
+Labels
+planesOfLeaves (const std::vector<Leaf>& leaves, const Labels& labels)
+{
+  Labels planes;
+  planes.reserve (leaves.size());
+  for (const Leaf& leaf : leaves)
+    planes.push_back (labels[leaf.begin + (leaf.end - leaf.begin) / 2]);
+  return planes;
+}
+
 } // namespace pcl_ops::internal

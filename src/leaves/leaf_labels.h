@@ -25,4 +25,9 @@ labelPoints (const LeafCloud& cloud,
 std::vector<std::size_t>
 countLabels (const Labels& labels, std::size_t planes);
 
+/** \brief The plane that the middle point of each leaf is on.
+ * \param[in] labels of the points, in their order along the curve */
+Labels
+planesOfLeaves (const std::vector<Leaf>& leaves, const Labels& labels);
+
 } // namespace pcl_ops::internal

@@ -4,8 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "geometry/points.h"
 #include "geometry/principal_axes.h"
+#include "leaves/surrounding_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,38 +29,6 @@ struct Piece {
   }
 };
 
-// Scatter of a leaf's points, and of those of its plane beside it, about the plane
-// through them [m], within limits of what the cloud shows elsewhere; 0 where they are
-// few, or on a line like those of one lidar beam.
-double
-noiseAround (const LeafCloud& cloud,
-             const LeafPlanes& planes,
-             std::uint32_t leaf,
-             double points_around)
-{
-  constexpr double min_points = 8.0;
-  constexpr double min_width = 0.2; // over the length
-  // The steps of a quantized depth are flat: only what holds some of them tells.
-  constexpr double points_that_tell = 16.0; // over those around
-  // A rough slope is noise to itself. Without this limit half of the points of airborne
-  // surveys are on planes thicker than 50 cm.
-  constexpr double max_expected = 1.25;
-  Moments around = cloud.moments[leaf];
-  for (const std::uint32_t k : cloud.neighbors[leaf])
-    if (k != leaf && planes.plane_of_leaf[k] == planes.plane_of_leaf[leaf] &&
-        around.count < points_around)
-      around.addAligned (cloud.moments[k]);
-  if (around.count < min_points)
-    return 0.0;
-  const PrincipalAxes axes = principalAxes (around.covariance());
-  if (axes.values[1] < min_width * min_width * axes.values[2])
-    return 0.0;
-  const double variance =
-      std::max (0.0, axes.values[0]) * around.count / (around.count - 3.0);
-  const double expected = cloud.expectedNoise (leaf, points_that_tell * around.count);
-  return std::clamp (std::sqrt (variance), expected, max_expected * expected);
-}
-
 /** \brief Divides one plane. */
 class PlaneSplit {
 public:
@@ -78,7 +46,9 @@ public:
     Piece piece;
     for (const std::uint32_t leaf : leaves)
       piece.moments.addAligned (cloud_.moments[leaf]);
-    piece.noise = noiseOf (leaves).value_or (noise);
+    piece.noise =
+        surroundingNoise (cloud_, planes_.plane_of_leaf, leaves, points_around_)
+            .value_or (noise);
     piece.leaves = std::move (leaves);
     return piece;
   }
@@ -146,23 +116,6 @@ private:
     }
   };
 
-  std::optional<double>
-  noiseOf (const Indices& leaves) const
-  {
-    constexpr std::size_t wanted = 300;
-    constexpr std::size_t enough = 3;
-    std::vector<float> noises;
-    const std::size_t step = leaves.size() / wanted + 1;
-    for (std::size_t i = 0; i < leaves.size(); i += step) {
-      const double noise = noiseAround (cloud_, planes_, leaves[i], points_around_);
-      if (noise > 0.0)
-        noises.push_back (static_cast<float> (noise));
-    }
-    if (noises.size() < enough)
-      return std::nullopt;
-    return medianOf (noises);
-  }
-
   // Across the longest axis.
   std::array<Indices, 2>
   halvesOf (const Piece& piece) const
@@ -179,14 +132,20 @@ private:
     return halves;
   }
 
+  static double
+  noiseOfUnion (const Piece& a, const Piece& b)
+  {
+    return (a.moments.count * a.noise + b.moments.count * b.noise) /
+           (a.moments.count + b.moments.count);
+  }
+
   static Piece
   unionOf (const Piece& a, const Piece& b)
   {
     Piece both = a;
     both.leaves.insert (both.leaves.end(), b.leaves.begin(), b.leaves.end());
     both.moments.addAligned (b.moments);
-    both.noise =
-        (a.moments.count * a.noise + b.moments.count * b.noise) / both.moments.count;
+    both.noise = noiseOfUnion (a, b);
     return both;
   }
 
@@ -195,8 +154,7 @@ private:
   {
     Piece both{{}, a.moments, 0.0};
     both.moments.addAligned (b.moments);
-    both.noise =
-        (a.moments.count * a.noise + b.moments.count * b.noise) / both.moments.count;
+    both.noise = noiseOfUnion (a, b);
     return both.thickness();
   }
 

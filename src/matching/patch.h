@@ -86,7 +86,8 @@ moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
           Moments::of (moments.count,
                        motion * moments.centroid(),
                        turn * moments.covariance() * turn.transpose()),
-          {}};
+          {},
+          plane.noise};
 }
 
 /** \brief In order around the patch. */

@@ -13,7 +13,9 @@
 #include "leaves/plane_evidence.h"
 #include "leaves/plane_layers.h"
 #include "leaves/plane_splitting.h"
+#include "leaves/surrounding_noise.h"
 #include "ops/detect_on_voxels.h"
+#include "ops/thin_planes.h"
 #include "ops/voxel_choice.h"
 #include "voxels/voxel_size.h"
 
@@ -219,30 +221,6 @@ labelCloud (const Points& points,
   return assigned;
 }
 
-// The noise that leaves of each plane are expected to have, in the mean over its
-// points.
-std::vector<double>
-expectedNoiseOf (const Rounds& rounds,
-                 const std::vector<Leaf>& leaves,
-                 const Labels& labels,
-                 std::size_t planes)
-{
-  std::vector<double> points (planes, 0.0);
-  std::vector<double> sum (planes, 0.0);
-  for (const Leaf& leaf : leaves) {
-    const double number = leaf.end - leaf.begin;
-    const double noise = rounds.expected.of (densityOf (number, leaf.level), number);
-    for (std::uint32_t p = leaf.begin; p < leaf.end; ++p)
-      if (labels[p] != no_plane) {
-        points[labels[p]] += 1.0;
-        sum[labels[p]] += noise;
-      }
-  }
-  for (std::size_t plane = 0; plane < planes; ++plane)
-    sum[plane] /= std::max (1.0, points[plane]);
-  return sum;
-}
-
 // The two sides of a wall that is thinner than a voxel are planes of their own.
 LabelledPlanes
 splitLayersOfVoxels (const Rounds& rounds,
@@ -252,30 +230,68 @@ splitLayersOfVoxels (const Rounds& rounds,
 {
   // Steps of a quantized depth are some noises apart.
   constexpr double noises_apart = 10.0;
+  constexpr double least_points = 1.0;
   const OpsParameters& parameters = rounds.parameters;
   std::vector<Plane> planes;
   for (const PlaneFit& fit : found.planes.fits)
     planes.push_back (fit.plane);
-  Labels sorted (rounds.points.size(), no_plane);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sorted[rounds.points.of_input[i]] = found.labels[i];
-  std::vector<double> min_apart =
-      expectedNoiseOf (rounds, leaves, sorted, planes.size());
-  for (double& apart : min_apart)
-    apart =
-        std::max (noises_apart * apart, parameters.distance_threshold.value_or (0.0));
+  Labels sorted = alongCurve (rounds.points, found.labels);
+  std::vector<double> min_apart;
+  for (const std::optional<double>& noise :
+       expectedNoises (rounds.expected,
+                       leaves,
+                       planesOfLeaves (leaves, sorted),
+                       planes.size(),
+                       least_points))
+    min_apart.push_back (std::max (noises_apart * noise.value_or (0.0),
+                                   parameters.distance_threshold.value_or (0.0)));
   std::vector<char> is_kept (planes.size(), 1);
   if (!splitLayers (rounds.points, planes, min_apart, sorted, is_kept))
     return found;
-  MergingParameters none;
-  none.enabled = false;
-  LabelledPlanes split = mergeAssigned (
+  return relabelled (
+      found,
       labelCloud (points, rounds.points, sorted, is_kept, parameters.threads),
-      none,
       parameters.threads);
-  split.planes_before_merging = found.planes_before_merging;
-  split.used = found.used;
-  return split;
+}
+
+// The noise of the surroundings of each plane, as far as leaves that are not connected
+// tell it.
+LabelledPlanes
+withNoisesOnVoxels (const Rounds& rounds,
+                    const std::vector<Leaf>& leaves,
+                    LabelledPlanes found)
+{
+  found.noises =
+      expectedNoises (rounds.expected,
+                      leaves,
+                      planesOfLeaves (leaves, alongCurve (rounds.points, found.labels)),
+                      found.planes.fits.size(),
+                      points_that_tell * rounds.sizes.leaves.max_points);
+  return found;
+}
+
+// The noise of the surroundings of each plane.
+LabelledPlanes
+withNoises (const Rounds& rounds, const LeafCloud& cloud, LabelledPlanes found)
+{
+  const Labels plane_of_leaf =
+      planesOfLeaves (cloud.leaves, alongCurve (rounds.points, found.labels));
+  found.noises = surroundingNoises (
+      cloud, plane_of_leaf, found.planes.fits.size(), rounds.sizes.leaves.max_points);
+  return found;
+}
+
+// No plane is thicker than its noise says; a merging distance that a user gave may make
+// some thick.
+LabelledPlanes
+limitThickness (const Points& points,
+                const OpsParameters& parameters,
+                LabelledPlanes found)
+{
+  if (parameters.merging.distance_threshold)
+    return found;
+  return keepThin (
+      points, max_thickness_of_plane, parameters.threads, std::move (found));
 }
 
 JoiningParameters
@@ -481,8 +497,11 @@ detectOnLeaves (const Points& points,
       timed (times.search, [&] { return sortPoints (points, sizes, parameters); });
   std::vector<Leaf> leaves = timed (times.search, [&] { return divide (rounds); });
   if (parameters.sampling == Sampling::Automatic && prefersVoxels (rounds, leaves))
-    return splitLayersOfVoxels (
-        rounds, leaves, points, detectOnVoxels (points, parameters, times));
+    return withNoisesOnVoxels (
+        rounds,
+        leaves,
+        splitLayersOfVoxels (
+            rounds, leaves, points, detectOnVoxels (points, parameters, times)));
   LeafCloud cloud =
       timed (times.search, [&] { return measure (rounds, std::move (leaves)); });
   const double used_edge = smallestEdge (cloud);
@@ -508,7 +527,9 @@ detectOnLeaves (const Points& points,
     joinUnsure (rounds, cloud, surfels, planes);
   });
   found = timed (times.assignment, [&] {
-    return merge (assign (rounds, points, cloud, planes, surfels), parameters);
+    found = merge (assign (rounds, points, cloud, planes, surfels), parameters);
+    return limitThickness (
+        points, parameters, withNoises (rounds, cloud, std::move (found)));
   });
   found.planes_before_merging = planes_before_merging;
   found.used = {used_edge, usualDistance (planes, parameters)};

@@ -67,10 +67,12 @@ segmentOf (const Eigen::Vector3d& centroid,
            double count,
            const Eigen::Vector3d& sum,
            const std::array<double, 6>& products,
-           const Inliers& inliers)
+           const Inliers& inliers,
+           const std::optional<double>& noise)
 {
   const Moments moments{origin, count, sum, products};
-  return {centroid, normal, orientation, moments, {inliers.begin(), inliers.end()}};
+  return {
+      centroid, normal, orientation, moments, {inliers.begin(), inliers.end()}, noise};
 }
 
 /** \brief The class Segment, base of Python's Plane, which takes what is in the one it
@@ -84,6 +86,7 @@ defineSegment (py::module_& module)
       .def_readonly ("normal", &PlaneSegment::normal)
       .def_readonly ("centroid", &PlaneSegment::centroid)
       .def_property_readonly ("rms", &PlaneSegment::rms)
+      .def_readonly ("noise", &PlaneSegment::noise)
       .def_readonly ("orientation", &PlaneSegment::orientation)
       .def_property_readonly (
           "inliers", // read where they are, for as long as the plane lives

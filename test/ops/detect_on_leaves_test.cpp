@@ -4,6 +4,7 @@
 #include "ops/detect_on_voxels.h"
 #include "voxel_scene.h"
 
+#include <optional>
 #include <set>
 
 using pcl_ops::no_plane;
@@ -245,6 +246,43 @@ TEST (DetectOnLeaves, KeepsApartWhatNoiseDoesNotExplain)
         noise);
     EXPECT_EQ (detectIn (points).planes.fits.size(), noise < 1_cm ? 2u : 1u);
   }
+}
+
+TEST (DetectOnLeaves, TellsTheNoiseAroundEachPlane)
+{
+  // A floor, and far sparser a wall that is ten times as noisy.
+  Points points = drawnPoints ({floor_of_room}, 2_cm, 2_mm);
+  addDrawn (points, {{-10, 5, 0}, {20, 0, 0}, {0, 0, 15}}, 15_cm, 2_cm);
+  const LabelledPlanes found = detectIn (points);
+  ASSERT_EQ (found.planes.fits.size(), 2u);
+  for (std::size_t p = 0; p < 2; ++p) {
+    const bool is_floor = std::abs (found.planes.fits[p].plane.normal.z()) > 0.5;
+    const double noise = is_floor ? 2_mm : 2_cm;
+    EXPECT_NEAR (found.noises.at (p).value_or (0.0), noise, 0.3 * noise);
+  }
+}
+
+TEST (DetectOnLeaves, SaysNoNoiseWhereNoPlaceTells)
+{
+  // Too few points for places of several sizes.
+  const LabelledPlanes found =
+      detectIn (drawnPoints ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, 10_cm, 1_cm));
+  ASSERT_EQ (found.planes.fits.size(), 1u);
+  EXPECT_EQ (found.noises, std::vector<std::optional<double>> (1));
+}
+
+TEST (DetectOnLeaves, KeepsEachPlaneAsThinAsItsNoiseSays)
+{
+  // Hills 20 m wide and 1 m high.
+  Points points;
+  addDrawn (points, {{-30, -30, 0}, {60, 0, 0}, {0, 60, 0}}, 20_cm, 1_cm);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.z[i] += std::sin (0.3f * points.x[i]) * std::cos (0.3f * points.y[i]);
+  const LabelledPlanes found = detectIn (points);
+  EXPECT_GE (found.planes.fits.size(), 4u);
+  for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
+    EXPECT_LE (std::sqrt (found.planes.fits[p].variances[0]),
+               8.0 * found.noises.at (p).value_or (0.0));
 }
 
 TEST (DetectOnLeaves, UsesAGivenSizeAndSaysWhatItUsed)

@@ -56,6 +56,11 @@ class Planes(unittest.TestCase):
         kht = pcl_ops.segment(points, "kht", distance_threshold=0.04)[1]
         self.assertEqual((kht.voxel_size, kht.distance_threshold), (None, 0.04))
 
+    def test_know_the_noise_around_them(self):
+        for plane in planes:
+            self.assertTrue(plane.rms / 2 < plane.noise < 2 * plane.rms, plane.noise)
+        self.assertIsNone(pcl_ops.segment(points, "kht")[1][0].noise)
+
     def test_distances_are_signed_and_those_of_any_points(self):
         above = np.float32([[1, 1, 0.5], [1, 1, -0.25], [np.nan, 1, 1]])
         np.testing.assert_allclose(floor.distances(above), [0.5, -0.25, np.nan], atol=0.003)
@@ -165,7 +170,7 @@ class Planes(unittest.TestCase):
         for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
             copies = pickle.loads(pickle.dumps(planes, protocol))
             for plane, original in zip(copies, planes):
-                for name in ("coefficients", "inliers", "hull", "covariance"):
+                for name in ("coefficients", "inliers", "hull", "covariance", "noise"):
                     np.testing.assert_array_equal(getattr(plane, name), getattr(original, name))
                 self.assertEqual(repr(plane), repr(original))
         self.assertEqual(len(pcl_ops.merge_planes(copies)[0]), 3)

@@ -6,6 +6,7 @@
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/detectors/peers.h>
 #include <numbers/random.h>
+#include <pcl_ops/detect_planes.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -99,6 +100,25 @@ TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
     most = std::max (most, number);
   ASSERT_GT (points, 30000u);
   EXPECT_GT (most, points / 2);
+}
+
+TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanEightNoises)
+{
+  // Grounds of lidar scans become thicker where leaves and points go to likelier
+  // planes.
+  for (const std::string name : {"lidar/nuscenes_20.pcd",
+                                 "lidar/kitti_77.pcd",
+                                 "wild/airborne_isprs_fsite8.pcd"}) {
+    const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
+    if (!fs::exists (file))
+      GTEST_SKIP() << "no " << file;
+    const EvaluationCloud cloud = dataSetOf ("clouds:" + file.string()).at (0).load();
+    const auto planes = pcl_ops::detectPlanes (
+        *cloud.cloud, pcl_ops::OrientedPointSamplingParameters());
+    EXPECT_GE (planes.size(), 10u);
+    for (const pcl_ops::PlaneSegment& plane : planes)
+      EXPECT_LE (plane.rms(), 8.0 * plane.noise.value_or (0.0) * (1.0 + 1e-6)) << name;
+  }
 }
 
 TEST (Detectors, ProcessorTimeLeavesOutWhatOthersDo)

@@ -47,6 +47,10 @@ class Plane(_pcl_ops.Segment):
         lambda plane: np.append(plane.normal, -plane.normal @ plane.centroid),
         doc="(4,): normal and d of a x + b y + c z + d = 0.")
     rms: float = _part("rms", "Root mean square distance of the inliers to the plane.")
+    noise: Optional[float] = _part("noise", """What the flattest places with points as dense
+        scatter by, the median over the plane: the noise of its surroundings. Of OPS; None where the
+        cloud has no such places, and of other detectors. rms is at most 8 times this, but where
+        the cloud is divided into voxels or a distance was given.""")
     orientation: Literal["horizontal", "vertical", "other"] = _part(
         "orientation", "By up and angle_tolerance.")
     inliers: NDArray[np.int32] = _part(
@@ -148,7 +152,7 @@ class Plane(_pcl_ops.Segment):
 
     def __reduce__(self) -> Any:
         return _plane, (self._points, self.centroid, self.normal, self.orientation, *self._moments,
-                        self.inliers), {"_lies_on": self._lies_on, "_kind": self.kind}
+                        self.inliers, self.noise), {"_lies_on": self._lies_on, "_kind": self.kind}
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
         if self._known_extent is None:  # it takes longer than finding the plane
