@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl_ops::internal {
@@ -16,29 +17,79 @@ namespace {
 using BendTerms = Eigen::Matrix<double, 6, 1>;
 
 /** \brief Normal equations of the fit: heights [m] over u and v in half extents. */
-struct BendEquations {
-  Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
-  BendTerms products = BendTerms::Zero();
-  double squared_heights = 0.0;
-
+class BendEquations {
+public:
   void
   add (double weight, double u, double v, double height)
   {
+    const double powers_of_u[] = {1.0, u, u * u, u * u * u, u * u * u * u};
+    double weighted = weight; // by a power of v
+    std::size_t sum = 0;
+    for (int of_v = 0; of_v < 5; ++of_v) {
+      for (int of_u = 0; of_u < 5 - of_v; ++of_u) {
+        sums_[sum] += weighted * powers_of_u[of_u];
+        ++sum;
+      }
+      weighted *= v;
+    }
     BendTerms terms;
     terms << 1.0, u, v, u * u, u * v, v * v;
-    squares += weight * terms * terms.transpose();
-    products += weight * height * terms;
-    squared_heights += weight * height * height;
+    products_ += weight * height * terms;
+    squared_heights_ += weight * height * height;
+  }
+
+  const BendTerms&
+  products () const
+  {
+    return products_;
+  }
+
+  double
+  squaredHeights () const
+  {
+    return squared_heights_;
+  }
+
+  BendTerms
+  solution () const
+  {
+    return squares().ldlt().solve (products_);
   }
 
   /** \brief Sum of squares that a plane of its own leaves. */
   double
   leftByPlane () const
   {
-    const Eigen::Matrix3d a = squares.topLeftCorner<3, 3>();
-    const Eigen::Vector3d b = products.head<3>();
-    return std::max (0.0, squared_heights - b.dot (a.ldlt().solve (b)));
+    const Eigen::Matrix3d a = squares().topLeftCorner<3, 3>();
+    const Eigen::Vector3d b = products_.head<3>();
+    return std::max (0.0, squared_heights_ - b.dot (a.ldlt().solve (b)));
   }
+
+private:
+  /** \brief The sum of weights times u^of_u v^of_v. */
+  double
+  sumOf (int of_u, int of_v) const
+  {
+    constexpr int first_of_power[] = {0, 5, 9, 12, 14};
+    return sums_[first_of_power[of_v] + of_u];
+  }
+
+  Eigen::Matrix<double, 6, 6>
+  squares () const
+  {
+    constexpr int of_u[] = {0, 1, 0, 2, 1, 0};
+    constexpr int of_v[] = {0, 0, 1, 0, 1, 2};
+    Eigen::Matrix<double, 6, 6> squares;
+    for (int row = 0; row < 6; ++row)
+      for (int column = 0; column < 6; ++column)
+        squares (row, column) =
+            sumOf (of_u[row] + of_u[column], of_v[row] + of_v[column]);
+    return squares;
+  }
+
+  std::array<double, 15> sums_{};
+  BendTerms products_ = BendTerms::Zero();
+  double squared_heights_ = 0.0;
 };
 
 /** \brief The axes of leaves along their plane, with half the extent along each [m] as
@@ -98,13 +149,13 @@ bendingOfLeaves (const LeafCloud& cloud, const Indices& leaves, const Plane& pla
                    plane.normal.dot (offset));
     squared_distances += moments.count * meanSquaredDistance (moments, plane);
   }
-  const BendTerms terms = equations.squares.ldlt().solve (equations.products);
+  const BendTerms terms = equations.solution();
   const double gain =
-      std::min (equations.squared_heights, equations.products.dot (terms));
+      std::min (equations.squaredHeights(), equations.products().dot (terms));
   const double flat = equations.leftByPlane();
   const auto number = static_cast<double> (leaves.size());
   if (flat > 0.0)
-    bending.explained = 1.0 - (equations.squared_heights - gain) /
+    bending.explained = 1.0 - (equations.squaredHeights() - gain) /
                                   std::max (1.0, number - 6.0) /
                                   (flat / (number - 3.0));
   takeLargestBend (terms, axes, bending);

@@ -49,6 +49,13 @@ likelierPlane (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t l
 {
   constexpr double max_squared = 9.0; // three sigma
   const std::int32_t own = planes.plane_of_leaf[leaf];
+  const IndexRange around = cloud.neighbors[leaf];
+  const bool is_inner =
+      std::none_of (around.begin(), around.end(), [&] (std::uint32_t k) {
+        return planes.plane_of_leaf[k] != own && planes.plane_of_leaf[k] != no_plane;
+      });
+  if (is_inner)
+    return {};
   const auto squaredIn = [&] (std::int32_t plane, double noise) {
     return meanSquaredDistance (cloud.moments[leaf], planes.planes[plane]) /
            (noise * noise);
@@ -56,7 +63,7 @@ likelierPlane (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t l
   const double own_noise = planes.noise[leaf];
   double least = squaredIn (own, own_noise) + 2.0 * std::log (own_noise);
   Change likelier;
-  for (const std::uint32_t k : cloud.neighbors[leaf]) {
+  for (const std::uint32_t k : around) {
     const std::int32_t plane = planes.plane_of_leaf[k];
     if (plane == no_plane || plane == own)
       continue;
@@ -121,7 +128,7 @@ growPlanes (const LeafCloud& cloud,
   std::vector<char> changed (planes.planes.size(), 0);
   Indices open (cloud.size());
   std::iota (open.begin(), open.end(), 0u);
-  for (int ring = 0; ring < max_rings; ++ring) {
+  for (int ring = 0; ring < max_rings && !open.empty(); ++ring) {
     open.erase (std::remove_if (open.begin(),
                                 open.end(),
                                 [&] (std::uint32_t leaf) {
@@ -132,8 +139,8 @@ growPlanes (const LeafCloud& cloud,
         changeLeaves (open, threads, planes, changed, [&] (std::uint32_t leaf) {
           return nearestPlane (cloud, planes, leaf, max_distance);
         });
-    if (taken.empty())
-      break;
+    // The answer of other leaves stays the same.
+    open = around (cloud, taken);
   }
   return changed;
 }

@@ -5,6 +5,8 @@
 #include "geometry/principal_axes.h"
 
 #include <algorithm>
+#include <limits>
+#include <unordered_map>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -16,7 +18,7 @@ constexpr double unknown_grain = -1.0;
 // Mean squared distance of the leaves of a plane around a leaf to the plane through
 // them.
 double
-squaredGrain (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t leaf)
+measuredGrain (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t leaf)
 {
   Moments around;
   for (const std::uint32_t k : cloud.neighbors[leaf])
@@ -35,10 +37,40 @@ precedes (const PlaneContact& a, const PlaneContact& b)
   return std::make_pair (a.from, a.to) < std::make_pair (b.from, b.to);
 }
 
+/** \brief Contacts by their planes, in the order in which they are asked for. */
+class ContactsByPlanes {
+public:
+  explicit ContactsByPlanes (std::vector<PlaneContact>& contacts) : contacts_ (contacts)
+  {}
+
+  PlaneContact&
+  operator() (std::int32_t from, std::int32_t to)
+  {
+    // Links that follow each other are mostly of the same planes.
+    if (last_ < contacts_.size() && contacts_[last_].from == from &&
+        contacts_[last_].to == to)
+      return contacts_[last_];
+    const std::uint64_t key =
+        static_cast<std::uint64_t> (from) << 32 | static_cast<std::uint32_t> (to);
+    const auto [place, is_new] = place_.try_emplace (key, contacts_.size());
+    if (is_new)
+      contacts_.push_back ({from, to});
+    last_ = place->second;
+    return contacts_[last_];
+  }
+
+private:
+  std::vector<PlaneContact>& contacts_;
+  std::unordered_map<std::uint64_t, std::size_t> place_ = {};
+  std::size_t last_ = std::numeric_limits<std::size_t>::max();
+};
+
 } // namespace
 
-PlaneContacts::PlaneContacts (const LeafCloud& cloud, const LeafPlanes& planes)
-: squared_grain_ (cloud.size(), unknown_grain)
+PlaneContacts::PlaneContacts (const LeafCloud& cloud,
+                              const LeafPlanes& planes,
+                              ContactSums sums)
+: sums_ (sums), squared_grain_ (cloud.size(), unknown_grain)
 {
   for (std::uint32_t leaf = 0; leaf < cloud.size(); ++leaf) {
     const std::int32_t plane = planes.plane_of_leaf[leaf];
@@ -93,50 +125,53 @@ PlaneContacts::dropInnerLinks (const LeafPlanes& planes)
   links_.resize (kept);
 }
 
+double
+PlaneContacts::squaredGrain (const LeafCloud& cloud,
+                             const LeafPlanes& planes,
+                             std::uint32_t leaf)
+{
+  if (squared_grain_[leaf] < 0.0)
+    squared_grain_[leaf] = measuredGrain (cloud, planes, leaf);
+  return squared_grain_[leaf];
+}
+
+void
+PlaneContacts::addMeasures (const LeafCloud& cloud,
+                            const LeafPlanes& planes,
+                            const Link& link,
+                            PlaneContact& contact)
+{
+  const auto& [leaf, neighbor] = link;
+  const double noise = planes.noise[neighbor];
+  contact.squared_noise += noise * noise;
+  contact.squared_distance +=
+      0.5 *
+      (meanSquaredDistance (cloud.moments[neighbor], planes.planes[contact.from]) +
+       meanSquaredDistance (cloud.moments[leaf], planes.planes[contact.to]));
+  contact.squared_grain += 0.5 * (squaredGrain (cloud, planes, leaf) +
+                                  squaredGrain (cloud, planes, neighbor));
+}
+
 void
 PlaneContacts::addLinks (const LeafCloud& cloud,
                          const LeafPlanes& planes,
                          const std::vector<char>& changed)
 {
-  const auto grainOf = [&] (std::uint32_t leaf) {
-    if (squared_grain_[leaf] < 0.0)
-      squared_grain_[leaf] = squaredGrain (cloud, planes, leaf);
-    return squared_grain_[leaf];
-  };
   std::vector<PlaneContact> added;
-  for (const auto& [leaf, neighbor] : links_) {
-    const std::int32_t from = planes.plane_of_leaf[leaf];
-    const std::int32_t to = planes.plane_of_leaf[neighbor];
+  ContactsByPlanes contactOf (added);
+  // Sums of a pair are taken in the order of the leaves.
+  for (const Link& link : links_) {
+    const std::int32_t from = planes.plane_of_leaf[link.leaf];
+    const std::int32_t to = planes.plane_of_leaf[link.neighbor];
     if (to == no_plane || (changed[from] == 0 && changed[to] == 0))
       continue;
-    const double noise = planes.noise[neighbor];
-    added.push_back (
-        {from,
-         to,
-         1.0,
-         noise * noise,
-         0.5 * (meanSquaredDistance (cloud.moments[neighbor], planes.planes[from]) +
-                meanSquaredDistance (cloud.moments[leaf], planes.planes[to])),
-         0.5 * (grainOf (leaf) + grainOf (neighbor))});
+    PlaneContact& contact = contactOf (from, to);
+    contact.links += 1.0;
+    if (sums_ == ContactSums::All)
+      addMeasures (cloud, planes, link, contact);
   }
-  // Sums of a pair are taken in the order of the leaves.
-  std::stable_sort (added.begin(), added.end(), precedes);
-  const auto before = static_cast<std::ptrdiff_t> (contacts_.size());
-  for (const PlaneContact& link : added) {
-    const bool is_new = static_cast<std::ptrdiff_t> (contacts_.size()) == before ||
-                        precedes (contacts_.back(), link);
-    if (is_new) {
-      contacts_.push_back (link);
-      continue;
-    }
-    PlaneContact& sum = contacts_.back();
-    sum.links += link.links;
-    sum.squared_noise += link.squared_noise;
-    sum.squared_distance += link.squared_distance;
-    sum.squared_grain += link.squared_grain;
-  }
-  std::inplace_merge (
-      contacts_.begin(), contacts_.begin() + before, contacts_.end(), precedes);
+  contacts_.insert (contacts_.end(), added.begin(), added.end());
+  std::sort (contacts_.begin(), contacts_.end(), precedes);
 }
 
 } // namespace pcl_ops::internal

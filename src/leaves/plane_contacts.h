@@ -24,11 +24,17 @@ struct PlaneContact {
   double squared_grain = 0.0;
 };
 
+/** \brief What is summed of contacts: their number is enough to tell which planes touch
+ * along much of their border. */
+enum class ContactSums { Links, All };
+
 /** \brief The contacts of all planes. They live through all passes of joining: links
  * only disappear, and only contacts of planes that have changed are summed again. */
 class PlaneContacts {
 public:
-  PlaneContacts (const LeafCloud& cloud, const LeafPlanes& planes);
+  PlaneContacts (const LeafCloud& cloud,
+                 const LeafPlanes& planes,
+                 ContactSums sums = ContactSums::All);
 
   /** \brief Sums the contacts of planes that have changed. */
   void
@@ -71,6 +77,19 @@ private:
             const LeafPlanes& planes,
             const std::vector<char>& changed);
 
+  /** \brief Adds what a link has to a contact. */
+  void
+  addMeasures (const LeafCloud& cloud,
+               const LeafPlanes& planes,
+               const Link& link,
+               PlaneContact& contact);
+
+  /** \brief Mean squared distance of the leaves of a plane around a leaf to the plane
+   * through them, kept until the plane changes [m^2]. */
+  double
+  squaredGrain (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t leaf);
+
+  ContactSums sums_;
   std::vector<Link> links_;
   std::vector<PlaneContact> contacts_;
   std::vector<std::size_t> first_;
