@@ -55,7 +55,8 @@ public:
         }
       }
       contacts_.update (cloud_, planes_, changed_now);
-      markToBeJudged (changed_now);
+      // The evidence of those that touch them changes a little, too.
+      is_to_be_judged_ = std::move (changed_now);
     }
   }
 
@@ -64,19 +65,6 @@ private:
   isKept (std::int32_t plane) const
   {
     return evidence_[plane] > 0.0;
-  }
-
-  // The evidence of a plane depends on itself and on those it touches.
-  void
-  markToBeJudged (const std::vector<char>& changed)
-  {
-    is_to_be_judged_ = changed;
-    for (std::size_t plane = 0; plane < changed.size(); ++plane)
-      if (changed[plane] != 0)
-        for (const PlaneContact* contact = contacts_.begin (plane);
-             contact != contacts_.end (plane);
-             ++contact)
-          is_to_be_judged_[contact->to] = 1;
   }
 
   void

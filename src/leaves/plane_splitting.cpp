@@ -4,11 +4,13 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/parallel.h"
 #include "geometry/principal_axes.h"
 #include "leaves/surrounding_noise.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -33,11 +35,41 @@ struct Piece {
 class PlaneSplit {
 public:
   PlaneSplit (const LeafCloud& cloud, const LeafPlanes& planes, double points_around)
-  : cloud_ (cloud)
-  , planes_ (planes)
-  , points_around_ (points_around)
-  , piece_of_leaf_ (cloud.size(), no_plane)
+  : cloud_ (cloud), planes_ (planes), points_around_ (points_around)
   {}
+
+  /** \return thin pieces of a plane; nothing where it is thin */
+  std::optional<std::vector<Piece>>
+  piecesOf (const Indices& leaves)
+  {
+    Piece whole = pieceOf (leaves, 0.0);
+    if (whole.thickness() <= max_thickness_of_plane)
+      return std::nullopt;
+    return joinWhileThin (halveWhileThick (std::move (whole)));
+  }
+
+private:
+  /** \brief Two pieces that touch. */
+  struct Pair {
+    std::size_t first, second; // first < second
+    double thickness;          // of their union
+
+    static bool
+    makesThinner (const Pair& a, const Pair& b)
+    {
+      return a.thickness < b.thickness;
+    }
+    bool
+    isBetween (const Pair& other) const
+    {
+      return first == other.first && second == other.second;
+    }
+    static bool
+    precedes (const Pair& a, const Pair& b)
+    {
+      return std::make_pair (a.first, a.second) < std::make_pair (b.first, b.second);
+    }
+  };
 
   /** \param[in] noise where the leaves are too few to tell */
   Piece
@@ -92,29 +124,6 @@ public:
     }
     return pieces;
   }
-
-private:
-  /** \brief Two pieces that touch. */
-  struct Pair {
-    std::size_t first, second; // first < second
-    double thickness;          // of their union
-
-    static bool
-    makesThinner (const Pair& a, const Pair& b)
-    {
-      return a.thickness < b.thickness;
-    }
-    bool
-    isBetween (const Pair& other) const
-    {
-      return first == other.first && second == other.second;
-    }
-    static bool
-    precedes (const Pair& a, const Pair& b)
-    {
-      return std::make_pair (a.first, a.second) < std::make_pair (b.first, b.second);
-    }
-  };
 
   // Across the longest axis.
   std::array<Indices, 2>
@@ -173,15 +182,13 @@ private:
   std::vector<Pair>
   pairsThatTouch (const std::vector<Piece>& pieces)
   {
+    piece_of_leaf_.assign (cloud_.size(), no_plane);
     for (std::size_t p = 0; p < pieces.size(); ++p)
       for (const std::uint32_t leaf : pieces[p].leaves)
         piece_of_leaf_[leaf] = static_cast<std::int32_t> (p);
     std::vector<Pair> pairs;
     for (std::size_t p = 0; p < pieces.size(); ++p)
       addPairsOf (pieces, p, pairs);
-    for (const Piece& piece : pieces)
-      for (const std::uint32_t leaf : piece.leaves)
-        piece_of_leaf_[leaf] = no_plane;
     removeRepeated (pairs);
     for (Pair& pair : pairs)
       pair.thickness = thicknessOfUnion (pieces[pair.first], pieces[pair.second]);
@@ -228,7 +235,7 @@ private:
   const LeafCloud& cloud_;
   const LeafPlanes& planes_;
   double points_around_;
-  Labels piece_of_leaf_; // of the plane that is divided
+  Labels piece_of_leaf_ = {}; // of the plane that is divided
 };
 
 // Gives pieces numbers: the first keeps that of the plane.
@@ -257,24 +264,25 @@ replacePlane (std::size_t plane,
 } // namespace
 
 std::vector<char>
-splitThickPlanes (const LeafCloud& cloud, double points_around, LeafPlanes& planes)
+splitThickPlanes (const LeafCloud& cloud,
+                  double points_around,
+                  unsigned threads,
+                  LeafPlanes& planes)
 {
   std::vector<Indices> leaves (planes.planes.size());
   for (std::uint32_t i = 0; i < cloud.size(); ++i)
     if (planes.plane_of_leaf[i] != no_plane)
       leaves[planes.plane_of_leaf[i]].push_back (i);
+  std::vector<std::optional<std::vector<Piece>>> pieces_of_plane (leaves.size());
+  parallelFor (threads, leaves.size(), 1, [&] (std::size_t p, std::size_t) {
+    if (!leaves[p].empty())
+      pieces_of_plane[p] =
+          PlaneSplit (cloud, planes, points_around).piecesOf (leaves[p]);
+  });
   std::vector<char> changed (leaves.size(), 0);
-  PlaneSplit split (cloud, planes, points_around);
-  for (std::size_t p = 0; p < leaves.size(); ++p) {
-    if (leaves[p].empty())
-      continue;
-    Piece whole = split.pieceOf (leaves[p], 0.0);
-    if (whole.thickness() <= max_thickness_of_plane)
-      continue;
-    const std::vector<Piece> pieces =
-        split.joinWhileThin (split.halveWhileThick (std::move (whole)));
-    replacePlane (p, leaves[p], pieces, planes, changed);
-  }
+  for (std::size_t p = 0; p < leaves.size(); ++p)
+    if (pieces_of_plane[p])
+      replacePlane (p, leaves[p], *pieces_of_plane[p], planes, changed);
   return changed;
 }
 

@@ -21,6 +21,9 @@ constexpr double max_thickness_of_plane = 8.0;
  * \return the planes that changed, of as many as there are then; they have to be fitted
  * again */
 std::vector<char>
-splitThickPlanes (const LeafCloud& cloud, double points_around, LeafPlanes& planes);
+splitThickPlanes (const LeafCloud& cloud,
+                  double points_around,
+                  unsigned threads,
+                  LeafPlanes& planes);
 
 } // namespace pcl_ops::internal

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leaves/surrounding_noise.h"
 
+#include "base/parallel.h"
 #include "geometry/points.h"
 #include "geometry/principal_axes.h"
 
@@ -92,7 +93,8 @@ std::vector<std::optional<double>>
 surroundingNoises (const LeafCloud& cloud,
                    const Labels& plane_of_leaf,
                    std::size_t planes,
-                   double points_around)
+                   double points_around,
+                   unsigned threads)
 {
   std::vector<std::optional<double>> noises =
       expectedNoises (*cloud.expected,
@@ -104,10 +106,11 @@ surroundingNoises (const LeafCloud& cloud,
   for (std::uint32_t i = 0; i < cloud.size(); ++i)
     if (plane_of_leaf[i] != no_plane)
       leaves[plane_of_leaf[i]].push_back (i);
-  for (std::size_t plane = 0; plane < planes; ++plane)
+  parallelFor (threads, planes, 1, [&] (std::size_t plane, std::size_t) {
     if (const std::optional<double> measured =
             surroundingNoise (cloud, plane_of_leaf, leaves[plane], points_around))
       noises[plane] = measured;
+  });
   return noises;
 }
 

@@ -43,6 +43,7 @@ std::vector<std::optional<double>>
 surroundingNoises (const LeafCloud& cloud,
                    const Labels& plane_of_leaf,
                    std::size_t planes,
-                   double points_around);
+                   double points_around,
+                   unsigned threads);
 
 } // namespace pcl_ops::internal

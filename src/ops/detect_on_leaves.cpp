@@ -276,8 +276,11 @@ withNoises (const Rounds& rounds, const LeafCloud& cloud, LabelledPlanes found)
 {
   const Labels plane_of_leaf =
       planesOfLeaves (cloud.leaves, alongCurve (rounds.points, found.labels));
-  found.noises = surroundingNoises (
-      cloud, plane_of_leaf, found.planes.fits.size(), rounds.sizes.leaves.max_points);
+  found.noises = surroundingNoises (cloud,
+                                    plane_of_leaf,
+                                    found.planes.fits.size(),
+                                    rounds.sizes.leaves.max_points,
+                                    rounds.parameters.threads);
   return found;
 }
 
@@ -396,7 +399,7 @@ split (const Rounds& rounds, const LeafCloud& cloud, LeafPlanes& planes)
 {
   const unsigned threads = rounds.parameters.threads;
   const std::vector<char> changed =
-      splitThickPlanes (cloud, rounds.sizes.leaves.max_points, planes);
+      splitThickPlanes (cloud, rounds.sizes.leaves.max_points, threads, planes);
   if (std::find (changed.begin(), changed.end(), 1) == changed.end())
     return;
   refitPlanes (cloud, planes);

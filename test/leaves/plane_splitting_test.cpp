@@ -24,7 +24,7 @@ splitWhole (LeafScene& scene)
   constexpr double points_around = 100.0;
   scene.addPlane (ground, 1_cm, anywhere);
   refitPlanes (scene.cloud, scene.planes);
-  return splitThickPlanes (scene.cloud, points_around, scene.planes);
+  return splitThickPlanes (scene.cloud, points_around, 2, scene.planes);
 }
 
 double
@@ -142,7 +142,7 @@ TEST (PlaneSplitting, TakesWhatIsThickHoweverSmallFromItsPlane)
   constexpr double points_of_a_leaf = 36.0;
   scene.addPlane (ground, 1_cm, anywhere);
   refitPlanes (scene.cloud, scene.planes);
-  splitThickPlanes (scene.cloud, points_of_a_leaf, scene.planes);
+  splitThickPlanes (scene.cloud, points_of_a_leaf, 1, scene.planes);
   EXPECT_EQ (scene.leavesOn (no_plane), scene.cloud.size());
 }
 
@@ -156,7 +156,8 @@ TEST (PlaneSplitting, LeavesOtherPlanesAsTheyAre)
   refitPlanes (scene.cloud, scene.planes);
   const std::size_t on_second = scene.leavesOn (1);
   const std::size_t on_none = scene.leavesOn (no_plane);
-  const std::vector<char> changed = splitThickPlanes (scene.cloud, 100.0, scene.planes);
+  const std::vector<char> changed =
+      splitThickPlanes (scene.cloud, 100.0, 2, scene.planes);
   EXPECT_EQ (changed[0], 1);
   EXPECT_EQ (changed[1], 0);
   EXPECT_EQ (scene.leavesOn (1), on_second);
