@@ -14,7 +14,8 @@ import numpy as np
 import pcl_ops
 from scene import room
 
-script = pathlib.Path(__file__).parents[2] / "apps/examples/plane_picture.py"
+examples = pathlib.Path(__file__).parents[2] / "apps/examples"
+script = examples / "plane_picture.py"
 
 
 class Installed(unittest.TestCase):
@@ -43,3 +44,18 @@ class Example(unittest.TestCase):
                 picture = plt.imread(folder / "picture.png")
                 colors = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
                 self.assertGreater(len(colors), 100)
+
+    def test_draws_the_noise_of_clouds(self):
+        import matplotlib.pyplot as plt
+
+        with tempfile.TemporaryDirectory() as name:
+            np.save(pathlib.Path(name) / "room.npy", room())
+            np.save(pathlib.Path(name) / "few.npy", room()[:20])
+            run = subprocess.run(
+                [sys.executable, "-B", examples / "noise_picture.py", "noise.png", "room.npy",
+                 "few.npy"], check=True, capture_output=True, text=True, cwd=name,
+                env={**os.environ, "MPLCONFIGDIR": name})
+            self.assertRegex(run.stdout, r"^room: \d\.\d to \d\.\d mm\nfew: not known\n$")
+            picture = plt.imread(pathlib.Path(name) / "noise.png")
+            self.assertGreater(picture.shape[1], picture.shape[0])
+
