@@ -11,7 +11,6 @@
 #include <cli/text.h>
 #include <numbers/angles.h>
 #include <pcl_ops/detect_planes.h>
-#include <pcl_ops/plane_merging.h>
 #include <pcl_ops/up_axis.h>
 #include <pcl_ops/visibility.h>
 
@@ -469,6 +468,20 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
            rounded.x() % rounded.y() % rounded.z()));
 }
 
+/** \brief The position of the plane that has most points of another list's plane. */
+std::size_t
+planeWithMostOf (const PlaneSegment& plane, const std::vector<std::uint32_t>& labels)
+{
+  std::map<std::uint32_t, std::size_t> counts;
+  for (const pcl::index_t index : plane.inliers)
+    ++counts[labels[static_cast<std::size_t> (index)]];
+  return std::max_element (
+             counts.begin(),
+             counts.end(),
+             [] (const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
 /** \brief The number above a length with one digit. */
 double
 roundedUp (double length)
@@ -479,40 +492,32 @@ roundedUp (double length)
   return digit * std::floor (std::max (length, smallest) / digit + 1.0);
 }
 
-/** \brief Whether the merging process makes one of two planes. */
-bool
-areOneWithin (double distance,
-              const OverlappingPlanes& pair,
-              const std::vector<PlaneSegment>& planes)
-{
-  std::vector<Moments> moments;
-  for (const PlaneSegment& plane : planes)
-    moments.push_back (plane.moments.about (planes.front().centroid));
-  MergingParameters merging;
-  merging.distance_threshold = distance;
-  const Labels into = mergePlanes (moments, merging).merged_into;
-  return into[pair.larger] == into[pair.smaller];
-}
-
 /** \brief Names the distance that makes one of two planes that lie over or beside each
- * other, where it does so. */
+ * other, where it does so: a second search tells. */
 void
-hintOnOverlap (const DetectorOptions& options,
-               const XyzCloud& cloud,
+hintOnOverlap (const Method& method,
+               const DetectorOptions& options,
+               const XyzCloud::ConstPtr& cloud,
                Detected& detected)
 {
-  if (options.numbers.count ("merge-distance") > 0)
+  constexpr const char* name = "merge-distance";
+  if (options.numbers.count (name) > 0)
     return;
-  const auto pair = findOverlapping (cloud, detected.planes);
+  const auto pair = findOverlapping (*cloud, detected.planes);
   if (!pair)
     return;
+  DetectorOptions merging = options;
   const double distance = roundedUp (pair->distance);
-  if (areOneWithin (distance, *pair, detected.planes))
-    detected.hints.push_back (
-        str (boost::format (
-                 "planes %1% and %2% lie over or beside each other, %3$.2g apart: "
-                 "--merge-distance %4% makes them one") %
-             (pair->larger + 1) % (pair->smaller + 1) % pair->distance % distance));
+  merging.numbers[name] = distance;
+  const std::vector<std::uint32_t> labels =
+      labelsOf (method.detect (merging, cloud).planes, cloud->size());
+  const std::size_t merged = planeWithMostOf (detected.planes[pair->smaller], labels);
+  if (merged == 0 || merged != planeWithMostOf (detected.planes[pair->larger], labels))
+    return;
+  detected.hints.push_back (str (
+      boost::format ("planes %1% and %2% lie over or beside each other, %3$.2g apart: "
+                     "--merge-distance %4% makes them one") %
+      (pair->larger + 1) % (pair->smaller + 1) % pair->distance % distance));
 }
 
 std::string
@@ -578,7 +583,7 @@ runMethod (const Method& method,
     if (!options.up && method.name == allMethods().front().name &&
         options.preset == "default")
       hintOnUp (options, *cloud, detected);
-    hintOnOverlap (options, *cloud, detected);
+    hintOnOverlap (method, options, cloud, detected);
     if (options.sequence_has_up)
       detected.settings["up_confidence"] = numberOrNull (options.up_confidence);
     return detected;
@@ -589,7 +594,7 @@ runMethod (const Method& method,
   if (found)
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
-  hintOnOverlap (known, *cloud, detected);
+  hintOnOverlap (method, known, cloud, detected);
   detected.up_note = noteOn (found, is_seen, detected.up);
   detected.settings["up_confidence"] =
       found ? Settings (found->confidence) : Settings();
