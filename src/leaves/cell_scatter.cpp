@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leaves/cell_scatter.h"
 
+#include "base/parallel.h"
 #include "geometry/principal_axes.h"
 #include <pcl_ops/plane.h>
 
@@ -63,16 +64,37 @@ struct QuartersOfCell {
   }
 };
 
+/** \brief A cell whose moments are known. */
+struct KnownCell {
+  std::uint32_t begin = 0, end = 0;
+  int level = 0;
+  Moments moments = {};
+};
+
 /** \brief Walks up the octree, and looks at cells many at a time. */
 class ScatterOfCells {
 public:
   explicit ScatterOfCells (const CurvePoints& points) : points_ (points) {}
 
-  std::vector<CellScatter>
-  ofAll ()
+  /** \brief Adds the cells within a cell, and itself. */
+  void
+  addWithin (KnownCell& cell)
   {
-    if (points_.size() > 0)
-      momentsOfCell (0, static_cast<std::uint32_t> (points_.size()), top_level);
+    cell.moments = momentsOfCell (cell.begin, cell.end, cell.level);
+  }
+
+  /** \brief Adds the cells that hold others, which are in the order of the points. */
+  void
+  addAbove (const std::vector<KnownCell>& cells)
+  {
+    known_ = cells.data();
+    level_of_known_ = cells.front().level;
+    momentsOfCell (0, static_cast<std::uint32_t> (points_.size()), top_level);
+  }
+
+  std::vector<CellScatter>
+  taken ()
+  {
     measure();
     return std::move (cells_);
   }
@@ -81,8 +103,12 @@ private:
   Moments
   momentsOfCell (std::uint32_t begin, std::uint32_t end, int level)
   {
+    if (known_ != nullptr && level == level_of_known_) {
+      ++known_;
+      return known_[-1].moments;
+    }
     Moments moments;
-    if (end - begin <= points_of_a_sum || level == 0) {
+    if (known_ == nullptr && (end - begin <= points_of_a_sum || level == 0)) {
       for (std::uint32_t i = begin; i < end; ++i)
         moments.add (points_.x[i], points_.y[i], points_.z[i]);
       return moments;
@@ -158,7 +184,9 @@ private:
   }
 
   const CurvePoints& points_;
-  std::vector<CellScatter> cells_;
+  const KnownCell* known_ = nullptr;
+  int level_of_known_ = 0;
+  std::vector<CellScatter> cells_ = {};
   std::vector<Eigen::Vector3d> centroids_;
   std::vector<Eigen::Matrix3d> covariances_;
   std::vector<EighthsOfCell> eighths_;
@@ -168,9 +196,31 @@ private:
 } // namespace
 
 std::vector<CellScatter>
-scatterOfCells (const CurvePoints& points)
+scatterOfCells (const CurvePoints& points, unsigned threads)
 {
-  return ScatterOfCells (points).ofAll();
+  // Cells of this level are looked at independently: each holds some 10,000 points.
+  constexpr int level_at_once = 10;
+  std::vector<KnownCell> large;
+  const auto end = static_cast<std::uint32_t> (points.size());
+  for (std::uint32_t i = 0; i < end; i = large.back().end)
+    large.push_back (
+        {i, endOfCell (points.code, i, end, level_at_once), level_at_once});
+  if (large.empty())
+    return {};
+  const auto within =
+      parallelChunks (threads, large.size(), 1, [&] (std::size_t cell, std::size_t) {
+        ScatterOfCells scatter (points);
+        scatter.addWithin (large[cell]);
+        return scatter.taken();
+      });
+  std::vector<CellScatter> all;
+  for (const std::vector<CellScatter>& cells : within)
+    all.insert (all.end(), cells.begin(), cells.end());
+  ScatterOfCells above (points);
+  above.addAbove (large);
+  const std::vector<CellScatter> largest = above.taken();
+  all.insert (all.end(), largest.begin(), largest.end());
+  return all;
 }
 
 double

@@ -30,9 +30,9 @@ struct CellScatter {
 };
 
 /** \brief The scatter of all cells with enough points for a plane, smaller cells before
- * the one that holds them. */
+ * the one that holds them, and the largest last. */
 std::vector<CellScatter>
-scatterOfCells (const CurvePoints& points);
+scatterOfCells (const CurvePoints& points, unsigned threads);
 
 /** \brief How dense points are: the logarithm (base 2) of their number on the square of
  * a finest cell, of a surface that has \p count points in a cell of a level. */

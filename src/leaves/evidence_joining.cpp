@@ -30,7 +30,7 @@ public:
   , surfels_ (surfels)
   , threads_ (threads)
   , planes_ (planes)
-  , contacts_ (cloud, planes, ContactSums::Links)
+  , contacts_ (cloud, planes, threads, ContactSums::Links)
   , parts_ (partsOfPlanes (cloud, planes))
   , evidence_ (parts_.size(), 0.0)
   , is_to_be_judged_ (parts_.size(), 1)

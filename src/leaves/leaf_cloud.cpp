@@ -39,7 +39,7 @@ measureLeaves (const CurvePoints& points,
                unsigned threads)
 {
   LeafCloud cloud{&points, &expected, std::move (leaves)};
-  cloud.neighbors = connectLeaves (cloud.leaves);
+  cloud.neighbors = connectLeaves (cloud.leaves, threads);
   cloud.moments.resize (cloud.size());
   for (std::vector<double>* values :
        {&cloud.edge, &cloud.density, &cloud.min_noise, &cloud.lowest_expected})

@@ -260,7 +260,7 @@ joinPlanes (const LeafCloud& cloud,
             LeafPlanes& planes)
 {
   constexpr int max_passes = 6;
-  PlaneContacts contacts (cloud, planes);
+  PlaneContacts contacts (cloud, planes, threads);
   for (int pass = 0; pass < max_passes; ++pass) {
     JoiningPass joining (cloud, planes, contacts, parameters);
     if (!joining.joinAll())

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leaves/leaf_neighbors.h"
 
+#include "base/parallel.h"
+
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -73,10 +75,12 @@ struct Tree {
   }
 };
 
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
 /** \brief Each pair of leaves that touch, once. */
 struct TouchingPairs {
   const std::vector<Node>& nodes;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = {};
+  Pairs pairs = {};
 
   void
   addWithin (const Node& node)
@@ -107,10 +111,57 @@ struct TouchingPairs {
   }
 };
 
+/** \brief A node whose leaves are to be paired, or two nodes. */
+struct Pairing {
+  std::uint32_t node, other; // equal: within the node
+};
+
+// Pairings that have each pair of leaves once, in the order of \ref TouchingPairs.
+void
+addPairings (const std::vector<Node>& nodes,
+             std::uint32_t number,
+             std::vector<Pairing>& pairings)
+{
+  // Nodes of this level hold some 200 leaves.
+  constexpr int level_at_once = 10;
+  const Node& node = nodes[number];
+  if (node.level <= level_at_once) {
+    pairings.push_back ({number, number});
+    return;
+  }
+  for (int i = 0; i < node.children; ++i) {
+    addPairings (nodes, node.child[i], pairings);
+    for (int k = i + 1; k < node.children; ++k)
+      if (touch (nodes[node.child[i]], nodes[node.child[k]]))
+        pairings.push_back ({node.child[i], node.child[k]});
+  }
+}
+
+// Each pair of leaves that touch, once.
+std::vector<Pairs>
+touchingPairs (const std::vector<Node>& nodes, unsigned threads)
+{
+  std::vector<Pairing> pairings;
+  addPairings (nodes, 0, pairings);
+  constexpr std::size_t at_once = 4;
+  return parallelChunks (
+      threads, pairings.size(), at_once, [&] (std::size_t begin, std::size_t end) {
+        TouchingPairs touching{nodes};
+        for (std::size_t p = begin; p < end; ++p) {
+          const auto& [node, other] = pairings[p];
+          if (node == other)
+            touching.addWithin (nodes[node]);
+          else
+            touching.addBetween (nodes[node], nodes[other]);
+        }
+        return std::move (touching.pairs);
+      });
+}
+
 } // namespace
 
 LeafNeighbors
-connectLeaves (const std::vector<Leaf>& leaves)
+connectLeaves (const std::vector<Leaf>& leaves, unsigned threads)
 {
   LeafNeighbors graph;
   if (leaves.empty())
@@ -119,26 +170,25 @@ connectLeaves (const std::vector<Leaf>& leaves)
   Tree tree{leaves};
   tree.nodes.reserve (2 * leaves.size());
   tree.build (0, number, top_level);
-  TouchingPairs touching{tree.nodes};
-  constexpr std::size_t usual_pairs_of_a_leaf = 7;
-  touching.pairs.reserve (usual_pairs_of_a_leaf * leaves.size());
-  touching.addWithin (tree.nodes.front());
+  const std::vector<Pairs> touching = touchingPairs (tree.nodes, threads);
   // Counted, then placed: each leaf first, as a neighbor of its own.
   Indices next (leaves.size() + 1, 0);
-  for (const auto& [first, second] : touching.pairs) {
-    ++next[first + 1];
-    ++next[second + 1];
-  }
+  for (const Pairs& pairs : touching)
+    for (const auto& [first, second] : pairs) {
+      ++next[first + 1];
+      ++next[second + 1];
+    }
   for (std::uint32_t i = 0; i < number; ++i)
     next[i + 1] += next[i] + 1;
   graph.begin = next;
   graph.neighbors.resize (next.back());
   for (std::uint32_t i = 0; i < number; ++i)
     graph.neighbors[next[i]++] = i;
-  for (const auto& [first, second] : touching.pairs) {
-    graph.neighbors[next[first]++] = second;
-    graph.neighbors[next[second]++] = first;
-  }
+  for (const Pairs& pairs : touching)
+    for (const auto& [first, second] : pairs) {
+      graph.neighbors[next[first]++] = second;
+      graph.neighbors[next[second]++] = first;
+    }
   return graph;
 }
 

@@ -26,6 +26,6 @@ struct LeafNeighbors {
 /** \brief Finds leaves of any sizes that touch, by walking down the octree in pairs.
  * \param[in] leaves by ascending code, none within another */
 LeafNeighbors
-connectLeaves (const std::vector<Leaf>& leaves);
+connectLeaves (const std::vector<Leaf>& leaves, unsigned threads);
 
 } // namespace pcl_ops::internal

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leaves/plane_contacts.h"
 
+#include "base/parallel.h"
 #include "geometry/principal_axes.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr double unknown_grain = -1.0;
 // Mean squared distance of the leaves of a plane around a leaf to the plane through
 // them.
 double
-measuredGrain (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t leaf)
+squaredGrain (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t leaf)
 {
   Moments around;
   for (const std::uint32_t k : cloud.neighbors[leaf])
@@ -69,8 +70,9 @@ private:
 
 PlaneContacts::PlaneContacts (const LeafCloud& cloud,
                               const LeafPlanes& planes,
+                              unsigned threads,
                               ContactSums sums)
-: sums_ (sums), squared_grain_ (cloud.size(), unknown_grain)
+: threads_ (threads), sums_ (sums), squared_grain_ (cloud.size(), unknown_grain)
 {
   for (std::uint32_t leaf = 0; leaf < cloud.size(); ++leaf) {
     const std::int32_t plane = planes.plane_of_leaf[leaf];
@@ -125,31 +127,47 @@ PlaneContacts::dropInnerLinks (const LeafPlanes& planes)
   links_.resize (kept);
 }
 
-double
-PlaneContacts::squaredGrain (const LeafCloud& cloud,
+void
+PlaneContacts::measureGrain (const LeafCloud& cloud,
                              const LeafPlanes& planes,
-                             std::uint32_t leaf)
+                             const std::vector<Link>& links)
 {
-  if (squared_grain_[leaf] < 0.0)
-    squared_grain_[leaf] = measuredGrain (cloud, planes, leaf);
-  return squared_grain_[leaf];
+  Indices leaves;
+  for (const auto& [leaf, neighbor] : links)
+    for (const std::uint32_t i : {leaf, neighbor})
+      if (squared_grain_[i] < 0.0) {
+        squared_grain_[i] = 0.0;
+        leaves.push_back (i);
+      }
+  forEach (threads_, leaves.size(), [&] (std::size_t i) {
+    squared_grain_[leaves[i]] = squaredGrain (cloud, planes, leaves[i]);
+  });
 }
 
-void
-PlaneContacts::addMeasures (const LeafCloud& cloud,
-                            const LeafPlanes& planes,
-                            const Link& link,
-                            PlaneContact& contact)
+std::vector<PlaneContact>
+PlaneContacts::measured (const LeafCloud& cloud,
+                         const LeafPlanes& planes,
+                         const std::vector<Link>& links)
 {
-  const auto& [leaf, neighbor] = link;
-  const double noise = planes.noise[neighbor];
-  contact.squared_noise += noise * noise;
-  contact.squared_distance +=
-      0.5 *
-      (meanSquaredDistance (cloud.moments[neighbor], planes.planes[contact.from]) +
-       meanSquaredDistance (cloud.moments[leaf], planes.planes[contact.to]));
-  contact.squared_grain += 0.5 * (squaredGrain (cloud, planes, leaf) +
-                                  squaredGrain (cloud, planes, neighbor));
+  std::vector<PlaneContact> contacts (links.size());
+  if (sums_ == ContactSums::All)
+    measureGrain (cloud, planes, links);
+  forEach (threads_, links.size(), [&] (std::size_t i) {
+    const auto& [leaf, neighbor] = links[i];
+    PlaneContact& contact = contacts[i];
+    contact.from = planes.plane_of_leaf[leaf];
+    contact.to = planes.plane_of_leaf[neighbor];
+    contact.links = 1.0;
+    if (sums_ == ContactSums::Links)
+      return;
+    contact.squared_noise = planes.noise[neighbor] * planes.noise[neighbor];
+    contact.squared_distance =
+        0.5 *
+        (meanSquaredDistance (cloud.moments[neighbor], planes.planes[contact.from]) +
+         meanSquaredDistance (cloud.moments[leaf], planes.planes[contact.to]));
+    contact.squared_grain = 0.5 * (squared_grain_[leaf] + squared_grain_[neighbor]);
+  });
+  return contacts;
 }
 
 void
@@ -157,18 +175,22 @@ PlaneContacts::addLinks (const LeafCloud& cloud,
                          const LeafPlanes& planes,
                          const std::vector<char>& changed)
 {
-  std::vector<PlaneContact> added;
-  ContactsByPlanes contactOf (added);
-  // Sums of a pair are taken in the order of the leaves.
+  std::vector<Link> links;
   for (const Link& link : links_) {
     const std::int32_t from = planes.plane_of_leaf[link.leaf];
     const std::int32_t to = planes.plane_of_leaf[link.neighbor];
-    if (to == no_plane || (changed[from] == 0 && changed[to] == 0))
-      continue;
-    PlaneContact& contact = contactOf (from, to);
-    contact.links += 1.0;
-    if (sums_ == ContactSums::All)
-      addMeasures (cloud, planes, link, contact);
+    if (to != no_plane && (changed[from] != 0 || changed[to] != 0))
+      links.push_back (link);
+  }
+  std::vector<PlaneContact> added;
+  ContactsByPlanes contactOf (added);
+  // Sums of a pair are taken in the order of the leaves.
+  for (const PlaneContact& of_link : measured (cloud, planes, links)) {
+    PlaneContact& sum = contactOf (of_link.from, of_link.to);
+    sum.links += of_link.links;
+    sum.squared_noise += of_link.squared_noise;
+    sum.squared_distance += of_link.squared_distance;
+    sum.squared_grain += of_link.squared_grain;
   }
   contacts_.insert (contacts_.end(), added.begin(), added.end());
   std::sort (contacts_.begin(), contacts_.end(), precedes);

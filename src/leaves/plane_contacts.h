@@ -34,6 +34,7 @@ class PlaneContacts {
 public:
   PlaneContacts (const LeafCloud& cloud,
                  const LeafPlanes& planes,
+                 unsigned threads,
                  ContactSums sums = ContactSums::All);
 
   /** \brief Sums the contacts of planes that have changed. */
@@ -77,18 +78,19 @@ private:
             const LeafPlanes& planes,
             const std::vector<char>& changed);
 
-  /** \brief Adds what a link has to a contact. */
+  /** \brief Measures the grain of leaves of links where it is not known. */
   void
-  addMeasures (const LeafCloud& cloud,
-               const LeafPlanes& planes,
-               const Link& link,
-               PlaneContact& contact);
+  measureGrain (const LeafCloud& cloud,
+                const LeafPlanes& planes,
+                const std::vector<Link>& links);
 
-  /** \brief Mean squared distance of the leaves of a plane around a leaf to the plane
-   * through them, kept until the plane changes [m^2]. */
-  double
-  squaredGrain (const LeafCloud& cloud, const LeafPlanes& planes, std::uint32_t leaf);
+  /** \brief What each link adds to the contact of its planes. */
+  std::vector<PlaneContact>
+  measured (const LeafCloud& cloud,
+            const LeafPlanes& planes,
+            const std::vector<Link>& links);
 
+  unsigned threads_;
   ContactSums sums_;
   std::vector<Link> links_;
   std::vector<PlaneContact> contacts_;

@@ -154,7 +154,7 @@ sortPoints (const Points& points, OctreeSizes sizes, const OpsParameters& parame
 {
   CurvePoints sorted = sortAlongCurve (points, sizes.cell, parameters.threads);
   adaptToPoints (sorted.size(), parameters, sizes);
-  std::vector<CellScatter> cells = scatterOfCells (sorted);
+  std::vector<CellScatter> cells = scatterOfCells (sorted, parameters.threads);
   ExpectedNoise expected (cells, sorted.cell);
   UnevenNoise uneven (sorted, cells, sizes.leaves.largest_level + 1);
   CoordinateSteps steps (sorted);

@@ -11,7 +11,7 @@ namespace {
 std::vector<CellScatter>
 scatterOf (const Coordinates& points)
 {
-  return scatterOfCells (sortAlongCurve (points, finest_cell, 1));
+  return scatterOfCells (sortAlongCurve (points, finest_cell, 1), 2);
 }
 
 /** \brief The scatter of the cells of 20 cm: 100 of them on the ground of 2 m x 2 m,
@@ -119,4 +119,26 @@ TEST (Density, IsThatOfFourTimesThePointsInTwiceTheEdge)
 {
   EXPECT_DOUBLE_EQ (densityOf (7, 3), densityOf (28, 4));
   EXPECT_DOUBLE_EQ (densityOf (14, 3), densityOf (7, 3) + 1.0);
+}
+
+TEST (CellScatter, OfCellsThatHoldOthersComesAfterTheirsAndHasAllPoints)
+{
+  // 51 m wide: cells of up to 26 m are looked at independently of each other.
+  const Surface site = {{0.1, 0.1, 0.1}, {51, 0, 0}, {0, 51, 0}};
+  const CurvePoints points = sortAlongCurve (gridsOf ({site}, 120), finest_cell, 1);
+  const std::vector<CellScatter> cells = scatterOfCells (points, 2);
+  ASSERT_FALSE (cells.empty());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].level < 8)
+      continue; // the many small ones
+    EXPECT_TRUE (std::none_of (cells.begin() + static_cast<std::ptrdiff_t> (i) + 1,
+                               cells.end(),
+                               [&] (const CellScatter& later) {
+                                 return later.begin >= cells[i].begin &&
+                                        later.begin + later.count <=
+                                            cells[i].begin + cells[i].count;
+                               }));
+  }
+  EXPECT_GT (cells.back().level, 10);
+  EXPECT_EQ (cells.back().count, points.size());
 }

@@ -13,7 +13,7 @@ double
 shareOf (const Coordinates& positions, const std::vector<double>& noise_of_level)
 {
   const CurvePoints points = sortAlongCurve (positions, finest_cell, 1);
-  const std::vector<CellScatter> cells = scatterOfCells (points);
+  const std::vector<CellScatter> cells = scatterOfCells (points, 1);
   std::vector<CellScatter> expected;
   int level = level_of_10_cm;
   for (const double noise : noise_of_level) {

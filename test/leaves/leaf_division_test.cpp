@@ -11,7 +11,7 @@ struct Divided {
   Divided (const Coordinates& positions, const LeafSizes& sizes)
   : points (sortAlongCurve (positions, finest_cell, 1))
   , leaves (divideIntoLeaves (
-        points, sizes, {points, scatterOfCells (points), sizes.largest_level + 1}))
+        points, sizes, {points, scatterOfCells (points, 1), sizes.largest_level + 1}))
   {}
 
   /** \brief Mean number of points of the leaves that begin at such points. */

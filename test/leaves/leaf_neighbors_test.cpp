@@ -76,14 +76,25 @@ TEST (LeafNeighbors, BeginWithTheLeafItself)
 TEST (LeafNeighbors, MayTouchInACorner)
 {
   const LeafNeighbors touching = connectLeaves (
-      {leafAtCell (0, 0, 0, 2), leafAtCell (4, 4, 4, 0), leafAtCell (8, 8, 8, 1)});
+      {leafAtCell (0, 0, 0, 2), leafAtCell (4, 4, 4, 0), leafAtCell (8, 8, 8, 1)}, 1);
   EXPECT_EQ (touching[0].size(), 2u);
   EXPECT_EQ (touching[1].size(), 2u);
   EXPECT_EQ (touching[2].size(), 1u) << "three cells away";
 }
 
+TEST (LeafNeighbors, AreTheSameForAnyNumberOfThreads)
+{
+  const LeafScene scene ({ground, wall});
+  const LeafNeighbors one = connectLeaves (scene.cloud.leaves, 1);
+  for (const unsigned threads : {2u, 3u}) {
+    const LeafNeighbors more = connectLeaves (scene.cloud.leaves, threads);
+    EXPECT_EQ (more.neighbors, one.neighbors);
+    EXPECT_EQ (more.begin, one.begin);
+  }
+}
+
 TEST (LeafNeighbors, OfALoneLeafAreItself)
 {
-  EXPECT_EQ (connectLeaves ({leafAtCell (3, 4, 5, 0)}).neighbors, Indices{0});
-  EXPECT_TRUE (connectLeaves ({}).neighbors.empty());
+  EXPECT_EQ (connectLeaves ({leafAtCell (3, 4, 5, 0)}, 1).neighbors, Indices{0});
+  EXPECT_TRUE (connectLeaves ({}, 2).neighbors.empty());
 }

@@ -72,7 +72,7 @@ TEST (PlaneContacts, AreSumsOverThePairsOfTouchingLeaves)
 {
   LeafScene scene ({ground}, 1_cm);
   makeThreePlanes (scene);
-  const PlaneContacts contacts (scene.cloud, scene.planes);
+  const PlaneContacts contacts (scene.cloud, scene.planes, 2);
   const std::map<Pair, PlaneContact> expected = summedOneByOne (scene);
   EXPECT_EQ (expected.size(), 6u);
   std::size_t found = 0;
@@ -95,7 +95,7 @@ TEST (PlaneContacts, KnowTheBorderAndThatOpenLeavesAreHalfOfIt)
   scene.addPlane (ground, 1_cm, before (0.5));
   scene.addPlane (
       ground, 1_cm, [] (const auto& at) { return at.x() > 0.5 && at.x() < 1.0; });
-  const PlaneContacts contacts (scene.cloud, scene.planes);
+  const PlaneContacts contacts (scene.cloud, scene.planes, 2);
   EXPECT_EQ (contacts.border (0), 58.0);
   EXPECT_EQ (contacts.border (1), 58.0 + 0.5 * 58.0);
 }
@@ -110,7 +110,7 @@ TEST (PlaneContacts, HaveTheGrainOfTheLeavesBesideThemWithoutTheStep)
   LeafScene scene (points);
   scene.addPlane (ground, 1_cm, before (1.0));
   scene.addPlane (higher, 1_cm, behind (1.0));
-  const PlaneContacts contacts (scene.cloud, scene.planes);
+  const PlaneContacts contacts (scene.cloud, scene.planes, 2);
   const PlaneContact& contact = *contacts.begin (0);
   EXPECT_NEAR (std::sqrt (contact.squared_distance / contact.links), 3_cm, 1e-6);
   EXPECT_NEAR (std::sqrt (contact.squared_grain / contact.links),
@@ -122,21 +122,21 @@ TEST (PlaneContacts, AfterPlanesChangedAreThoseOfANewCount)
 {
   LeafScene scene ({ground}, 1_cm);
   makeThreePlanes (scene);
-  PlaneContacts contacts (scene.cloud, scene.planes);
+  PlaneContacts contacts (scene.cloud, scene.planes, 2);
   for (std::int32_t& plane : scene.planes.plane_of_leaf)
     plane = plane == 2 ? 0 : plane;
   refitPlanes (scene.cloud, scene.planes);
   contacts.update (scene.cloud, scene.planes, {1, 0, 1});
   // The third plane changed and has no leaves; the second was fitted as well.
   contacts.update (scene.cloud, scene.planes, {0, 1, 0});
-  expectTheSame (contacts, PlaneContacts (scene.cloud, scene.planes), 3);
+  expectTheSame (contacts, PlaneContacts (scene.cloud, scene.planes, 1), 3);
 }
 
 TEST (PlaneContacts, OfAnotherPlaneAreLeftWhenPlanesChange)
 {
   LeafScene scene ({ground}, 1_cm);
   makeThreePlanes (scene);
-  PlaneContacts contacts (scene.cloud, scene.planes);
+  PlaneContacts contacts (scene.cloud, scene.planes, 2);
   const PlaneContact before_change = *contacts.begin (1);
   scene.planes.planes[2].offset = 7.0;
   contacts.update (scene.cloud, scene.planes, {0, 0, 1});

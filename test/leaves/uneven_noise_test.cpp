@@ -16,7 +16,7 @@ float
 unevennessAt (const Coordinates& positions, const Eigen::Vector3d& place)
 {
   const CurvePoints points = sortAlongCurve (positions, finest_cell, 1);
-  const UnevenNoise noise (points, scatterOfCells (points), level_of_place);
+  const UnevenNoise noise (points, scatterOfCells (points, 1), level_of_place);
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
     if ((points[i] - place).norm() < (points[nearest] - place).norm())
@@ -56,7 +56,7 @@ TEST (UnevenNoise, IsNoneBeyondTheCloud)
 {
   const CurvePoints points =
       sortAlongCurve (checkerboard (1_cm, anywhere), finest_cell, 1);
-  const UnevenNoise noise (points, scatterOfCells (points), level_of_place);
+  const UnevenNoise noise (points, scatterOfCells (points, 1), level_of_place);
   for (const int cells : {-5000, 5000})
     EXPECT_EQ (noise.of (mortonCode (cells, cells, cells), level_of_place), 0.0f);
 }
