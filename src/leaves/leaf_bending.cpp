@@ -134,14 +134,17 @@ bendingOfLeaves (const LeafCloud& cloud, const Indices& leaves, const Plane& pla
   LeafBending bending;
   if (leaves.size() < min_leaves)
     return bending;
+  // So many leaves tell the bend of a large plane, too.
+  constexpr std::size_t enough = 500;
+  const std::size_t step = leaves.size() / enough + 1;
   Moments all;
-  for (const std::uint32_t leaf : leaves)
-    all.addAligned (cloud.moments[leaf]);
+  for (std::size_t i = 0; i < leaves.size(); i += step)
+    all.addAligned (cloud.moments[leaves[i]]);
   const BendAxes axes = bendAxesOf (all, plane);
   BendEquations equations;
   double squared_distances = 0.0;
-  for (const std::uint32_t leaf : leaves) {
-    const Moments& moments = cloud.moments[leaf];
+  for (std::size_t i = 0; i < leaves.size(); i += step) {
+    const Moments& moments = cloud.moments[leaves[i]];
     const Eigen::Vector3d offset = moments.centroid() - axes.center;
     equations.add (moments.count,
                    axes.u.dot (offset) / axes.half_u,
@@ -153,7 +156,7 @@ bendingOfLeaves (const LeafCloud& cloud, const Indices& leaves, const Plane& pla
   const double gain =
       std::min (equations.squaredHeights(), equations.products().dot (terms));
   const double flat = equations.leftByPlane();
-  const auto number = static_cast<double> (leaves.size());
+  const auto number = static_cast<double> (leaves.size() / step);
   if (flat > 0.0)
     bending.explained = 1.0 - (equations.squaredHeights() - gain) /
                                   std::max (1.0, number - 6.0) /

@@ -75,10 +75,14 @@ borderOf (const LeafCloud& cloud,
   constexpr double max_noises = 7.0;
   const double far =
       max_noises * max_noises * meanSquaredDistance (own.moments, own.plane); // [m^2]
+  // So many leaves tell the shares of a long border, too.
+  constexpr std::size_t enough = 500;
+  const std::size_t step = own.border_leaves.size() / enough + 1;
   PlaneBorder border;
   border.inner_leaves =
       static_cast<double> (own.leaves.size() - own.border_leaves.size());
-  for (const std::uint32_t leaf : own.border_leaves) {
+  for (std::size_t i = 0; i < own.border_leaves.size(); i += step) {
+    const std::uint32_t leaf = own.border_leaves[i];
     bool is_inner = true;
     for (const std::uint32_t k : cloud.neighbors[leaf]) {
       if (own.has (planes.plane_of_leaf[k]))
@@ -95,7 +99,7 @@ borderOf (const LeafCloud& cloud,
         border.goes_on += 1.0;
     }
     if (is_inner)
-      border.inner_leaves += 1.0;
+      border.inner_leaves += static_cast<double> (step);
   }
   return border;
 }
