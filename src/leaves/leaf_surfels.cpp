@@ -163,14 +163,17 @@ orientLeaves (const LeafCloud& cloud,
   std::vector<LeafSurfel> of_ring (cloud.size());
   for (int r = 0; r < parameters.rings; ++r) {
     ring = nextRing (cloud, ring, threads);
+    const auto looksOn = [&] (std::size_t i) {
+      return is_open[i] != 0 && found[i].thickness >= flat_enough;
+    };
     std::vector<char> is_asked (cloud.size(), 0);
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-      if (is_open[i] != 0 && found[i].thickness >= flat_enough)
-        for (const std::uint32_t k : cloud.neighbors[i])
-          is_asked[k] = 1;
+    forEach (threads, cloud.size(), [&] (std::size_t i) {
+      const IndexRange around = cloud.neighbors[i];
+      is_asked[i] = std::any_of (around.begin(), around.end(), looksOn);
+    });
     measureRing (cloud, ring, is_asked, parameters.min_points, threads, of_ring);
     forEach (threads, cloud.size(), [&] (std::size_t i) {
-      if (is_open[i] != 0 && found[i].thickness >= flat_enough)
+      if (looksOn (i))
         found[i] = flattestAround (cloud, of_ring, i, found[i]);
     });
   }
