@@ -61,9 +61,10 @@ def main():
     for file in files:
         points = load(file)
         noise, is_ceiling = noise_around(points)
-        print(title_of(file, noise))
         clouds.append((points[~is_ceiling], noise[~is_ceiling]))
-    known = np.concatenate([noise[np.isfinite(noise)] for _, noise in clouds] + [[1e-3]])
+        print(title_of(file, clouds[-1][1]))
+    known = np.concatenate([noise[np.isfinite(noise)] for _, noise in clouds])
+    known = known if len(known) > 0 else np.array([1e-3])
     scale = LogNorm(1e3 * known.min(), 1e3 * known.max() * 1.01)
     figure, panels = plt.subplots(1, len(files), figsize=(3 * len(files), 3.4), squeeze=False)
     for axes, file, (points, noise) in zip(panels[0], files, clouds):

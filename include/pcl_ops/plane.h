@@ -168,11 +168,16 @@ struct PCL_OPS_EXPORT PlaneSegment {
   Moments moments;
   /** \brief Ascending indices into the input cloud. */
   pcl::Indices inliers;
-  /** \brief The noise of the plane's surroundings [m]: what the flattest places with
-   * points as dense scatter by, the median over the plane. Of OPS; not known where the
-   * cloud has no such places, and with other detectors. \ref rms is at most 8 times
-   * this, but where the cloud is divided into voxels, as images of depth cameras are,
-   * and where MergingParameters::distance_threshold is given. */
+  /** \brief The noise of the plane's surroundings [m]: how far points scatter about the
+   * surface through them and those beside them, the median over the plane; at most 1.25
+   * times what the flattest places with points as dense scatter by. Known where
+   * Sampling::Automatic has no voxel size, and with Sampling::Leaves, if the cloud has
+   * such places; not of exact points.
+   *
+   * On leaves the \ref rms of its different points is at most 8 times this when it is
+   * detected, unless MergingParameters::distance_threshold makes one plane of several.
+   * It is not limited where the cloud is divided into voxels, as images of depth
+   * cameras are. */
   std::optional<double> noise = std::nullopt;
 
   Plane

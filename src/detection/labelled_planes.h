@@ -44,7 +44,7 @@ mergeAssigned (AssignedPoints assigned,
                unsigned threads);
 
 /** \brief The planes that other labels of the points make of those that were found.
- * The first of them keep their noise. */
+ * Planes that have the same number as before keep their noise. */
 LabelledPlanes
 relabelled (const LabelledPlanes& found, AssignedPoints assigned, unsigned threads);
 

@@ -30,7 +30,8 @@ struct CellScatter {
 };
 
 /** \brief The scatter of all cells with enough points for a plane, smaller cells before
- * the one that holds them, and the largest last. */
+ * the one that holds them. Cells up to level 10 are in the order of the points, as
+ * \ref UnevenNoise needs those of its regions to be; larger ones are last. */
 std::vector<CellScatter>
 scatterOfCells (const CurvePoints& points, unsigned threads);
 

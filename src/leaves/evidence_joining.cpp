@@ -55,7 +55,7 @@ public:
         }
       }
       contacts_.update (cloud_, planes_, changed_now);
-      // The evidence of those that touch them changes a little, too.
+      // That of those that touch them changes too little to be asked for again.
       is_to_be_judged_ = std::move (changed_now);
     }
   }

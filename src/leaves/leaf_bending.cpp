@@ -156,7 +156,8 @@ bendingOfLeaves (const LeafCloud& cloud, const Indices& leaves, const Plane& pla
   const double gain =
       std::min (equations.squaredHeights(), equations.products().dot (terms));
   const double flat = equations.leftByPlane();
-  const auto number = static_cast<double> (leaves.size() / step);
+  bending.leaves = (leaves.size() + step - 1) / step;
+  const auto number = static_cast<double> (bending.leaves);
   if (flat > 0.0)
     bending.explained = 1.0 - (equations.squaredHeights() - gain) /
                                   std::max (1.0, number - 6.0) /

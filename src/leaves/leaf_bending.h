@@ -18,6 +18,8 @@ struct LeafBending {
   double half_extent = 1.0;
   /** \brief RMS distance of the points that the bend leaves [m]. */
   double left = 0.0;
+  /** \brief How many leaves were looked at: of a large plane a sample. */
+  std::size_t leaves = 0;
 };
 
 /** \return no bending for fewer than eight leaves */

@@ -14,7 +14,7 @@ namespace {
 // Between which angles another plane is the same surface, which goes on.
 class FaceTurn {
 public:
-  FaceTurn (const LeafBending& bending, std::size_t leaves)
+  explicit FaceTurn (const LeafBending& bending)
   {
     // Turned by less it is the same plane, by more than so many times the slope of the
     // plane's own bend it is another face.
@@ -22,7 +22,8 @@ public:
     constexpr double max_turn_in_slopes = 5.9;
     constexpr double right_turn = 1.5;
     const double uncertain_bend =
-        2.0 * bending.left / std::sqrt (static_cast<double> (leaves));
+        2.0 * bending.left /
+        std::sqrt (static_cast<double> (std::max<std::size_t> (1, bending.leaves)));
     const double slope = (bending.amplitude + uncertain_bend) / bending.half_extent;
     least_cosine_ = std::cos (std::min (right_turn, max_turn_in_slopes * slope));
     most_cosine_ = std::cos (min_turn);
@@ -167,7 +168,7 @@ evidenceOf (const LeafCloud& cloud,
             const PlaneParts& own)
 {
   const LeafBending bending = bendingOfLeaves (cloud, own.leaves, own.plane);
-  const FaceTurn turn (bending, own.leaves.size());
+  const FaceTurn turn (bending);
   return balance (bending,
                   borderOf (cloud, planes, surfels, own, turn),
                   static_cast<double> (own.leaves.size()),
@@ -180,10 +181,10 @@ keptPlanes (const LeafCloud& cloud,
             const std::vector<LeafSurfel>& surfels,
             const std::vector<std::size_t>& points)
 {
-  constexpr std::size_t min_points = 10;
   std::vector<char> is_kept (planes.planes.size(), 0);
   for (const PlaneParts& own : partsOfPlanes (cloud, planes))
-    is_kept[own.number] = points[own.number] >= min_points && !own.leaves.empty() &&
+    is_kept[own.number] = points[own.number] >= min_points_of_plane &&
+                          !own.leaves.empty() &&
                           evidenceOf (cloud, planes, surfels, own) > 0.0;
   return is_kept;
 }

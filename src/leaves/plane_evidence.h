@@ -8,6 +8,9 @@
 
 namespace pcl_ops::internal {
 
+/** \brief Planes of fewer points are not kept. */
+constexpr std::size_t min_points_of_plane = 10;
+
 /** \brief How a plane ends, counted in pairs of touching leaves of which one is its
  * own. A plane ends at a crease or in the air; a facet of something curved goes on
  * smoothly beyond its border: what lies there is near, and turned by no more than the

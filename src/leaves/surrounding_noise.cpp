@@ -15,7 +15,7 @@ namespace {
 
 // Scatter of a leaf's points, and of those of its plane beside it, about the plane
 // through them [m], within limits of what the cloud shows elsewhere; 0 where they are
-// few, or on a line like those of one lidar beam.
+// few, or on a line like those of one lidar beam, and where the cloud shows nothing.
 double
 noiseAround (const LeafCloud& cloud,
              const Labels& plane_of_leaf,
@@ -40,6 +40,8 @@ noiseAround (const LeafCloud& cloud,
   const double variance =
       std::max (0.0, axes.values[0]) * around.count / (around.count - 3.0);
   const double expected = cloud.expectedNoise (leaf, points_that_tell * around.count);
+  if (!ExpectedNoise::isKnown (expected))
+    return 0.0;
   return std::clamp (std::sqrt (variance), expected, max_expected * expected);
 }
 

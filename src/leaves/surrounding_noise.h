@@ -17,8 +17,7 @@ constexpr double points_that_tell = 16.0;
 /** \brief The noise of the surroundings of some leaves of a plane [m]: the median over
  * them of how far points scatter about the plane through a leaf and those of its plane
  * beside it; at least what is expected of planes of sixteen times as many points there,
- * at most 1.25 times that. Measured before and beside the plane, so that it does not
- * grow with how thick the plane is.
+ * at most 1.25 times that. It does not grow with how far the plane as a whole bends.
  * \param[in] points_around such surroundings have so many points
  * \return nothing where too few leaves tell */
 std::optional<double>

@@ -284,17 +284,22 @@ withNoises (const Rounds& rounds, const LeafCloud& cloud, LabelledPlanes found)
   return found;
 }
 
-// No plane is thicker than its noise says; a merging distance that a user gave may make
-// some thick.
+// No plane is thicker than its noise says, but where a merging distance that a user
+// gave makes one of several; and no point is farther away than theta_h from what the
+// plane became.
 LabelledPlanes
 limitThickness (const Points& points,
                 const OpsParameters& parameters,
                 LabelledPlanes found)
 {
-  if (parameters.merging.distance_threshold)
-    return found;
-  return keepThin (
-      points, max_thickness_of_plane, parameters.threads, std::move (found));
+  const bool is_merged =
+      parameters.merging.enabled && parameters.merging.distance_threshold;
+  ThinPlaneLimits limits;
+  if (!is_merged)
+    limits.noises = max_thickness_of_plane;
+  if (!is_merged && parameters.distance_threshold)
+    limits.distance = *parameters.distance_threshold;
+  return keepThin (points, limits, parameters.threads, std::move (found));
 }
 
 JoiningParameters

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/thin_planes.h"
 
+#include "leaves/plane_evidence.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,44 +13,59 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// How far points of planes that are too thick may be from them [m].
+// How far the points of each plane may be from it [m].
 std::vector<double>
-limitsOf (const LabelledPlanes& found, double max_noises)
+distancesOf (const LabelledPlanes& found, const ThinPlaneLimits& limits)
 {
-  std::vector<double> limits (found.planes.fits.size(),
-                              std::numeric_limits<double>::infinity());
-  for (std::size_t plane = 0; plane < limits.size(); ++plane) {
-    const double limit = max_noises * found.noises[plane].value_or (0.0);
-    if (limit > 0.0 && found.planes.fits[plane].variances[0] > limit * limit)
-      limits[plane] = limit;
+  std::vector<double> distances (found.planes.fits.size(), limits.distance);
+  for (std::size_t plane = 0; plane < distances.size(); ++plane) {
+    const double thin = limits.noises * found.noises.at (plane).value_or (0.0);
+    if (thin > 0.0 && found.planes.fits[plane].variances[0] > thin * thin)
+      distances[plane] = std::min (distances[plane], thin);
   }
-  return limits;
+  return distances;
+}
+
+// Labels without the points that are too far away, and without planes that have too
+// few then.
+Labels
+nearLabels (const Points& points,
+            const LabelledPlanes& found,
+            const std::vector<double>& distances)
+{
+  Labels labels = found.labels;
+  std::vector<std::size_t> counts (distances.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::int32_t& plane = labels[i];
+    if (plane == no_plane)
+      continue;
+    const Plane& own = found.planes.fits[plane].plane;
+    if (std::abs (own.distance (points[i])) <= distances[plane])
+      ++counts[plane];
+    else
+      plane = no_plane;
+  }
+  for (std::int32_t& plane : labels)
+    if (plane != no_plane && counts[plane] < min_points_of_plane)
+      plane = no_plane;
+  return labels;
 }
 
 } // namespace
 
 LabelledPlanes
 keepThin (const Points& points,
-          double max_noises,
+          const ThinPlaneLimits& limits,
           unsigned threads,
           LabelledPlanes found)
 {
-  const std::vector<double> limits = limitsOf (found, max_noises);
-  if (std::none_of (limits.begin(), limits.end(), [] (double limit) {
-        return std::isfinite (limit);
-      }))
+  const std::vector<double> distances = distancesOf (found, limits);
+  Labels labels = nearLabels (points, found, distances);
+  if (labels == found.labels)
     return found;
-  AssignedPoints assigned{found.labels, {}};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    std::int32_t& plane = assigned.labels[i];
-    if (plane == no_plane)
-      continue;
-    const Plane& own = found.planes.fits[plane].plane;
-    if (std::abs (own.distance (points[i])) > limits[plane])
-      plane = no_plane;
-  }
-  assigned.moments = momentsOfLabels (points, assigned.labels, limits.size(), threads);
-  return relabelled (found, std::move (assigned), threads);
+  std::vector<Moments> moments =
+      momentsOfLabels (points, labels, distances.size(), threads);
+  return relabelled (found, {std::move (labels), std::move (moments)}, threads);
 }
 
 } // namespace pcl_ops::internal

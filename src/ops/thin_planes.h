@@ -4,15 +4,26 @@
 
 #include "detection/labelled_planes.h"
 
+#include <limits>
+
 namespace pcl_ops::internal {
+
+/** \brief How far points may be from their planes. */
+struct ThinPlaneLimits {
+  /** \brief The rms of a plane over the noise of its surroundings. */
+  double noises = std::numeric_limits<double>::infinity();
+  /** \brief The distance of each point [m]. */
+  double distance = std::numeric_limits<double>::infinity();
+};
 
 /** \brief Has no plane be thicker than so many times the noise of its surroundings:
  * of one whose rms exceeds that only the points within the limit stay, so that its rms
  * does not. Such planes come from leaves and points that went to likelier planes; most
- * are divided before. */
+ * are divided before. Planes that have too few points left are dropped.
+ * \param[in] found with the noise of each plane, as far as it is known */
 LabelledPlanes
 keepThin (const Points& points,
-          double max_noises,
+          const ThinPlaneLimits& limits,
           unsigned threads,
           LabelledPlanes found);
 

@@ -208,9 +208,10 @@ merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
       continue;
     const std::size_t into = merged.merged_into[i];
     PlaneSegment& whole = all[into];
-    // It faces where its largest part did.
+    // It faces where its largest part did, and has its noise.
     if (planes[i].moments.count > largest[into]) {
       largest[into] = planes[i].moments.count;
+      whole.noise = planes[i].noise;
       if (planes[i].normal.dot (whole.normal) < 0.0)
         whole.normal = -whole.normal;
     }

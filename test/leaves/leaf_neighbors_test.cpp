@@ -84,10 +84,18 @@ TEST (LeafNeighbors, MayTouchInACorner)
 
 TEST (LeafNeighbors, AreTheSameForAnyNumberOfThreads)
 {
-  const LeafScene scene ({ground, wall});
-  const LeafNeighbors one = connectLeaves (scene.cloud.leaves, 1);
+  // A ground of finest cells across a corner of eight cells of level 10.
+  std::vector<Leaf> leaves;
+  for (int x = 1000; x < 1050; ++x)
+    for (int y = 1000; y < 1050; ++y)
+      leaves.push_back (leafAtCell (x, y, 1023 + x % 2, 0));
+  std::sort (leaves.begin(), leaves.end(), [] (const Leaf& a, const Leaf& b) {
+    return a.code < b.code;
+  });
+  const LeafNeighbors one = connectLeaves (leaves, 1);
+  EXPECT_GT (one.neighbors.size(), 4 * leaves.size());
   for (const unsigned threads : {2u, 3u}) {
-    const LeafNeighbors more = connectLeaves (scene.cloud.leaves, threads);
+    const LeafNeighbors more = connectLeaves (leaves, threads);
     EXPECT_EQ (more.neighbors, one.neighbors);
     EXPECT_EQ (more.begin, one.begin);
   }

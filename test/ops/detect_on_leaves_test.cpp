@@ -264,11 +264,14 @@ TEST (DetectOnLeaves, TellsTheNoiseAroundEachPlane)
 
 TEST (DetectOnLeaves, SaysNoNoiseWhereNoPlaceTells)
 {
-  // Too few points for places of several sizes.
-  const LabelledPlanes found =
-      detectIn (drawnPoints ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, 10_cm, 1_cm));
-  ASSERT_EQ (found.planes.fits.size(), 1u);
-  EXPECT_EQ (found.noises, std::vector<std::optional<double>> (1));
+  // Too few points for places of several sizes, and an exact plane.
+  const Surface square = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  for (const Points& points :
+       {drawnPoints ({square}, 10_cm, 1_cm), drawnPoints ({square}, 2_cm, 0.0)}) {
+    const LabelledPlanes found = detectIn (points);
+    ASSERT_EQ (found.planes.fits.size(), 1u);
+    EXPECT_EQ (found.noises, std::vector<std::optional<double>> (1));
+  }
 }
 
 TEST (DetectOnLeaves, KeepsEachPlaneAsThinAsItsNoiseSays)

@@ -60,6 +60,8 @@ class Planes(unittest.TestCase):
         for plane in planes:
             self.assertTrue(plane.rms / 2 < plane.noise < 2 * plane.rms, plane.noise)
         self.assertIsNone(pcl_ops.segment(points, "kht")[1][0].noise)
+        left = pcl_ops.merge_planes(planes, enabled=False)[0]
+        self.assertEqual([plane.noise for plane in left], [plane.noise for plane in planes])
 
     def test_distances_are_signed_and_those_of_any_points(self):
         above = np.float32([[1, 1, 0.5], [1, 1, -0.25], [np.nan, 1, 1]])

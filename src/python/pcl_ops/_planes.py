@@ -47,10 +47,12 @@ class Plane(_pcl_ops.Segment):
         lambda plane: np.append(plane.normal, -plane.normal @ plane.centroid),
         doc="(4,): normal and d of a x + b y + c z + d = 0.")
     rms: float = _part("rms", "Root mean square distance of the inliers to the plane.")
-    noise: Optional[float] = _part("noise", """What the flattest places with points as dense
-        scatter by, the median over the plane: the noise of its surroundings. Of OPS; None where the
-        cloud has no such places, and of other detectors. rms is at most 8 times this, but where
-        the cloud is divided into voxels or a distance was given.""")
+    noise: Optional[float] = _part("noise", """How far points around scatter about the surface
+        through them, the median over the plane; at most 1.25 times what the flattest places with
+        points as dense scatter by. None of other methods than "ops", with a given
+        surfels_voxel_size, and where the cloud has no such places. rms is at most 8 times this,
+        but where the cloud is divided into voxels, as images of depth cameras are, or
+        merging_distance_threshold makes one plane of several.""")
     orientation: Literal["horizontal", "vertical", "other"] = _part(
         "orientation", "By up and angle_tolerance.")
     inliers: NDArray[np.int32] = _part(
