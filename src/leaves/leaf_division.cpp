@@ -14,7 +14,6 @@ namespace {
 // facades and offices, whose creases look uneven, too.
 constexpr float max_even_slope = 0.0045f;
 constexpr double points_where_uneven = 5.0;
-constexpr float max_slope_to_halve = 0.03f;
 
 MortonCode
 cornerOf (MortonCode code, int level)
@@ -98,12 +97,6 @@ bool
 isUneven (const Leaf& leaf)
 {
   return leaf.unevenness > max_even_slope;
-}
-
-bool
-isEvenEnoughToHalve (const Leaf& leaf)
-{
-  return leaf.unevenness < max_slope_to_halve;
 }
 
 } // namespace pcl_ops::internal

@@ -45,9 +45,4 @@ halveLeaf (const CurvePoints& points, const Leaf& leaf, std::vector<Leaf>& halve
 bool
 isUneven (const Leaf& leaf);
 
-/** \brief Whether leaves may be halved: the second round looks at places where noise
- * makes facets, unless that is far too much. */
-bool
-isEvenEnoughToHalve (const Leaf& leaf);
-
 } // namespace pcl_ops::internal

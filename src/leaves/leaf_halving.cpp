@@ -15,13 +15,11 @@ leavesToHalve (const LeafCloud& cloud, const LeafPlanes& planes)
   std::vector<char> is_near_open (cloud.size(), 0);
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (planes.plane_of_leaf[i] == no_plane && planes.is_curved[i] == 0 &&
-        cloud.moments[i].count >= min_points_of_open &&
-        isEvenEnoughToHalve (cloud.leaves[i]))
+        cloud.moments[i].count >= min_points_of_open)
       for (const std::uint32_t k : cloud.neighbors[i])
         is_near_open[k] = 1;
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (cloud.leaves[i].level == 0 || cloud.moments[i].count < min_points_to_halve ||
-        !isEvenEnoughToHalve (cloud.leaves[i]))
+    if (cloud.leaves[i].level == 0 || cloud.moments[i].count < min_points_to_halve)
       is_near_open[i] = 0;
   return is_near_open;
 }

@@ -117,11 +117,3 @@ TEST (Halving, MakesTheOccupiedEighthsOfALeaf)
     }
   }
 }
-
-TEST (Halving, IsNotForUnevenLeaves)
-{
-  Leaf leaf;
-  EXPECT_TRUE (isEvenEnoughToHalve (leaf));
-  leaf.unevenness = 0.5f;
-  EXPECT_FALSE (isEvenEnoughToHalve (leaf));
-}
