@@ -138,6 +138,24 @@ TEST (PlaneEvidence, DropsPlanesOfAFewPointsAndOfNoLeaves)
              (std::vector<char>{0, 0}));
 }
 
+TEST (PlaneEvidence, OfALongBorderIsToldBySomeOfItsLeaves)
+{
+  // Strips, two leaves wide, of a ground: nearly all leaves are border. Eight times as
+  // many are worth 2.8 for a decade of leaves, and nothing else.
+  std::vector<double> evidence;
+  for (const double end : {-3.0, 4.0}) {
+    LeafScene scene (pointsOver (4_m, 1_cm, [] (double, double) { return 0.05; }));
+    scene.addPlane ({Eigen::Vector3d::UnitZ(), -0.05}, 1_mm, [end] (const auto& at) {
+      return at.x() < end && static_cast<int> (std::floor (at.y() / 0.2)) % 2 == 0;
+    });
+    const std::vector<LeafSurfel> none (scene.cloud.size());
+    const PlaneParts parts = partsOfPlanes (scene.cloud, scene.planes).at (0);
+    EXPECT_EQ (parts.border_leaves.size() > 500, end > 0.0);
+    evidence.push_back (evidenceOf (scene.cloud, scene.planes, none, parts));
+  }
+  EXPECT_NEAR (evidence[1] - evidence[0], 2.8 * std::log10 (8.0), 0.2);
+}
+
 TEST (PlaneEvidence, KeepsAWallBentByAnInstrument)
 {
   // 5 mm in 2 m, with 3 mm of noise.

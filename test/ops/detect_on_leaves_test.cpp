@@ -276,16 +276,21 @@ TEST (DetectOnLeaves, SaysNoNoiseWhereNoPlaceTells)
 
 TEST (DetectOnLeaves, KeepsEachPlaneAsThinAsItsNoiseSays)
 {
-  // Hills 20 m wide and 1 m high.
-  Points points;
-  addDrawn (points, {{-30, -30, 0}, {60, 0, 0}, {0, 60, 0}}, 20_cm, 1_cm);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points.z[i] += std::sin (0.3f * points.x[i]) * std::cos (0.3f * points.y[i]);
-  const LabelledPlanes found = detectIn (points);
-  EXPECT_GE (found.planes.fits.size(), 4u);
-  for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
-    EXPECT_LE (std::sqrt (found.planes.fits[p].variances[0]),
-               8.0 * found.noises.at (p).value_or (0.0));
+  // Hills in which a plane becomes too thick after it was split: with a wave number
+  // [1/m], a height and a spacing of points [m].
+  const double hills[][3] = {{0.6, 1.8, 8_cm}, {0.7, 2.2, 10_cm}, {0.8, 1.6, 10_cm}};
+  for (const auto& [wave, height, spacing] : hills) {
+    Points points;
+    addDrawn (points, {{-10, -10, 0}, {20, 0, 0}, {0, 20, 0}}, spacing, 3_mm);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points.z[i] += static_cast<float> (height * std::sin (wave * points.x[i]) *
+                                         std::cos (wave * points.y[i]));
+    const LabelledPlanes found = detectIn (points);
+    EXPECT_GE (found.planes.fits.size(), 4u);
+    for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
+      EXPECT_LE (std::sqrt (found.planes.fits[p].variances[0]),
+                 8.0 * found.noises.at (p).value_or (0.0));
+  }
 }
 
 TEST (DetectOnLeaves, UsesAGivenSizeAndSaysWhatItUsed)
