@@ -355,7 +355,9 @@ load (const Bytes& bytes, const std::string& extension, Use&& use)
 void
 promiseSaved (const apps::FileCloud& cloud)
 {
-  const apps::Spool& copy = spoolOf (".pcd");
+  // A name of its own: newer compilers take the reference for one to a temporary.
+  const std::string extension = ".pcd";
+  const apps::Spool& copy = spoolOf (extension);
   apps::saveCloud (copy.name(), cloud);
   promise (apps::loadCloud (copy.name()).points.data == cloud.points.data,
            "the names of columns are those of fields");
