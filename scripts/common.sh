@@ -131,12 +131,14 @@ install_packages() {
     command -v sudo >/dev/null || fail "needs root or sudo to install: ${missing[*]}"
     as_root=(sudo)
   fi
-  say "installing ${missing[*]}"
   as_root+=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get --quiet --yes)
   quietly "$root/build/apt-update.log" "${as_root[@]}" update
   mapfile -t missing < <(missing_packages "$@") # more names are known now
-  "${as_root[@]}" --assume-no install --no-install-recommends "${missing[@]}" 2>/dev/null |
-    sed -n 's/.* \([0-9]* newly installed\).*/==>   packages: \1/p; s/^Need to get \(.*\) of archives.*/==>   to fetch: \1/p' || true
+  # Names what it would fetch, and installs nothing; --assume-no would give way to --yes.
+  quietly "$root/build/apt-size.log" "${as_root[@]}" --print-uris install --no-install-recommends "${missing[@]}"
+  say "installing ${missing[*]}"
+  sed -n 's/.* \([0-9]*\) newly installed.*/==>   packages: \1/p; s/^Need to get \(.*\) of archives.*/==>   to fetch: \1/p' \
+    "$root/build/apt-size.log"
   quietly "$root/build/apt-install.log" "${as_root[@]}" install --no-install-recommends "${missing[@]}"
 }
 

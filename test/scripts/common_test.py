@@ -90,5 +90,46 @@ class Progress(unittest.TestCase):
         self.assertEqual(script.returncode, 3)
 
 
+# What it is asked goes to the file asked, a line each. What names its size is not installed.
+APT_GET = """#!/bin/sh
+echo "$*" >> "$FOLDER/asked"
+case "$*" in
+  *--print-uris*) echo '0 upgraded, 3 newly installed, 0 to remove and 0 not upgraded.'
+                  echo 'Need to get 12.5 MB of archives.' ;;
+  *install*) echo 'E: the disk is full' >&2; exit "$STATUS" ;;
+esac
+"""
+
+
+class Installation(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for name, text in {"apt-get": APT_GET, "sudo": '#!/bin/sh\nexec "$@"\n',
+                           "dpkg-query": "#!/bin/sh\nexit 1\n"}.items():
+            (self.folder / name).write_text(text)
+            (self.folder / name).chmod(0o755)
+
+    def install(self, status):
+        script = bash(f"root='{self.folder}'; install_packages a b", FOLDER=str(self.folder),
+                      STATUS=status, PATH=f"{self.folder}:{os.environ['PATH']}")
+        output, errors = script.communicate()
+        return script.returncode, output, errors
+
+    def test_is_asked_for_its_size_before_anything_is_installed(self):
+        status, output, errors = self.install("0")
+        self.assertEqual((status, errors), (0, ""))
+        self.assertEqual(output, "==> installing a b\n==>   packages: 3\n==>   to fetch: 12.5 MB\n")
+        asked = [line.split() for line in (self.folder / "asked").read_text().splitlines()]
+        self.assertEqual(["install" in words and "--print-uris" not in words for words in asked],
+                         [False, False, True])
+
+    def test_shows_the_errors_of_an_installation_that_fails(self):
+        status, _, errors = self.install("100")
+        self.assertEqual(status, 1)
+        self.assertTrue(errors.startswith("E: the disk is full\n"), errors)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
