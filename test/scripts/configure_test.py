@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A second scripts/demo configures again: it is to compile nothing again.
+
+python3 configure_test.py SOURCES CMAKE COMPILER: the project's folder, and with what it is built.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCES, CMAKE, COMPILER = sys.argv[1:4]
+COMPILED = {".h", ".hpp", ".cpp", ".cxx", ".c"}
+
+
+def configure(folder):
+    subprocess.run([CMAKE, "-S", SOURCES, "-B", folder, "-DPCL_OPS_WITHOUT_PCL=ON", "-DBUILD_TESTING=OFF",
+                    "-DPCL_OPS_BUILD_PYTHON=OFF", "-DPCL_OPS_BUILD_SURFACE=OFF", "-DCMAKE_UNITY_BUILD=ON",
+                    f"-DCMAKE_CXX_COMPILER={COMPILER}"],
+                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def times_of_what_is_compiled(folder):
+    return {file.relative_to(folder): file.stat().st_mtime_ns
+            for file in folder.rglob("*") if file.suffix in COMPILED}
+
+
+class Configuring(unittest.TestCase):
+    def test_again_writes_no_file_again_that_is_compiled(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            configure(folder)
+            before = times_of_what_is_compiled(folder)
+            configure(folder)
+            self.assertIn("point_types.h", {file.name for file in before})
+            self.assertEqual(times_of_what_is_compiled(folder), before)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
