@@ -28,7 +28,7 @@ using pcl::PCLPointField;
 bool
 canBeCoordinate (float number)
 {
-  constexpr float farthest = 1e6f;
+  constexpr float farthest = 1e7f; // UTM has its northings up to there
   constexpr float nearest = 1e-9f;
   const float size = std::abs (number);
   return size == 0.0f || (size > nearest && size < farthest);
@@ -47,6 +47,38 @@ checkArePoints (const HeaderReader& reader, const FileCloud& cloud)
   }
   if (2 * good < cloud.size())
     reader.fail ("most of its numbers are no coordinates in meters");
+}
+
+/** \brief By how much numbers differ in size that follow each other at this distance,
+ * as those of one column do: 0 where every column has the same mean size. */
+double
+differenceOfColumns (const std::vector<float>& numbers, std::size_t columns)
+{
+  std::vector<double> sums (columns), counts (columns);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (std::isfinite (numbers[i])) {
+      sums[i % columns] += std::abs (numbers[i]);
+      counts[i % columns] += 1.0;
+    }
+  for (std::size_t i = 0; i < columns; ++i)
+    sums[i] /= std::max (counts[i], 1.0);
+  const auto [least, most] = std::minmax_element (sums.begin(), sums.end());
+  return *most - *least;
+}
+
+/** \brief Refuses points of x, y and z alone: columns of four mix their coordinates, so
+ * that these are alike, and columns of three are not. */
+void
+refuseTriples (const HeaderReader& reader, const FileCloud& cloud)
+{
+  constexpr std::size_t min_points = 100;
+  constexpr double likeness = 0.3;
+  std::vector<float> numbers (cloud.points.data.size() / sizeof (float));
+  std::memcpy (numbers.data(), cloud.points.data.data(), cloud.points.data.size());
+  if (cloud.size() >= min_points && cloud.points.fields.size() == 4 &&
+      differenceOfColumns (numbers, 4) < likeness * differenceOfColumns (numbers, 3))
+    reader.fail ("it seems to have three numbers for each point, not x, y, z and "
+                 "intensity");
 }
 
 /** \brief What a .npy says about its array. */
@@ -126,6 +158,24 @@ typeOf (const std::string& file, const NpyHeader& header)
   return *type;
 }
 
+/** \brief Refuses an array whose first index, not the last, tells x, y and z apart. */
+void
+refuseTransposed (const std::string& file, const std::vector<std::uint64_t>& shape)
+{
+  constexpr std::uint64_t usual_columns = 10; // coordinates, color, normal, intensity
+  if (shape.back() <= usual_columns)
+    return;
+  if (shape.size() == 2 && shape[0] <= usual_columns)
+    throw WorkError (file,
+                     "has an array of shape (" + std::to_string (shape[0]) + ", " +
+                         std::to_string (shape[1]) +
+                         "), which are coordinates in rows; save array.T");
+  if (shape.size() == 3 && shape[0] == 3)
+    throw WorkError (file,
+                     "has an array of shape (3, H, W), not (H, W, 3); save "
+                     "numpy.moveaxis (array, 0, -1)");
+}
+
 /** \brief Lets columns be fields, and dimensions in front of them width and height.
  * \throws WorkError unless the file has just these numbers */
 void
@@ -142,6 +192,7 @@ declarePoints (const std::string& file,
     throw WorkError (file,
                      "has an array of another shape than (N, 3) or (H, W, 3), or more "
                      "columns; save array.T or array.reshape (-1, 3)");
+  refuseTransposed (file, header.shape);
   const std::uint64_t height = dimensions == 3 ? header.shape[0] : 1;
   const std::uint64_t width = header.shape[dimensions - 2];
   if (width * height == 0)
@@ -198,6 +249,7 @@ readKitti (const std::string& file)
   cloud.points.data.resize (reader.fileSize());
   reader.read (cloud.points.data.data(), cloud.points.data.size());
   checkArePoints (reader, cloud);
+  refuseTriples (reader, cloud);
   return cloud;
 }
 

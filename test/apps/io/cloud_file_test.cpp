@@ -365,6 +365,22 @@ TEST_F (CloudFile, OfKittiHasFourNumbersForEachPointAndOfNuScenesFive)
              "meters; write it again");
 }
 
+TEST_F (CloudFile, OfKittiMayBeFarFromZeroAsUtmIs)
+{
+  EXPECT_EQ (textOf (load ("utm.bin", bytesOfNumbers<float> ({500001, 5400001, 3, 0}))),
+             "x 500001; y 5400001; z 3; intensity 0");
+}
+
+TEST_F (CloudFile, OfKittiIsRefusedWhereThreeNumbersAreAPoint)
+{
+  std::vector<float> floor;
+  for (int i = 0; i < 200; ++i)
+    floor.insert (floor.end(), {i * 0.1f, i % 10 * 1.0f, 2.0f});
+  EXPECT_EQ (complaintAbout ("xyz.bin", bytesOfNumbers (floor)),
+             "is no valid KITTI file: it seems to have three numbers for each point, "
+             "not x, y, z and intensity; write it again");
+}
+
 TEST_F (CloudFile, OfNumPyKeepsTypesColumnsAndShape)
 {
   const auto text_of = [&] (const std::string& type, auto numbers, auto... others) {
@@ -432,6 +448,19 @@ TEST_F (CloudFile, OfNumPyIsRefusedForWhatIsNoArrayOfPoints)
              invalid ("its header has no descr"));
   EXPECT_EQ (complaintAbout ("a.npy", "\x93NUMPY\2" + std::string (5, '\1') + point),
              invalid ("its header is longer than 64 KiB"));
+}
+
+TEST_F (CloudFile, OfNumPyIsRefusedWhereCoordinatesAreInRows)
+{
+  const auto complaint_of = [&] (const std::string& shape) {
+    return complaintAbout ("a.npy", npyWith ("<f4", "False", shape, ""));
+  };
+  EXPECT_EQ (complaint_of ("(3, 600)"),
+             "has an array of shape (3, 600), which are coordinates in rows; save "
+             "array.T");
+  EXPECT_EQ (complaint_of ("(3, 480, 640)"),
+             "has an array of shape (3, H, W), not (H, W, 3); save numpy.moveaxis "
+             "(array, 0, -1)");
 }
 
 TEST_F (CloudFile, OfPtxKnowsWhereItsScannersWere)
