@@ -38,8 +38,25 @@ readLas (const std::string& file)
 refuseE57 (const std::string& file)
 {
   throw WorkError (file,
-                   "is E57; read it in Python by pye57 and give the points to "
-                   "pcl_ops.segment, or write them as .ply");
+                   "is E57; convert it, e.g. by pdal translate scan.e57 scan.las, or "
+                   "read it in Python by pye57 and give the points to pcl_ops.segment");
+}
+
+[[noreturn]] FileCloud
+refuseRecap (const std::string& file)
+{
+  throw WorkError (file,
+                   "is a project of ReCap, which only Autodesk's programs read; export "
+                   "it there as .pts");
+}
+
+[[noreturn]] FileCloud
+refuseIfc (const std::string& file)
+{
+  throw WorkError (file,
+                   "is IFC, a model without points; make a mesh of it, e.g. by "
+                   "IfcConvert model.ifc model.obj, and sample points on that, e.g. by "
+                   "CloudCompare");
 }
 
 struct Format {
@@ -72,7 +89,10 @@ allFormats ()
       {".npy", readNpy, false, false},
       {".off", readOff, false, true},
       {".obj", readObj, false, true},
-      {".e57", refuseE57, false, false, false}};
+      {".e57", refuseE57, false, false, false},
+      {".rcp", refuseRecap, false, false, false},
+      {".rcs", refuseRecap, false, false, false},
+      {".ifc", refuseIfc, false, false, false}};
   return formats;
 }
 
@@ -137,6 +157,8 @@ extensionOfBinary (const std::string& start)
     return ".npy";
   if (begins_with ("ASTM-E57"))
     return ".e57";
+  if (begins_with ("ISO-10303-21"))
+    return ".ifc";
   return "";
 }
 

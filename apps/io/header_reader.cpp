@@ -52,6 +52,39 @@ splitWords (std::string_view line, char separator, std::vector<std::string_view>
   }
 }
 
+std::vector<std::size_t>
+HeaderReader::joinLines (std::size_t count)
+{
+  constexpr std::size_t max_lines = 8;
+  const std::string first = line_;
+  const std::uint64_t number_of_first = lines_;
+  std::vector<std::size_t> lengths = {words_.size()};
+  std::string next;
+  while (words_.size() < count && lengths.back() > 0 && lengths.size() < max_lines &&
+         readLine (next)) {
+    const std::size_t before = words_.size();
+    takeNumbers (line_ + ' ' + next, ' ');
+    lengths.push_back (words_.size() - before);
+  }
+  if (words_.size() == count && lengths.back() > 0)
+    return lengths;
+  takeNumbers (first, ' ');
+  lines_ = number_of_first; // to be named at fault
+  return {words_.size()};
+}
+
+void
+HeaderReader::nextLines (const std::vector<std::size_t>& lengths)
+{
+  std::string lines;
+  for (const std::size_t length : lengths) {
+    nextNumbers();
+    expectNumbers (length);
+    lines += line_ + ' ';
+  }
+  takeNumbers (lines, ' ');
+}
+
 HeaderReader::HeaderReader (const std::string& file, std::string format)
 : file_ (file), format_ (std::move (format)), stream_ (file, std::ios::binary)
 {
@@ -119,7 +152,29 @@ HeaderReader::readNumber (std::size_t word, const NumberType& type, void* bytes)
 {
   const std::string_view text = words_[word];
   if (!type.parse (text.empty() ? "nan" : text, bytes))
-    failAtLine ("has '" + std::string (text) + "', which is no number");
+    failAtWord (std::string (text));
+}
+
+void
+HeaderReader::failAtWord (const std::string& word) const
+{
+  const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
+  double number = 0.0;
+  std::string with_points = word;
+  std::replace (with_points.begin(), with_points.end(), ',', '.');
+  std::vector<std::string_view> parts;
+  splitWords (with_points, ' ', parts);
+  const bool are_numbers =
+      std::all_of (parts.begin(), parts.end(), [&] (std::string_view part) {
+        return type.parse (part, &number);
+      });
+  std::string problem = "which is no number";
+  if (are_numbers && parts.size() > 1)
+    problem = "several numbers between commas; decimal commas are read only where "
+              "semicolons separate the numbers";
+  else if (are_numbers)
+    problem = "a number with a decimal comma in place of a point";
+  failAtLine ("has '" + word + "', " + problem);
 }
 
 double
@@ -166,11 +221,24 @@ bool
 HeaderReader::nextWords()
 {
   while (readLine (line_)) {
+    line_.resize (std::min (line_.find ('#'), line_.size()));
     splitWords (line_, ' ', words_);
-    if (!words_.empty() && words_[0][0] != '#')
+    if (!words_.empty())
       return true;
   }
   return false;
+}
+
+void
+HeaderReader::skipMark()
+{
+  std::string mark (std::min<std::uint64_t> (3, file_size_), '\0');
+  read (mark.data(), mark.size());
+  const std::string start = mark.substr (0, 2);
+  if (start == "\xff\xfe" || start == "\xfe\xff")
+    fail ("it is UTF-16, not UTF-8");
+  if (mark != "\xef\xbb\xbf")
+    goTo (0);
 }
 
 void

@@ -96,6 +96,18 @@ public:
     return !line_.empty();
   }
 
+  /** \brief Adds the lines behind the line of numbers to it, if they make it have just
+   * so many words: RealSense's viewer writes the position of a vertex in one line, its
+   * normal and its color in the next.
+   * \return how many words each line has; one number where nothing was added */
+  std::vector<std::size_t>
+  joinLines (std::size_t count);
+
+  /** \brief Goes on to lines of numbers that have as many words, and makes them one.
+   * \param[in] lengths as from \ref joinLines */
+  void
+  nextLines (const std::vector<std::size_t>& lengths);
+
   /** \brief Takes the line that was read last for one of numbers; see \ref splitWords.
    */
   void
@@ -152,8 +164,13 @@ public:
     words_.erase (words_.begin());
   }
 
-  /** \brief Goes on to the next line with a word that does not begin with #. Of text
-   * only.
+  /** \brief Leaves out the mark of UTF-8 that a text may begin with.
+   * \throws WorkError if it is UTF-16 */
+  void
+  skipMark ();
+
+  /** \brief Goes on to the next line with a word in front of a #, which begins a
+   * comment. Of text only.
    * \return false where there is none */
   bool
   nextWords ();
@@ -185,6 +202,10 @@ public:
   }
 
 private:
+  /** \brief About a word in place of a number. */
+  [[noreturn]] void
+  failAtWord (const std::string& word) const;
+
   std::string file_, format_, line_;
   std::vector<std::string_view> words_;
   std::ifstream stream_;

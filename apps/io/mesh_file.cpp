@@ -20,6 +20,7 @@ struct OffHeader {
 OffHeader
 readOffHeader (HeaderReader& reader)
 {
+  reader.skipMark();
   if (!reader.nextWords())
     reader.failEmpty();
   const std::string first (reader.word (0));
@@ -80,6 +81,7 @@ FileCloud
 readObj (const std::string& file)
 {
   HeaderReader reader (file, "OBJ");
+  reader.skipMark();
   PointRows rows (reader);
   while (reader.nextWords()) {
     if (reader.word (0) != "v")

@@ -96,8 +96,12 @@ readSize (const HeaderReader& reader,
     return reader.count (key, line[0]);
   };
   const std::uint64_t size = value ("POINTS");
-  const std::uint64_t width = value ("WIDTH");
-  const std::uint64_t height = header.count ("HEIGHT") > 0 ? value ("HEIGHT") : 1;
+  std::uint64_t width = value ("WIDTH");
+  std::uint64_t height = header.count ("HEIGHT") > 0 ? value ("HEIGHT") : 1;
+  if (width == 0 && height <= 1) { // some writers leave the size out
+    width = size;
+    height = 1;
+  }
   if (width * height != size)
     reader.fail ("WIDTH times HEIGHT is not POINTS");
   if (size == 0)

@@ -150,13 +150,25 @@ public:
   }
 
   void
+  beginElement ()
+  {
+    line_lengths_.clear();
+  }
+
+  void
   beginRow (const PlyElement& element)
   {
     next_word_ = 0;
-    if (is_text_)
-      reader_.nextNumbers();
-    if (is_text_ && !element.has_lists)
-      reader_.expectNumbers (element.properties.size());
+    if (!is_text_)
+      return;
+    if (line_lengths_.size() > 1)
+      return reader_.nextLines (line_lengths_);
+    reader_.nextNumbers();
+    if (element.has_lists)
+      return;
+    if (line_lengths_.empty())
+      line_lengths_ = reader_.joinLines (element.properties.size());
+    reader_.expectNumbers (element.properties.size());
   }
 
   void
@@ -220,6 +232,8 @@ private:
   HeaderReader& reader_;
   bool is_text_, is_swapped_ = false;
   std::size_t next_word_ = 0;
+  /** \brief Of each line that the first row of the element is written in. */
+  std::vector<std::size_t> line_lengths_;
 };
 
 /** \brief By their places in PCL's packed color. */
@@ -288,6 +302,7 @@ readRows (PlyData& data,
 {
   const bool is_vertex = element.name == "vertex";
   std::uint8_t* point = points.data.data();
+  data.beginElement();
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     data.beginRow (element);
     for (const PlyProperty& property : element.properties) {

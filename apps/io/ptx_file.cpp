@@ -6,6 +6,7 @@
 #include "header_reader.h"
 #include "point_rows.h"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -28,7 +29,9 @@ struct PtxScan {
 class PtxReader {
 public:
   explicit PtxReader (const std::string& file) : reader_ (file, "PTX"), rows_ (reader_)
-  {}
+  {
+    reader_.skipMark();
+  }
 
   FileCloud
   read ()
@@ -84,6 +87,7 @@ private:
   PtxScan
   readScanHeader ()
   {
+    constexpr double min_determinant = 0.5; // 1 of axes
     PtxScan scan;
     scan.columns = takeCount ("its number of columns");
     nextLine();
@@ -91,6 +95,8 @@ private:
     scan.place = nextVector<3>();
     for (int axis = 0; axis < 3; ++axis)
       scan.axes.col (axis) = nextVector<3>();
+    if (std::abs (scan.axes.determinant()) < min_determinant)
+      reader_.failAtLine ("ends the axes of a scanner, which are no three directions");
     // Points are rows in front of that matrix.
     for (int row = 0; row < 4; ++row)
       scan.transform.matrix().col (row) = nextVector<4>();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include "cloud_formats.h"
@@ -98,6 +99,63 @@ wordsOf (const std::string& line)
   return words;
 }
 
+/** \brief The parts of a line between quotes: those of odd index are within. None where
+ * a quote has no other. */
+std::vector<std::string>
+quotedParts (const std::string& line)
+{
+  std::vector<std::string> parts (1);
+  for (const char c : line)
+    if (c == '"')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  if (parts.size() % 2 == 0)
+    parts.clear();
+  return parts;
+}
+
+/** \brief Takes the quotes off all words, and from within them what separates words. */
+void
+removeQuotes (const HeaderReader& reader, std::string& line)
+{
+  std::vector<std::string> parts = quotedParts (line);
+  if (parts.size() < 2)
+    return;
+  std::string outside;
+  for (std::size_t i = 0; i < parts.size(); i += 2)
+    outside += parts[i];
+  const char separator = separatorOf (outside);
+  const std::string taken = separator == ';' ? ";" : separator == ',' ? ",;" : ",; \t";
+  for (std::size_t i = 1; i < parts.size(); i += 2) {
+    const bool is_number =
+        parts[i].find_first_not_of ("0123456789+-.,") == std::string::npos;
+    if (is_number && taken[0] == ',' && parts[i].find (',') != std::string::npos)
+      reader.failAtLine ("has '" + parts[i] +
+                         "', a number with a decimal comma in place of a point");
+    for (char& c : parts[i])
+      c = taken.find (c) == std::string::npos ? c : '_';
+  }
+  line = boost::algorithm::join (parts, "");
+}
+
+/** \brief Whether commas may separate the digits of decimals: a whole number has no
+ * zero in front, and 3,05 has. */
+bool
+mayHaveDecimalCommas (const HeaderReader& reader)
+{
+  constexpr std::size_t min_words = 6; // of three decimals
+  bool has_zero = false;
+  for (std::size_t i = 0; i < reader.wordCount(); ++i) {
+    const std::string_view word = reader.word (i);
+    const std::size_t sign = !word.empty() && word[0] == '-' ? 1 : 0;
+    if (word.find_first_not_of ("0123456789", sign) != std::string_view::npos)
+      return false;
+    has_zero = has_zero || (i > 0 && word.size() > 1 && word[0] == '0');
+  }
+  return has_zero && reader.wordCount() >= min_words;
+}
+
 /** \brief Whether these can be names of columns: one is, none is a number. */
 bool
 areNames (const Words& words)
@@ -168,14 +226,7 @@ class TextReader {
 public:
   explicit TextReader (const std::string& file) : file_ (file), reader_ (file, "text")
   {
-    // The mark of UTF-8 is left out.
-    std::string mark (std::min<std::uint64_t> (3, reader_.fileSize()), '\0');
-    reader_.read (mark.data(), mark.size());
-    const std::string start = mark.substr (0, 2);
-    if (start == "\xff\xfe" || start == "\xfe\xff")
-      reader_.fail ("it is UTF-16, not UTF-8");
-    if (mark != "\xef\xbb\xbf")
-      reader_.goTo (0);
+    reader_.skipMark();
     if (extensionOf (file) == ".xyzrgb")
       comment_names_ = {"x", "y", "z", "r", "g", "b"};
   }
@@ -216,6 +267,7 @@ private:
   {
     while (reader_.readLine (line_)) {
       line_.resize (line_.find_last_not_of (" \t\r") + 1);
+      removeQuotes (reader_, line_);
       if (line_.find ('\r') != std::string::npos)
         reader_.failAtLine ("has a carriage return within, as if it were several");
       const std::size_t begin = line_.find_first_not_of (" \t");
@@ -243,6 +295,9 @@ private:
     if (separator_ == ';') // a comma is that of decimals
       std::replace (line_.begin(), line_.end(), ',', '.');
     reader_.takeNumbers (line_, separator_);
+    if (separator_ == ',' && names_.empty() && mayHaveDecimalCommas (reader_))
+      reader_.failAtLine ("has whole numbers with zeros in front, as if commas were "
+                          "decimal points, too");
   }
 
   /** \brief Reads up to the first point, that too. */
