@@ -48,8 +48,8 @@ toString (PlaneKind kind);
  * \param[in] up against gravity, any length but 0
  * \param[in] meter the length of a meter in the unit of the planes
  * \return one for each plane
- * \throw std::invalid_argument if there is not one extent for each plane, or up or meter
- * are no direction and no length */
+ * \throw std::invalid_argument if there is not one extent for each plane, up or meter are
+ * no direction and no length, or a plane or its extent is not finite in meters */
 PCL_OPS_EXPORT std::vector<PlaneKind>
 planeKinds (const std::vector<PlaneSegment>& planes,
             const std::vector<PlaneExtent>& extents,

@@ -66,7 +66,8 @@ struct RegularizedPlanes {
  * Alliez, *LOD generation for urban scenes*, ACM Transactions on Graphics 34, 2015, as
  * CGAL's regularize_planes, without its symmetry about an axis). A plane that would be
  * moved by more than max_displacement stays as it was, and the others do not follow it.
- * \throw std::invalid_argument if there is a problem with the parameters */
+ * \throw std::invalid_argument if there is a problem with the parameters, or a
+ * centroid or normal is not finite */
 PCL_OPS_EXPORT RegularizedPlanes
 regularizePlanes (
     const std::vector<PlaneSegment>& planes,

@@ -65,6 +65,17 @@ shapeOf (const PlaneSegment& plane,
   return shape;
 }
 
+/** \brief Heights that are no numbers have no order, and make stories without end. */
+void
+checkIsFinite (const PlaneShape& shape)
+{
+  const Vector3d all = shape.normal + shape.center + shape.long_axis + shape.short_axis;
+  const double sum = shape.length + shape.width + shape.area + shape.slope +
+                     shape.middle + shape.low + shape.high;
+  if (!all.allFinite() || !std::isfinite (sum))
+    throw std::invalid_argument ("planes and their extents must be finite in meters");
+}
+
 std::vector<Story>
 storiesOf (const std::vector<PlaneShape>& shapes)
 {
@@ -303,10 +314,12 @@ planeKinds (const std::vector<PlaneSegment>& planes,
     throw std::invalid_argument ("the up axis must be a direction");
   if (!(meter > 0.0 && std::isfinite (meter)))
     throw std::invalid_argument ("a meter must be a length above 0");
-  const Vector3d axis = up.normalized();
+  const Vector3d axis = up.stableNormalized();
   std::vector<PlaneShape> shapes;
-  for (std::size_t i = 0; i < planes.size(); ++i)
+  for (std::size_t i = 0; i < planes.size(); ++i) {
     shapes.push_back (shapeOf (planes[i], extents[i], axis, meter));
+    checkIsFinite (shapes.back());
+  }
   const std::vector<Story> stories = storiesOf (shapes);
   std::vector<PlaneKind> kinds;
   for (const PlaneShape& shape : shapes)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace pcl_ops {
 namespace {
@@ -318,6 +319,9 @@ regularizePlanes (const std::vector<PlaneSegment>& planes,
                   const PlaneRegularizationParameters& parameters)
 {
   detail::throwOn (validate (parameters));
+  for (const PlaneSegment& plane : planes)
+    if (!plane.centroid.allFinite() || !std::isfinite (plane.normal.squaredNorm()))
+      throw std::invalid_argument ("planes must have finite centroids and normals");
   return Regularization (planes, parameters).run();
 }
 

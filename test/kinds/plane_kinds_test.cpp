@@ -4,6 +4,7 @@
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane_kinds.h>
 
+#include <limits>
 #include <stdexcept>
 
 using Eigen::Vector3d;
@@ -245,4 +246,24 @@ TEST (PlaneKinds, RefuseWhatHasNoMeaning)
   EXPECT_THROW (planeKinds (room.planes, room.extents, {0, 0, 0}),
                 std::invalid_argument);
   EXPECT_THROW (planeKinds (room.planes, room.extents, up, 0.0), std::invalid_argument);
+}
+
+TEST (PlaneKinds, RefusePlanesWithoutAHeight)
+{
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  Rectangles room = shell();
+  const Vector3d up = Vector3d::UnitZ();
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up, 1e-320),
+                std::invalid_argument);
+  room.planes[0].centroid.z() = not_a_number;
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up), std::invalid_argument);
+}
+
+TEST (PlaneKinds, FollowAnUpAxisOfAnyLength)
+{
+  const Rectangles room = shell();
+  const std::vector<PlaneKind> kinds =
+      planeKinds (room.planes, room.extents, Vector3d::UnitZ());
+  for (const double length : {1e-320, 1e300})
+    EXPECT_EQ (planeKinds (room.planes, room.extents, {0, 0, length}), kinds) << length;
 }

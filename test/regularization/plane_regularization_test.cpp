@@ -3,6 +3,7 @@
 #include "scene.h"
 #include <pcl_ops/plane_regularization.h>
 
+#include <limits>
 #include <stdexcept>
 
 using Eigen::Vector3d;
@@ -184,4 +185,17 @@ TEST (PlaneRegularization, RefusesWhatHasNoMeaning)
   wrong = {};
   wrong.max_offset = -1.0;
   EXPECT_THROW (scene.regularized (wrong), std::invalid_argument);
+}
+
+TEST (PlaneRegularization, RefusesPlanesThatAreNotFinite)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double length : {1e200, infinite}) {
+    std::vector<PlaneSegment> planes = box().planes;
+    planes[0].normal = Vector3d (0.0, 0.0, length);
+    EXPECT_THROW (regularizePlanes (planes), std::invalid_argument) << length;
+  }
+  std::vector<PlaneSegment> planes = box().planes;
+  planes[0].centroid.x() = infinite;
+  EXPECT_THROW (regularizePlanes (planes), std::invalid_argument);
 }
