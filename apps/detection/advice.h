@@ -83,6 +83,15 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
         ": raise --sampling-rate (",
         parameters.sampling_rate,
         ") or lower --min-inliers");
+  constexpr double few = 8.0; // a plane through fewer is that of any noise
+  const std::optional<double>& size = parameters.surfels.voxel_size;
+  const double held = size ? medianSphereSize (points, *size) : few;
+  if (held < few)
+    return concatenate ("half of the voxels of --voxel-size ",
+                        *size,
+                        " hold ",
+                        held,
+                        " points or fewer: raise it, or leave it out");
   const std::optional<double>& threshold = parameters.distance_threshold;
   return concatenate ("lower --min-inliers (",
                       parameters.min_samples,
@@ -138,6 +147,21 @@ adviceOn (const KernelHoughTransformParameters& parameters,
                       ") for more of them");
 }
 
+/** \brief The share of points on planes below which a parameter does not fit. */
+inline double
+minShareOf (const OrientedPointSamplingParameters& parameters)
+{
+  // Voxels that hold few points find planes here and there.
+  return parameters.surfels.voxel_size ? 0.1 : 0.05;
+}
+
+template <typename Parameters>
+double
+minShareOf (const Parameters&)
+{
+  return 0.05;
+}
+
 /** \brief Which parameter to change where so few of the points with coordinates are on
  * planes that most likely one does not fit the cloud: the end of a sentence. */
 template <typename Parameters>
@@ -146,7 +170,7 @@ adviceFor (const Parameters& parameters,
            const XyzCloud& cloud,
            const std::vector<PlaneSegment>& planes)
 {
-  constexpr double min_share = 0.05;
+  const double min_share = minShareOf (parameters);
   const auto readings = std::count_if (
       cloud.begin(), cloud.end(), [] (auto& point) { return pcl::isFinite (point); });
   std::size_t covered = 0;

@@ -39,6 +39,21 @@ TEST (Advice, IsSilentOnAFloorThatBendsALittle)
   EXPECT_EQ (hintOn ([] (double x, double) { return 0.005 * std::sin (x); }), "");
 }
 
+TEST (Advice, NamesTheVoxelSizeWhereVoxelsHoldHardlyAPoint)
+{
+  OrientedPointSamplingParameters ops;
+  XyzCloud cloud;
+  for (int i = 0; i < 100; ++i)
+    cloud.emplace_back (float (i / 10), float (i % 10), 0.0f);
+  ops.surfels.voxel_size = 0.1;
+  EXPECT_EQ (
+      adviceFor (ops, cloud, {}),
+      "half of the voxels of --voxel-size 0.1 hold 1 points or fewer: raise it, or "
+      "leave it out");
+  ops.surfels.voxel_size = 10.0;
+  EXPECT_EQ (adviceFor (ops, cloud, {}).find ("--voxel-size"), std::string::npos);
+}
+
 TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheReadings)
 {
   constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
