@@ -110,6 +110,17 @@ nameIn (const std::string& token)
   return token == "-h" ? "help" : token.substr (begin, token.find ('=') - begin);
 }
 
+/** \brief Refuses the name of a file that begins as an option: no option has a point or
+ * a slash in its name. */
+void
+refuseFileName (const std::string& token)
+{
+  const std::string name = token.substr (0, token.find ('='));
+  if (token[1] != '-' && name.find_first_of ("./") != std::string::npos)
+    throw UsageError (token,
+                      "is no option of this program; if it is a file give ./" + token);
+}
+
 /** \brief The value of an option, if it has one; goes on to the token that has it. */
 std::string
 takeValue (const Option& option, const char* const*& token, const char* const* end)
@@ -348,6 +359,7 @@ CommandLine::parse (int argc, const char* const* argv)
       arguments.emplace_back (*token);
       continue;
     }
+    refuseFileName (*token);
     const std::string name = nameIn (*token);
     const Option& option = find (groups_, name);
     options.emplace_back (&option, takeValue (option, token, end));

@@ -5,6 +5,9 @@
 #include <pcl/console/print.h>
 
 #include "errors.h"
+#include "text.h"
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -50,6 +53,23 @@ noteSignal (int signal)
 
 std::string running_program;
 
+/** \brief Keeps the numbers of standard streams that are closed from the files that a
+ * program opens: what it prints would go into one of them.
+ * \return whether there is a standard output */
+bool
+holdClosedStreams ()
+{
+  bool has_output = true;
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl (stream, F_GETFD) == -1) {
+      // It gets the lowest number that is free, and is opened the wrong way around.
+      static_cast<void> (
+          ::open ("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+      has_output = has_output && stream != STDOUT_FILENO;
+    }
+  return has_output;
+}
+
 int
 fail (const std::string& message, ExitCode code)
 {
@@ -63,8 +83,7 @@ fail (const std::string& message, ExitCode code)
 std::string
 errorLine (std::string message)
 {
-  std::replace (message.begin(), message.end(), '\n', ' ');
-  return running_program + ": " + message;
+  return running_program + ": " + oneLine (std::move (message));
 }
 
 void
@@ -79,10 +98,14 @@ runProgram (const std::string& name, const std::function<int()>& body)
   running_program = name;
   std::signal (SIGXFSZ, SIG_IGN);
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  const bool has_output = holdClosedStreams();
   try {
     const int code = body();
     if (!std::cout.flush())
-      throw WorkError ("standard output", "cannot be written; is its disk full?");
+      throw WorkError ("standard output",
+                       has_output
+                           ? "cannot be written; is its disk full?"
+                           : "is closed; give >/dev/null or --quiet to go without");
     return code;
   }
   catch (const UsageError& error) {

@@ -18,4 +18,18 @@ concatenate (const Values&... values)
   return text.str();
 }
 
+/** \brief With a blank in place of each line break, which names of files may have. */
+inline std::string
+oneLine (std::string text)
+{
+  for (char& c : text)
+    c = c == '\n' || c == '\r' ? ' ' : c;
+  return text;
+}
+
+/** \brief With U+FFFD in place of each byte that is no part of a character of UTF-8, as
+ * names of files may have. */
+std::string
+validUtf8 (const std::string& text);
+
 } // namespace pcl_ops::apps

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "drawing.h"
+#include <cli/text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ std::string
 escaped (const std::string& text)
 {
   std::string written;
-  for (const char c : text)
+  for (const char c : validUtf8 (text))
     switch (c) {
     case '&':
       written += "&amp;";

@@ -8,6 +8,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
+#include <cli/text.h>
 #include <detection/common_up.h>
 #include <io/las_file.h>
 #include <io/pose_file.h>
@@ -445,7 +446,7 @@ private:
     if (!status.problem.empty())
       progress_.note (errorLine (status.problem), std::cerr);
     if (status.end == Status::Done && !options_.quiet)
-      progress_.note (status.summary, std::cout);
+      progress_.note (oneLine (status.summary), std::cout);
   }
 
   int
