@@ -38,6 +38,27 @@ pointsOf (const SortedPoints& points, const TileKey& tile)
   return all;
 }
 
+/** \brief A line with the checksum of a text of whole words. */
+std::string
+sumOf (const std::string& file, std::string text)
+{
+  text.resize ((text.size() / sizeof (std::uint32_t) + 1) * sizeof (std::uint32_t),
+               ' ');
+  Checksum sum (file);
+  sum.add (text.data(), text.size());
+  return std::to_string (sum.value()) + "\n";
+}
+
+void
+saveNumbers (const std::string& file, const std::vector<std::uint32_t>& numbers)
+{
+  writeFile (file, [&] (std::ostream& stream) {
+    BinaryWriter write (stream, file);
+    write (numbers);
+    write.finish();
+  });
+}
+
 /** \brief Refuses points that are not those that the other phases saw, or will see. */
 void
 checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
@@ -53,23 +74,19 @@ checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
 class TileLabels {
 public:
   TileLabels (const RunFolder& folder, const TileKey& tile, std::size_t input)
-  : file_ (folder.labels (tile, input))
+  : file_ (folder.labels (tile, input)), sum_ (file_)
   {
     BinaryReader read (folder.ofTile (tile, ".numbers"));
     read (numbers_);
+    read.finish();
   }
 
   std::uint32_t
   next ()
   {
     constexpr std::uint64_t most = 4096;
-    if (used_ % most == 0) {
-      BinaryReader read (file_);
-      const std::uint64_t left = read.size / sizeof (std::uint32_t) - used_;
-      pieces_.resize (std::min (most, left));
-      read.stream.seekg (used_ * sizeof (std::uint32_t));
-      read (pieces_.data(), pieces_.size());
-    }
+    if (used_ % most == 0)
+      readPieces (most);
     if (used_ % most == pieces_.size())
       throw WorkError (file_, "has too few labels; remove its folder and run it again");
     const std::uint32_t piece = pieces_[used_++ % most];
@@ -79,7 +96,27 @@ public:
   }
 
 private:
+  /** \brief Reads the next ones, at most so many, and with the last ones the checksum
+   * of all. */
+  void
+  readPieces (std::uint64_t most)
+  {
+    BinaryReader read (file_);
+    if (read.size < (used_ + 2) * sizeof (std::uint32_t))
+      read.fail();
+    const std::uint64_t left = read.size / sizeof (std::uint32_t) - 2 - used_;
+    pieces_.resize (std::min (most, left));
+    read.stream.seekg (used_ * sizeof (std::uint32_t));
+    read.sum = sum_;
+    read (pieces_.data(), pieces_.size());
+    sum_ = read.sum;
+    if (pieces_.size() == left)
+      read.finish();
+  }
+
   std::string file_;
+  /** \brief Of the pieces that were read so far. */
+  Checksum sum_;
   /** \brief Of the tile's pieces. */
   std::vector<std::uint32_t> numbers_;
   std::vector<std::uint32_t> pieces_;
@@ -122,9 +159,14 @@ RunFolder::clean() const
 void
 RunFolder::finish() const
 {
+  const std::string file = work (run_file::list);
+  std::string list = readTextFile (file, "planes.json");
+  const std::size_t end = list.rfind ('\n', list.size() - 2) + 1; // of all but its sum
+  if (list.size() < 2 || list.substr (end) != sumOf (file, list.substr (0, end)))
+    BinaryReader (file).fail();
+  list.resize (end);
   // As a text: a stream that takes another one does not tell that the disk became full.
-  writeTextFile (output (planes_file),
-                 readTextFile (work (run_file::list), "planes.json"));
+  writeTextFile (output (planes_file), list);
   writeTextFile (work (run_file::end), "");
 }
 
@@ -134,7 +176,7 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
   const TileGrid& grid = plan.grid;
   PointFile points (plan.inputs[input].file);
   writeFile (folder.cells (input), [&] (std::ostream& stream) {
-    CellFileWriter writer (stream);
+    CellFileWriter writer (stream, folder.cells (input));
     points.forPlaces ([&] (const Eigen::Vector3d& place) {
       if (!grid.reaches (place))
         return;
@@ -176,8 +218,11 @@ detectTile (const Plan& plan,
   const TileDetection found = detectInTile (plan.grid, seen);
   const std::uint32_t* labels = found.labels.data();
   for (const auto& [input, count] : seen.own_of_input) {
-    writeFile (folder.labels (tile, input), [&, count = count] (std::ostream& stream) {
-      BinaryWriter{stream}(labels, count);
+    const std::string file = folder.labels (tile, input);
+    writeFile (file, [&, count = count] (std::ostream& stream) {
+      BinaryWriter write (stream, file);
+      write (labels, count);
+      write.finish();
     });
     labels += count;
   }
@@ -192,10 +237,10 @@ joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points
     return loadTilePlanes (folder.ofTile (tile, ".planes"));
   });
   for (std::size_t i = 0; i < tiles.size(); ++i)
-    writeFile (folder.ofTile (tiles[i], ".numbers"),
-               [&] (std::ostream& stream) { BinaryWriter{stream}(joined.numbers[i]); });
+    saveNumbers (folder.ofTile (tiles[i], ".numbers"), joined.numbers[i]);
+  const std::string list = toJson (plan, tiles.size(), joined.planes);
   writeTextFile (folder.work (run_file::list),
-                 toJson (plan, tiles.size(), joined.planes));
+                 list + sumOf (folder.work (run_file::list), list));
 }
 
 void

@@ -25,7 +25,7 @@ namespace {
 
 /** \brief Of what the phases of a run leave for each other: one more with each change.
  */
-constexpr int format_of_files = 4;
+constexpr int format_of_files = 5;
 
 PlannedInput
 stateOf (const std::string& file)

@@ -9,24 +9,75 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-// Files that only a run and its continuation read.
+// Files that only a run and its continuation read. Each has checksums, also of its
+// name: what a bad disk or a copy changed is refused.
 
 namespace pcl_ops::apps {
 
+/** \brief Of bytes in words of four, as FNV-1a has it: no two files that differ in one
+ * word have the same. */
+class Checksum {
+public:
+  /** \param[in] file whose name counts, not its folder */
+  explicit Checksum (const std::string& file)
+  {
+    for (const char c : std::filesystem::path (file).filename().string())
+      addWord (static_cast<unsigned char> (c));
+  }
+
+  void
+  add (const void* bytes, std::size_t size)
+  {
+    const auto* const begin = static_cast<const char*> (bytes);
+    for (std::size_t i = 0; i + sizeof (std::uint32_t) <= size;
+         i += sizeof (std::uint32_t)) {
+      std::uint32_t word;
+      std::memcpy (&word, begin + i, sizeof (word));
+      addWord (word);
+    }
+  }
+
+  std::uint64_t
+  value () const
+  {
+    return value_;
+  }
+
+private:
+  void
+  addWord (std::uint32_t word)
+  {
+    constexpr std::uint64_t prime = 0x100000001b3;
+    value_ = (value_ ^ word) * prime;
+  }
+
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
 /** \brief Writes numbers as this machine has them. */
 struct BinaryWriter {
+  /** \param[in] file the name it will have */
+  BinaryWriter (std::ostream& output, const std::string& file)
+  : stream (output), sum (file)
+  {}
+
   template <typename Number>
   void
   operator() (const Number* numbers, std::size_t count)
   {
     static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
+    static_assert (sizeof (Number) % sizeof (std::uint32_t) == 0, "a sum has them all");
     stream.write (reinterpret_cast<const char*> (numbers), count * sizeof (Number));
+    sum.add (numbers, count * sizeof (Number));
   }
 
   template <typename Number>
@@ -38,13 +89,22 @@ struct BinaryWriter {
     (*this) (numbers.data(), numbers.size());
   }
 
+  /** \brief Writes the checksum of all numbers. */
+  void
+  finish ()
+  {
+    const std::uint64_t value = sum.value();
+    stream.write (reinterpret_cast<const char*> (&value), sizeof (value));
+  }
+
   std::ostream& stream;
+  Checksum sum;
 };
 
 /** \brief Reads them, or throws a WorkError that names the file. */
 struct BinaryReader {
   explicit BinaryReader (const std::string& name)
-  : file (name), stream (name, std::ios::binary | std::ios::ate)
+  : file (name), stream (name, std::ios::binary | std::ios::ate), sum (name)
   {
     if (!stream)
       throw WorkError (file, "cannot be read; remove its folder and run it again");
@@ -59,6 +119,7 @@ struct BinaryReader {
     static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
     if (!stream.read (reinterpret_cast<char*> (numbers), count * sizeof (Number)))
       fail();
+    sum.add (numbers, count * sizeof (Number));
   }
 
   template <typename Number>
@@ -73,6 +134,25 @@ struct BinaryReader {
     (*this) (numbers.data(), count);
   }
 
+  /** \throws WorkError unless the checksum of all numbers that were read follows */
+  void
+  expectSum ()
+  {
+    std::uint64_t value = 0;
+    if (!stream.read (reinterpret_cast<char*> (&value), sizeof (value)) ||
+        value != sum.value())
+      fail();
+  }
+
+  /** \brief That, and then the end of the file. */
+  void
+  finish ()
+  {
+    expectSum();
+    if (static_cast<std::uint64_t> (stream.tellg()) != size)
+      fail();
+  }
+
   [[noreturn]] void
   fail () const
   {
@@ -82,6 +162,7 @@ struct BinaryReader {
   std::string file;
   std::ifstream stream;
   std::uint64_t size = 0;
+  Checksum sum;
 };
 
 /** \brief x and y of a tile, and 0 for its own points or 1 for those of its halo. */
@@ -91,12 +172,17 @@ using BlockKey = std::array<std::int64_t, 3>;
 struct Block {
   BlockKey key{};
   std::uint64_t offset = 0, points = 0;
+  /** \brief A \ref Checksum. */
+  std::uint64_t sum = 0;
 };
 
 /** \brief Writes points sorted into blocks, with few of them in memory. */
 class CellFileWriter {
 public:
-  explicit CellFileWriter (std::ostream& stream) : stream_ (stream) {}
+  /** \param[in] file the name it will have */
+  CellFileWriter (std::ostream& stream, std::string file)
+  : stream_ (stream), file_ (std::move (file))
+  {}
 
   /** \param[in] point in the frame of the tile */
   void
@@ -115,9 +201,11 @@ public:
   finish ()
   {
     flush();
-    BinaryWriter write{stream_};
-    write (blocks_);
+    BinaryWriter write (stream_, file_);
     write (&offset_, 1);
+    write (blocks_);
+    write.finish();
+    stream_.write (reinterpret_cast<const char*> (&offset_), sizeof (offset_));
   }
 
 private:
@@ -125,8 +213,9 @@ private:
   flush ()
   {
     for (const auto& [key, points] : waiting_) {
-      blocks_.push_back ({key, offset_, points.size()});
-      BinaryWriter{stream_}(points.front().data(), 3 * points.size());
+      BinaryWriter write (stream_, file_);
+      write (points.front().data(), 3 * points.size());
+      blocks_.push_back ({key, offset_, points.size(), write.sum.value()});
       offset_ += points.size() * sizeof (points.front());
     }
     waiting_.clear();
@@ -135,6 +224,7 @@ private:
   }
 
   std::ostream& stream_;
+  std::string file_;
   std::map<BlockKey, std::vector<Eigen::Vector3f>> waiting_;
   /** \brief Those of the last key, which the next point mostly has, too. */
   decltype (waiting_)::iterator last_ = waiting_.end();
@@ -147,13 +237,16 @@ struct CellFile {
   /** \throws WorkError if it cannot be read */
   explicit CellFile (const std::string& name) : file (name)
   {
+    const std::uint64_t end_of_points = endOfPoints();
     BinaryReader read (file);
-    std::uint64_t end_of_points = 0;
-    read.stream.seekg (read.size - sizeof (end_of_points));
-    read (&end_of_points, 1);
     read.stream.seekg (end_of_points);
+    std::uint64_t end = 0;
+    read (&end, 1);
     std::vector<Block> all;
     read (all);
+    read.expectSum();
+    if (end != end_of_points)
+      read.fail();
     for (const Block& block : all)
       blocks[block.key].push_back (block);
   }
@@ -180,8 +273,22 @@ struct CellFile {
       const std::size_t before = points.size();
       points.resize (before + block.points);
       read.stream.seekg (block.offset);
+      read.sum = Checksum (file);
       read (points[before].data(), 3 * block.points);
+      if (read.sum.value() != block.sum)
+        read.fail();
     }
+  }
+
+  /** \brief Where the index of blocks begins: the last number of the file. */
+  std::uint64_t
+  endOfPoints () const
+  {
+    BinaryReader read (file);
+    std::uint64_t end = 0;
+    read.stream.seekg (read.size - sizeof (end));
+    read (&end, 1);
+    return end;
   }
 
   std::string file;

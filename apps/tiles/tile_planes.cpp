@@ -102,12 +102,13 @@ void
 saveTilePlanes (const std::string& file, const TilePlanes& planes)
 {
   writeFile (file, [&] (std::ostream& stream) {
-    BinaryWriter write{stream};
+    BinaryWriter write (stream, file);
     const std::uint64_t pieces = planes.pieces.size();
     write (&pieces, 1);
     for (const Piece& piece : planes.pieces)
       transfer (write, piece);
     write (planes.border_voxels);
+    write.finish();
   });
 }
 
@@ -120,6 +121,7 @@ loadTilePlanes (const std::string& file)
   for (read (&pieces, 1); planes.pieces.size() < pieces;)
     transfer (read, planes.pieces.emplace_back());
   read (planes.border_voxels);
+  read.finish();
   return planes;
 }
 

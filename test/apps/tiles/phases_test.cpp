@@ -8,37 +8,132 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 
 namespace fs = std::filesystem;
 using namespace pcl_ops::apps;
 
 namespace {
 
+/** \brief A floor of 8 m in tiles of an edge, up to where its points get labels. */
+struct FloorRun {
+  explicit FloorRun (double edge_of_tile)
+  : run{folder / "out"}
+  , input (folder.write ("floor.xyz", floor()))
+  , plan (makePlan ({input}, {0.5, edge_of_tile}))
+  {
+    run.make();
+    partitionInput (plan, run, 0);
+    detect();
+    join();
+  }
+
+  static std::string
+  floor ()
+  {
+    std::string points;
+    for (int i = 0; i < 40; ++i)
+      for (int k = 0; k < 40; ++k)
+        points += std::to_string (0.2 * i) + " " + std::to_string (0.2 * k) + " 0\n";
+    return points;
+  }
+
+  void
+  detect () const
+  {
+    const SortedPoints points (plan, run);
+    for (const TileKey& tile : points.tiles)
+      detectTile (plan, run, points, tile);
+  }
+
+  void
+  join () const
+  {
+    joinTiles (plan, run, SortedPoints (plan, run));
+  }
+
+  /** \brief Places in a file: its ends and some between, of points those of a tile. */
+  static std::vector<std::size_t>
+  placesIn (const std::string& file)
+  {
+    const std::size_t size = fs::file_size (file);
+    if (fs::path (file).extension() != ".cells")
+      return {0, size / 3, size / 2, size - 1};
+    for (const auto& [key, blocks] : CellFile (file).blocks)
+      if (key[2] == 0)
+        return {blocks.front().offset, blocks.front().offset + 100, size - 1};
+    return {};
+  }
+
+  std::vector<std::string>
+  filesWith (const std::string& extension) const
+  {
+    std::vector<std::string> files;
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator (run.work ("")))
+      if (entry.path().extension() == extension)
+        files.push_back (entry.path().string());
+    return files;
+  }
+
+  TemporaryFolder folder;
+  RunFolder run;
+  std::string input;
+  Plan plan;
+};
+
 TEST (Phases, RefuseAnInputThatHasChanged)
 {
-  const TemporaryFolder folder;
-  const RunFolder run{folder / "out"};
-  std::string floor;
-  for (int i = 0; i < 40; ++i)
-    for (int k = 0; k < 40; ++k)
-      floor += std::to_string (0.1 * i) + " " + std::to_string (0.1 * k) + " 0\n";
-  const std::string input = folder.write ("floor.xyz", floor);
-  const Plan plan = makePlan ({input}, {0.5, 10.0});
-  run.make();
-  partitionInput (plan, run, 0);
-  const SortedPoints points (plan, run);
-  for (const TileKey& tile : points.tiles)
-    detectTile (plan, run, points, tile);
-  joinTiles (plan, run, points);
-
+  const FloorRun floor (10.0);
+  const TemporaryFolder& folder = floor.folder;
+  const RunFolder& run = floor.run;
+  const std::string& input = floor.input;
   fs::remove (run.cells (0));
   fs::last_write_time (input, fs::last_write_time (input) + std::chrono::seconds (1));
   const std::string complaint = input + ": has changed since the run began; remove " +
                                 (folder / "out/work") + " and run it again";
-  EXPECT_EQ (complaintOf ([&] { partitionInput (plan, run, 0); }), complaint);
-  EXPECT_EQ (complaintOf ([&] { labelInput (plan, run, 0); }), complaint);
-  for (const std::string& file : {run.cells (0), outputOf (plan, run, 0), run.mark (0)})
+  EXPECT_EQ (complaintOf ([&] { partitionInput (floor.plan, run, 0); }), complaint);
+  EXPECT_EQ (complaintOf ([&] { labelInput (floor.plan, run, 0); }), complaint);
+  for (const std::string& file :
+       {run.cells (0), outputOf (floor.plan, run, 0), run.mark (0)})
     EXPECT_FALSE (isThere (file)) << file;
+}
+
+TEST (Phases, RefuseAFileOfTheirsInWhichABitChanged)
+{
+  const FloorRun floor (10.0);
+  const std::pair<std::string, std::function<void()>> readers[] = {
+      {".cells", [&] { floor.detect(); }},
+      {".planes", [&] { floor.join(); }},
+      {".numbers", [&] { labelInput (floor.plan, floor.run, 0); }},
+      {".labels", [&] { labelInput (floor.plan, floor.run, 0); }},
+      {".json", [&] { floor.run.finish(); }}};
+  for (const auto& [extension, read] : readers) {
+    const std::string file = extension == ".json" ? floor.run.work (run_file::list)
+                                                  : floor.filesWith (extension).at (0);
+    const std::string right = contentOf (file);
+    for (const std::size_t place : FloorRun::placesIn (file)) {
+      std::string damaged = right;
+      damaged[place] ^= 1;
+      std::ofstream (file, std::ios::binary) << damaged;
+      EXPECT_EQ (complaintOf (read),
+                 file + ": is damaged; remove its folder and run it again")
+          << place;
+    }
+    std::ofstream (file, std::ios::binary) << right;
+    read();
+  }
+}
+
+TEST (Phases, RefuseTheFileOfAnotherTile)
+{
+  const FloorRun floor (6.0);
+  const std::vector<std::string> files = floor.filesWith (".planes");
+  ASSERT_GT (files.size(), 1u);
+  fs::copy_file (files[0], files[1], fs::copy_options::overwrite_existing);
+  EXPECT_EQ (complaintOf ([&] { floor.join(); }),
+             files[1] + ": is damaged; remove its folder and run it again");
 }
 
 const BlockKey keys[] = {{0, 0, 0}, {0, 0, 1}, {-3, 7, 0}};
@@ -49,7 +144,7 @@ TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
   const TemporaryFolder folder;
   {
     std::ofstream stream (folder / "0.cells", std::ios::binary);
-    CellFileWriter writer (stream);
+    CellFileWriter writer (stream, "0.cells");
     for (int i = 0; i < turns; ++i)
       for (const BlockKey& key : keys)
         writer.add (key, Eigen::Vector3i (i, key[1], key[2]).cast<float>());
