@@ -173,6 +173,13 @@ class Reader(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, name):
                 pcl_ops.read(self.file(name, "broken\n"))
 
+    def test_leaves_the_descriptors_of_its_caller_open(self):
+        with open(self.file("a.xyz", "1 2 3\n"), encoding="ascii") as file:
+            for path in (file.fileno(), True):
+                with self.assertRaisesRegex(ValueError, "path: has to be the name of a file"):
+                    pcl_ops.read(path)
+            self.assertEqual(file.read(), "1 2 3\n")
+
 
 class Writer(unittest.TestCase):
     def setUp(self):

@@ -50,6 +50,8 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
     """
     from . import _files  # what it needs takes longer to load than all else
 
+    if not isinstance(path, (str, bytes, os.PathLike)):  # open takes the caller's descriptors
+        raise ValueError(f"path: has to be the name of a file, not {path!r:.80}")
     with open(path, "rb"):
         pass
     file = _files.load(os.fsencode(path))
