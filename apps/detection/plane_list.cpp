@@ -516,6 +516,14 @@ polygonsIn (const Json& plane)
 }
 
 void
+declareMeter (CommandLine& line, double& meter)
+{
+  constexpr double largest = 1e6;
+  line.add ("meter N", meter, from (1.0 / largest).upTo (largest))
+      .help ("units of the cloud in a meter, for kinds and plans: 1000 of mm (1)");
+}
+
+void
 declareMap (CommandLine& line, MapOptions& options)
 {
   line.add ("crs EPSG:N",

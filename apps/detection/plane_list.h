@@ -107,6 +107,11 @@ struct MapOptions {
 void
 declareMap (CommandLine& line, MapOptions& options);
 
+/** \param[out] meter its length in the unit of the clouds, where rules on buildings
+ * need it */
+void
+declareMeter (CommandLine& line, double& meter);
+
 /** \param[in] maps other files that may name a reference system
  * \throws UsageError if an option was given that has no meaning to files so called */
 void

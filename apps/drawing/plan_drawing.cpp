@@ -81,10 +81,11 @@ rounded (double length)
   return std::round (millimeters_of_meter * length) / millimeters_of_meter + 0.0;
 }
 
+/** \brief In the unit of the cloud, which the system of coordinates has. */
 Json
-toCoordinates (const Eigen::Vector2d& place)
+toCoordinates (const Eigen::Vector2d& place, double meter)
 {
-  return {rounded (place.x()), rounded (place.y())};
+  return {meter * rounded (place.x()), meter * rounded (place.y())};
 }
 
 Json
@@ -106,11 +107,12 @@ lengthOrNull (const std::optional<double>& length)
 Json
 wallFeature (const PlanWall& wall,
              std::size_t number,
-             const std::vector<std::uint32_t>& ids)
+             const std::vector<std::uint32_t>& ids,
+             double meter)
 {
   Json lines = Json::array();
   for (const auto& [from, to] : wall.solidParts())
-    lines.push_back ({toCoordinates (from), toCoordinates (to)});
+    lines.push_back ({toCoordinates (from, meter), toCoordinates (to, meter)});
   std::string planes;
   for (const std::size_t plane : wall.planes)
     planes += (planes.empty() ? "" : " ") + std::to_string (ids[plane]);
@@ -124,27 +126,28 @@ wallFeature (const PlanWall& wall,
 }
 
 Json
-openingFeature (const PlanOpening& opening, std::size_t wall)
+openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
 {
-  return toFeature ("LineString",
-                    {toCoordinates (opening.from), toCoordinates (opening.to)},
-                    {{"layer", opening_layer},
-                     {"wall", wall},
-                     {"length", rounded (opening.width())},
-                     {"sill", lengthOrNull (opening.sill)},
-                     {"head", lengthOrNull (opening.head)}});
+  return toFeature (
+      "LineString",
+      {toCoordinates (opening.from, meter), toCoordinates (opening.to, meter)},
+      {{"layer", opening_layer},
+       {"wall", wall},
+       {"length", rounded (opening.width())},
+       {"sill", lengthOrNull (opening.sill)},
+       {"head", lengthOrNull (opening.head)}});
 }
 
 Json
-roomFeature (const PlanRoom& room, std::size_t number)
+roomFeature (const PlanRoom& room, std::size_t number, double meter)
 {
   constexpr double per_area = 100.0;
   Json rings = Json::array();
   for (const PlanarPoints& ring : room.rings) {
     Json corners = Json::array();
     for (const Eigen::Vector2d& corner : ring)
-      corners.push_back (toCoordinates (corner));
-    corners.push_back (toCoordinates (ring.front()));
+      corners.push_back (toCoordinates (corner, meter));
+    corners.push_back (toCoordinates (ring.front(), meter));
     rings.push_back (std::move (corners));
   }
   return toFeature ("Polygon",
@@ -191,16 +194,17 @@ drawingOf (const FloorPlan& plan)
 std::string
 planToGeoJson (const FloorPlan& plan,
                const std::vector<std::uint32_t>& ids,
-               const std::string& crs)
+               const std::string& crs,
+               double meter)
 {
   std::vector<std::string> features;
   for (std::size_t i = 0; i < plan.walls.size(); ++i) {
-    features.push_back (wallFeature (plan.walls[i], i + 1, ids).dump());
+    features.push_back (wallFeature (plan.walls[i], i + 1, ids, meter).dump());
     for (const PlanOpening& opening : plan.walls[i].openings)
-      features.push_back (openingFeature (opening, i + 1).dump());
+      features.push_back (openingFeature (opening, i + 1, meter).dump());
   }
   for (std::size_t i = 0; i < plan.rooms.size(); ++i)
-    features.push_back (roomFeature (plan.rooms[i], i + 1).dump());
+    features.push_back (roomFeature (plan.rooms[i], i + 1, meter).dump());
   return featureCollection (features, crs);
 }
 
@@ -209,11 +213,13 @@ savePlan (const std::string& file,
           const FloorPlan& plan,
           const std::vector<std::uint32_t>& ids,
           const std::string& title,
-          const std::string& crs)
+          const std::string& crs,
+          double meter)
 {
   const std::string extension = extensionOf (file);
   if (extension == ".geojson" || extension == ".gpkg")
-    return writeTextFile (file, mapFor (file, planToGeoJson (plan, ids, crs), "plan"));
+    return writeTextFile (file,
+                          mapFor (file, planToGeoJson (plan, ids, crs, meter), "plan"));
   const Drawing drawing = drawingOf (plan);
   if (extension == ".svg")
     return writeTextFile (file, toSvg (drawing, title));

@@ -15,22 +15,26 @@ Drawing
 drawingOf (const FloorPlan& plan);
 
 /** \brief A plan as a map: walls (lines between their openings), openings (lines) and
- * rooms (polygons), told apart by the property "layer".
+ * rooms (polygons), told apart by the property "layer". Properties are in meters,
+ * coordinates in the unit of the cloud.
  * \param[in] ids of the planes
- * \param[in] crs "EPSG:N" or empty */
+ * \param[in] crs "EPSG:N" or empty
+ * \param[in] meter the length of a meter in the unit of the cloud */
 std::string
 planToGeoJson (const FloorPlan& plan,
                const std::vector<std::uint32_t>& ids,
-               const std::string& crs);
+               const std::string& crs,
+               double meter);
 
 /** \brief Writes a plan as the name of the file asks for: .dxf, .svg, .geojson or
- * .gpkg.
+ * .gpkg. Drawings are in meters.
  * \throws WorkError if it cannot be written */
 void
 savePlan (const std::string& file,
           const FloorPlan& plan,
           const std::vector<std::uint32_t>& ids,
           const std::string& title,
-          const std::string& crs);
+          const std::string& crs,
+          double meter);
 
 } // namespace pcl_ops::apps

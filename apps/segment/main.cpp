@@ -148,14 +148,17 @@ regularize (Detected& detected)
   detected.moves = std::move (found.moves);
 }
 
-/** \brief Says what planes are, by their convex outlines, which are kept. */
+/** \brief Says what planes are, by their convex outlines, which are kept.
+ * \param[in] meter its length in the unit of the cloud */
 void
-nameKinds (const ShiftedCloud& shifted, Detected& detected)
+nameKinds (const ShiftedCloud& shifted, double meter, Detected& detected)
 {
   for (const PlaneSegment& plane : detected.planes)
     detected.extents.push_back (extentInFile (shifted, plane, "convex"));
   detected.kinds =
-      planeKinds (detected.planes, detected.extents, detected.up.cast<double>());
+      planeKinds (detected.planes, detected.extents, detected.up.cast<double>(), meter);
+  if (meter != 1.0)
+    detected.settings["meter"] = meter;
 }
 
 /** \brief Why so few points are on planes, with the fix. What is wrong with a cloud
@@ -203,7 +206,7 @@ segmentCloud (const SegmentOptions& options,
     report.detected.advice = likeliestCause (shifted, report);
   if (options.regularize)
     regularize (report.detected);
-  nameKinds (shifted, report.detected);
+  nameKinds (shifted, options.of_plan.meter, report.detected);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);

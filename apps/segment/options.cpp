@@ -84,6 +84,7 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   Outputs& outputs = options.outputs;
   line.beginGroup ("Further outputs");
   declareMap (line, options.map);
+  declareMeter (line, options.of_plan.meter);
   line.add ("keep-color", options.keep_color).help ("keep the input's rgb in OUTPUT");
   line.add ("distances", options.distances)
       .help ("add each point's signed distance to its plane");

@@ -489,7 +489,8 @@ saveOutputs (const SegmentOptions& options,
               floorPlanOf (options, shifted, report.detected),
               report.ids,
               fs::path (report.input).filename().string(),
-              options.map.crs);
+              options.map.crs,
+              options.of_plan.meter);
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())

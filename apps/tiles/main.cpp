@@ -104,6 +104,8 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   line.add (
           "plan-height M", options.planes.of_plan.cut_height, from (-1000).upTo (1000))
       .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
+  double meter = 1.0;
+  declareMeter (line, meter);
   declareMap (line, options.planes.map);
   line.add ("dry-run", options.dry_run).help ("print the plan, and do nothing");
   line.add ("quiet", options.quiet).help ("print nothing");
@@ -112,6 +114,8 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   declareChoice (line, options.planes.choice);
   if (!line.parse (argc, argv))
     return false;
+  if (line.isGiven ("meter"))
+    options.plan.meter = meter;
   if (pieces)
     throw UsageError ("--pieces",
                       "needs all points of a plane at once, which tiles have not; see "
@@ -360,6 +364,14 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
       writeTextFile (file.name, toText (plan));
 }
 
+/** \brief What is asked for, by the unit of the plan. */
+PlanesOutput
+outputIn (const Plan& plan, PlanesOutput output)
+{
+  output.of_plan.meter = plan.meter;
+  return output;
+}
+
 /** \brief Does what the command line asks for, together with all other ranks. Phases
  * leave files; what is done by those that are there is not done again. */
 int
@@ -400,8 +412,8 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   const auto points = [&] (const VisitLabelled& visit) {
     forLabelledPoints (plan, folder, visit);
   };
-  const std::string planes =
-      saveChosenPlanes (folder.output (planes_file), points, options.planes);
+  const std::string planes = saveChosenPlanes (
+      folder.output (planes_file), points, outputIn (plan, options.planes));
   if (speaks)
     std::cout << times << options.output_dir
               << ": the labelled inputs and planes.json, " << planes << "\n";

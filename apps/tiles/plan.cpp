@@ -226,6 +226,7 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
     if (grid.reaches (place))
       tiles.insert (grid.tileOf (grid.cellOf (place)));
   plan.likely_tiles = tiles.size();
+  plan.meter = options.meter.value_or (1.0);
   return plan;
 }
 
@@ -236,7 +237,8 @@ toText (const Plan& plan)
                                  {"cell", plan.grid.edge},
                                  {"cells_of_tile", plan.grid.cells_of_tile},
                                  {"place", plan.grid.place},
-                                 {"likely_tiles", plan.likely_tiles}};
+                                 {"likely_tiles", plan.likely_tiles},
+                                 {"meter", plan.meter}};
   for (const PlannedInput& input : plan.inputs)
     json["inputs"].push_back ({{"file", input.file},
                                {"bytes", input.bytes},
@@ -261,12 +263,13 @@ loadPlan (const PlanFile& file)
     json.at ("cells_of_tile").get_to (grid.cells_of_tile);
     json.at ("place").get_to (grid.place);
     json.at ("likely_tiles").get_to (plan.likely_tiles);
+    json.at ("meter").get_to (plan.meter);
     for (const auto& input : json.at ("inputs"))
       plan.inputs.push_back ({input.at ("file"),
                               input.at ("bytes"),
                               input.at ("written"),
                               input.at ("points")});
-    if (grid.edge > 0.0 && std::isfinite (grid.edge) &&
+    if (grid.edge > 0.0 && std::isfinite (grid.edge) && plan.meter > 0.0 &&
         grid.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
         grid.cells_of_tile >= TileGrid::halo &&
         grid.cells_of_tile <= TileGrid::max_cells)
@@ -310,6 +313,8 @@ checkIsFor (const Plan& plan,
     refuse ("--voxel-size was another one");
   if (options.tile && cellsOfTile (options, plan.grid.edge) != plan.grid.cells_of_tile)
     refuse ("--tile was another one");
+  if (options.meter && *options.meter != plan.meter)
+    refuse ("--meter was another one");
 }
 
 } // namespace pcl_ops::apps

@@ -29,6 +29,8 @@ struct Plan {
   /** \brief Its place is near the points of the first input. */
   TileGrid grid;
   std::uint64_t likely_tiles = 0;
+  /** \brief Its length in the unit of the inputs, for what knows buildings. */
+  double meter = 1.0;
 
   std::uint64_t
   points () const
@@ -51,6 +53,8 @@ struct PlanFile {
 struct PlanOptions {
   /** \brief Edges [m]; by the density of the points where not given. */
   std::optional<double> voxel_size, tile;
+  /** \brief The length of a meter in the unit of the inputs; 1 where not given. */
+  std::optional<double> meter = std::nullopt;
 };
 
 /** \brief Looks at the headers of all inputs and at some of their points.

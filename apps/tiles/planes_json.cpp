@@ -174,7 +174,7 @@ saveFloorPlan (const PlanesOutput& output,
                                         Eigen::Vector3d::UnitZ(),
                                         output.of_plan,
                                         sample.shifted.shift);
-  savePlan (output.floor_plan, plan, ids, title, output.map.crs);
+  savePlan (output.floor_plan, plan, ids, title, output.map.crs, output.of_plan.meter);
 }
 
 /** \brief The name of the folder that a file is in. */
@@ -211,7 +211,7 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   for (std::size_t i = 0; i < planes.size(); ++i)
     std::tie (extents[i], others[i]) = extentOf (plan, segments[i], planes[i]);
   const std::vector<PlaneKind> kinds =
-      planeKinds (segments, extents, Eigen::Vector3d::UnitZ());
+      planeKinds (segments, extents, Eigen::Vector3d::UnitZ(), plan.meter);
   for (std::size_t i = 0; i < planes.size(); ++i)
     json["planes"].push_back (toObject (
         plan, i + 1, planes[i], segments[i], extents[i], others[i], kinds[i]));

@@ -9,6 +9,7 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
+#include <detection/plane_list.h>
 #include <io/output_file.h>
 #include <page/plane_page.h>
 #include <picture/view.h>
@@ -38,6 +39,8 @@ struct ViewOptions {
   std::string input;
   /** \brief The picture or page to make instead of opening a window; empty for none. */
   std::string screenshot, page;
+  /** \brief The length of a meter in the unit of the cloud. */
+  double meter = 1.0;
   ViewState state;
 };
 
@@ -58,6 +61,7 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
       .help ("write the first view to a file and open no window");
   line.add ("view FILE.html", options.page)
       .help ("write a page to look at them in a browser, and open no window");
+  declareMeter (line, options.meter);
   declareMethodOptions (line, state.method, state.detector);
   if (!line.parse (argc, argv))
     return false;
@@ -265,17 +269,19 @@ savePage (const ViewOptions& options, const ShiftedCloud& shifted)
     ids.push_back (static_cast<std::uint32_t> (ids.size() + 1));
   }
   const std::string title = std::filesystem::path (options.input).filename().string();
-  savePlanePage (
-      options.page,
-      {title,
-       shifted,
-       planes,
-       planeObjects (planes,
-                     extents,
-                     planeKinds (planes, extents, found.detected.up.cast<double>()),
-                     ids,
-                     found.detected.up),
-       found.detected.up});
+  savePlanePage (options.page,
+                 {title,
+                  shifted,
+                  planes,
+                  planeObjects (planes,
+                                extents,
+                                planeKinds (planes,
+                                            extents,
+                                            found.detected.up.cast<double>(),
+                                            options.meter),
+                                ids,
+                                found.detected.up),
+                  found.detected.up});
 }
 
 void

@@ -30,6 +30,9 @@ struct FloorPlanParameters {
   double max_snap = 0.35;
   /** \brief The smallest room [m^2]. */
   double min_room = 1.0;
+  /** \brief The length of a meter in the unit of the cloud and of its planes, 1000 of
+   * millimeters; all else here and the plan are in meters. */
+  double meter = 1.0;
 };
 
 /** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
@@ -83,7 +86,8 @@ struct PlanRoom {
   /** \brief How much of the outline is walls and their openings, 0 to 1: elsewhere the
    * room goes on, or its walls were not seen. */
   double enclosed = 0.0;
-  /** \brief Along up, in the frame of the planes [m]; nothing where it was not seen. */
+  /** \brief Along up, from zero of the planes' frame [m]; nothing where it was not
+   * seen. */
   std::optional<double> floor;
   std::optional<double> ceiling;
   /** \brief A place within, for its name. */
@@ -92,8 +96,9 @@ struct PlanRoom {
 
 /** \brief A level cut through a building. */
 struct FloorPlan {
-  /** \brief From the frame of the planes to that of the plan: x and y are those of the
-   * plan, z is the height. Where up is z, x and y are those of the planes. */
+  /** \brief From the frame of the planes to that of the plan, in meters: x and y are
+   * those of the plan, z is the height. Where up is z, x and y are those of the planes.
+   */
   Eigen::Matrix3d to_plan = Eigen::Matrix3d::Identity();
   /** \brief Height of the floor that the cut is over, and of the cut [m]. */
   double floor = 0.0;

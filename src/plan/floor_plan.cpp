@@ -70,7 +70,7 @@ private:
 Eigen::Matrix3d
 turnUpright (const Vector3d& up)
 {
-  const Vector3d axis = up.normalized();
+  const Vector3d axis = up.stableNormalized();
   if (axis == Vector3d::UnitZ())
     return Eigen::Matrix3d::Identity();
   return Eigen::Quaterniond::FromTwoVectors (axis, Vector3d::UnitZ())
@@ -343,6 +343,10 @@ validate (const FloorPlanParameters& parameters)
     return "how far ends of walls are moved must be a length above 0";
   if (!is_length (parameters.min_room))
     return "the smallest room must have an area above 0";
+  // Lengths of other units would be zero or infinite in meters.
+  constexpr double longest = 1e9;
+  if (!(parameters.meter <= longest && parameters.meter >= 1.0 / longest))
+    return "a meter must be a length from 1e-9 to 1e9";
   return {};
 }
 
@@ -356,9 +360,10 @@ findFloorPlan (const CloudView& cloud,
 {
   checkInput (cloud, planes, kinds, up, parameters);
   FloorPlan plan;
-  plan.to_plan = turnUpright (up);
+  const Eigen::Matrix3d turn = turnUpright (up);
+  plan.to_plan = turn / parameters.meter;
   const PlanCloud points (cloud, plan.to_plan);
-  std::vector<Seen> seen = seenPlanes (points, planes, kinds, plan.to_plan);
+  std::vector<Seen> seen = seenPlanes (points, planes, kinds, turn);
   const double lowest = lowestFloor (seen);
   plan.height = lowest + parameters.cut_height;
   plan.floor = floorBelow (seen, plan.height, lowest);

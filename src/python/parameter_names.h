@@ -169,6 +169,7 @@ inline const Overloaded visit_parameters = {
       visit ("max_opening", p.max_opening);
       visit ("max_snap", p.max_snap);
       visit ("min_room", p.min_room);
+      visit ("meter", p.meter);
     }};
 
 } // namespace pcl_ops::python

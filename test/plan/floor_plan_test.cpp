@@ -486,6 +486,27 @@ TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
   EXPECT_EQ (openingsOf (in_camera), 1u);
 }
 
+TEST (FloorPlan, OfMillimetersIsInMeters)
+{
+  Building building = roomOf4By3();
+  for (pcl::PointXYZ& point : building.cloud)
+    point.getVector3fMap() *= 1000.0f;
+  FloorPlanParameters millimeters;
+  millimeters.meter = 1000.0;
+  const FloorPlan plan = findFloorPlan (building.cloud,
+                                        building.planes,
+                                        building.kinds,
+                                        Vector3d::UnitZ(),
+                                        millimeters,
+                                        {7000.0, 0.0, 500.0});
+  const FloorPlan expected = roomOf4By3().plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, expected.rooms.at (0).area, 1e-4);
+  EXPECT_NEAR (plan.rooms[0].middle.x(), expected.rooms[0].middle.x() + 7_m, 1e-4);
+  EXPECT_NEAR (plan.rooms[0].floor.value(), 0.5, 1e-4);
+  EXPECT_EQ (openingsOf (plan), openingsOf (expected));
+}
+
 TEST (FloorPlan, OfNothingIsEmpty)
 {
   const FloorPlan plan = Building().plan();
@@ -498,6 +519,9 @@ TEST (FloorPlan, RefusesWhatHasNoMeaning)
   const Building building = roomOf4By3();
   FloorPlanParameters wrong;
   wrong.min_opening = -1.0;
+  EXPECT_THROW (building.plan (wrong), std::invalid_argument);
+  wrong = {};
+  wrong.meter = 1e-320;
   EXPECT_THROW (building.plan (wrong), std::invalid_argument);
   const Vector3d up = Vector3d::UnitZ();
   EXPECT_THROW (findFloorPlan (building.cloud, building.planes, {}, up),

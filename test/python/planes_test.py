@@ -142,11 +142,15 @@ class Planes(unittest.TestCase):
         self.assertAlmostEqual(np.linalg.norm(gap.end - gap.start), 0.9, delta=0.05)
         self.assertAlmostEqual(gap.head, 2.0, delta=0.1)
         self.assertIsNone(gap.sill)
+        millimeters = pcl_ops.segment(1000.0 * points, viewpoint=(500002000.0, 5400001500.0, 101200.0))[1]
+        plan = pcl_ops.floor_plan(millimeters, meter=1000.0)
+        self.assertAlmostEqual(plan.rooms[0].area, 12.0, delta=0.05)
+        np.testing.assert_allclose(plan.rooms[0].middle, [500002.0, 5400001.5], atol=0.02)
 
     def test_a_floor_plan_takes_parameters_and_refuses_wrong_ones(self):
         self.assertEqual(pcl_ops.floor_plan(planes, min_room=100.0).rooms, [])
         self.assertEqual(pcl_ops.floor_plan([])[:2], ([], []))
-        for wrong in ({"up": (0, 0, 0)}, {"min_room": 0.0}, {"max_snap": -1.0}):
+        for wrong in ({"up": (0, 0, 0)}, {"min_room": 0.0}, {"max_snap": -1.0}, {"meter": 0.0}):
             with self.assertRaises(ValueError):
                 pcl_ops.floor_plan(planes, **wrong)
 

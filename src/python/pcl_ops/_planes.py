@@ -427,15 +427,18 @@ def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) 
     min_opening, max_opening: lengths of gaps that are openings.
     max_snap: how far ends of walls are moved to the wall they meet.
     min_room: area of the smallest room.
+    meter: the length of a meter in the unit of the planes, 1000 of millimeters; all other
+        lengths here, and the plan, are in meters.
     """
     planes = plane_list("planes", planes)
     axis = place("up", up)
     if not axis.any():
         raise ValueError("up: has no direction")
+    given = with_given(_pcl_ops.floor_plan(), parameters)
+    meter = parameters.get("meter", 1.0)
+    kinds = [plane.kind for plane in planes] if meter == 1.0 else plane_kinds(planes, up, meter)
     single, origin = single_precision(_array_of(planes))
-    walls, rooms, floor, height = _pcl_ops.plan(
-        single, origin, planes, [plane.kind for plane in planes], axis,
-        with_given(_pcl_ops.floor_plan(), parameters))
+    walls, rooms, floor, height = _pcl_ops.plan(single, origin, planes, kinds, axis, given)
     return FloorPlan(
         [PlanWall(start, end, thickness, [PlanOpening(*one) for one in openings], tuple(numbers))
          for start, end, thickness, openings, numbers in walls],
