@@ -44,9 +44,9 @@ sampledOn (pcl_ops::Sampling sampling, const Cloud::ConstPtr& cloud)
 }
 
 inline Ops
-leavesOn (const Cloud::ConstPtr& cloud)
+neighborhoodsOn (const Cloud::ConstPtr& cloud)
 {
-  return sampledOn (pcl_ops::Sampling::Leaves, cloud);
+  return sampledOn (pcl_ops::Sampling::Neighborhoods, cloud);
 }
 
 inline Ops

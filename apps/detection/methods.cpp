@@ -281,8 +281,8 @@ samplingName (Sampling sampling)
     return "points";
   case Sampling::Surfels:
     return "surfels";
-  case Sampling::Leaves:
-    return "leaves";
+  case Sampling::Neighborhoods:
+    return "neighborhoods";
   case Sampling::Automatic:
     break;
   }

@@ -18,12 +18,12 @@ enum class Sampling {
   /** \brief A flat voxel of a grid; its normal comes from the moments of the voxels
    * around it, its plane knows where it ends. */
   Surfels,
-  /** \brief The same on leaves of an octree: cells of mixed sizes, smaller where points
-   * are denser and their noise is even. */
-  Leaves,
-  /** \brief Leaves; surfels where over a quarter of the points err as neighbors do,
-   * as in images of depth cameras, whose noise voxels of one size average better, and
-   * where \ref OrientedPointSamplingParameters::Surfels::voxel_size is given. */
+  /** \brief Each point with its nearest ones: its normal comes from the largest
+   * neighborhood that the noise of the cloud explains. Nothing divides space, so that
+   * the planes stay the same where the cloud is moved or turned. */
+  Neighborhoods,
+  /** \brief Neighborhoods; surfels where
+   * \ref OrientedPointSamplingParameters::Surfels::voxel_size is given. */
   Automatic
 };
 

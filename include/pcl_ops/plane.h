@@ -169,15 +169,10 @@ struct PCL_OPS_EXPORT PlaneSegment {
   /** \brief Ascending indices into the input cloud. */
   pcl::Indices inliers;
   /** \brief The noise of the plane's surroundings [m]: how far points scatter about the
-   * surface through them and those beside them, the median over the plane; at most 1.25
-   * times what the flattest places with points as dense scatter by. Known where
-   * Sampling::Automatic has no voxel size, and with Sampling::Leaves, if the cloud has
-   * such places; not of exact points.
-   *
-   * On leaves the \ref rms of its different points is at most 8 times this when it is
-   * detected, unless MergingParameters::distance_threshold makes one plane of several.
-   * It is not limited where the cloud is divided into voxels, as images of depth
-   * cameras are. */
+   * surface through them and those around them, in neighborhoods large enough to hold
+   * independent errors; the median over the plane, and at most 4 times what is usual
+   * where points are as dense. Known with Sampling::Neighborhoods, and with
+   * Sampling::Automatic if it has no voxel size; not of exact points. */
   std::optional<double> noise = std::nullopt;
 
   Plane

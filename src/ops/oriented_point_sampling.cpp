@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/angles.h"
 #include "ops/detect_as_in_paper.h"
-#include "ops/detect_on_leaves.h"
+#include "ops/detect_on_places.h"
 #include "ops/detect_on_voxels.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
@@ -25,8 +25,7 @@ detectBySampling (const DetectorInput& input,
   if (parameters.sampling == Sampling::Surfels ||
       (parameters.sampling == Sampling::Automatic && has_one_size))
     return detectOnVoxels (points, parameters, durations);
-  // turns to voxels where it sees noise that they average better
-  return detectOnLeaves (points, parameters, durations);
+  return detectOnPlaces (points, parameters, durations);
 }
 
 } // namespace

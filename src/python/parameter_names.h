@@ -30,7 +30,7 @@ using Words = std::vector<std::pair<std::string, E>>;
 inline const std::tuple words = {
     Words<Sampling>{{"points", Sampling::Points},
                     {"surfels", Sampling::Surfels},
-                    {"leaves", Sampling::Leaves},
+                    {"neighborhoods", Sampling::Neighborhoods},
                     {"automatic", Sampling::Automatic}},
     Words<PaperStrategy>{{"detect_then_divide", PaperStrategy::DetectThenDivide},
                          {"divide_then_detect", PaperStrategy::DivideThenDetect}},

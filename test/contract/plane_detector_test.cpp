@@ -135,8 +135,8 @@ struct PublishedOps : Ops {
 };
 
 /** \brief On leaves of an octree. */
-struct OpsOnLeaves : Ops {
-  OpsOnLeaves() : Ops (leavesOn (nullptr)) {}
+struct OpsOnNeighborhoods : Ops {
+  OpsOnNeighborhoods() : Ops (neighborhoodsOn (nullptr)) {}
 };
 
 struct OpsOnVoxels : Ops {
@@ -144,7 +144,7 @@ struct OpsOnVoxels : Ops {
 };
 
 using Detectors = ::testing::Types<Ops,
-                                   OpsOnLeaves,
+                                   OpsOnNeighborhoods,
                                    PublishedOps,
                                    pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
                                    pcl_ops::KernelHoughTransform<pcl::PointXYZ>,
@@ -524,7 +524,7 @@ TYPED_TEST (PlaneDetector, MergesWhatIsOnePlaneUnlessMergingIsOff)
 TEST (OpsOf, ASamplingRateThatDrawsNoPointFindsNone)
 {
   for (Ops ops : {opsOn (room().build().cloud),
-                  leavesOn (room().build().cloud),
+                  neighborhoodsOn (room().build().cloud),
                   voxelsOn (room().build().cloud),
                   paperOn (room().build().cloud)}) {
     ops.setSamplingRate (1e-9);
@@ -536,7 +536,7 @@ TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 {
   // A third of the points is. The final fit moves a plane a little.
   const auto cloud = room().noise (1_cm).spacing (2_cm).build().cloud;
-  for (Ops ops : {opsOn (cloud), leavesOn (cloud), voxelsOn (cloud)}) {
+  for (Ops ops : {opsOn (cloud), neighborhoodsOn (cloud), voxelsOn (cloud)}) {
     ops.setDistanceThreshold (1_cm);
     const auto planes = planesOf (ops);
     ASSERT_GE (planes.size(), 3u);
@@ -563,11 +563,11 @@ TEST (OpsOf, CoordinatesOfAThousandKilometersFindsWhatIsThere)
   const auto small = room().movedBy (place).spacing (2_cm).build();
   const std::tuple<Ops, LabelledScene, std::size_t> rows[] = {
       {opsOn (hall.cloud), hall, 3},
-      {leavesOn (hall.cloud), hall, 3},
+      {neighborhoodsOn (hall.cloud), hall, 3},
       {voxelsOn (hall.cloud), hall, 3},
       {paperOn (hall.cloud), hall, 3},
       {opsOn (small.cloud), small, 0},
-      {leavesOn (small.cloud), small, 0},
+      {neighborhoodsOn (small.cloud), small, 0},
       {voxelsOn (small.cloud), small, 0},
       {paperOn (small.cloud), small, 3}};
   for (auto [ops, scene, min_planes] : rows) {

@@ -467,7 +467,7 @@ allTargets ()
       {"ops_leaves",
        [] (const Bytes& bytes) {
          Ops::Parameters parameters;
-         parameters.sampling = Sampling::Leaves;
+         parameters.sampling = Sampling::Neighborhoods;
          detect<Ops> (bytes, parameters);
        }},
       {"ops_paper",

@@ -110,9 +110,6 @@ void
 addRowsOfPaper (std::vector<Configuration>& all)
 {
   add<Ops> (all, "ops", "presets", {});
-  Ops::Parameters on_leaves;
-  on_leaves.sampling = Sampling::Leaves;
-  add<Ops> (all, "ops-leaves", "sampling", on_leaves);
   Ops::Parameters on_voxels;
   on_voxels.sampling = Sampling::Surfels;
   add<Ops> (all, "ops-voxels", "sampling", on_voxels);

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/plane_layers.h"
+#include "scene.h"
+
+using pcl_ops::Labels;
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+// Points of two grounds so far apart, on one plane between them, split.
+struct Split {
+  Split (double apart, double noise, std::size_t of_each, double min_apart = 5_mm)
+  : labels (2 * of_each, 0), is_kept (1, 1)
+  {
+    RandomGenerator generator (seedOfTest());
+    for (std::size_t i = 0; i < 2 * of_each; ++i) {
+      const Surface ground = {{0, 0, i < of_each ? 0.0 : apart}, {2, 0, 0}, {0, 2, 0}};
+      const pcl::PointXYZ p = toPoint (drawPointOf (ground, noise, generator));
+      points.add (p.x, p.y, p.z);
+    }
+    const pcl_ops::Plane middle = {Eigen::Vector3d::UnitZ(), -0.5 * apart};
+    splitLayers (points, {middle}, {min_apart}, labels, is_kept);
+  }
+
+  Coordinates points;
+  Labels labels;
+  std::vector<char> is_kept;
+};
+
+} // namespace
+
+TEST (PlaneLayers, AreTheTwoSidesOfAThinWall)
+{
+  const Split split (4_cm, 3_mm, 500);
+  ASSERT_EQ (split.is_kept, (std::vector<char>{1, 1}));
+  for (std::size_t i = 0; i < split.labels.size(); ++i)
+    ASSERT_EQ (split.labels[i], i < 500 ? 0 : 1);
+}
+
+TEST (PlaneLayers, AreNoneOfOneNoisyPlane)
+{
+  EXPECT_EQ (Split (0.0, 1_cm, 2000).is_kept.size(), 1u);
+  EXPECT_EQ (Split (1_cm, 1_cm, 2000).is_kept.size(), 1u);
+}
+
+TEST (PlaneLayers, AreAsFarApartAsIsAsked)
+{
+  EXPECT_EQ (Split (4_cm, 3_mm, 500, 3_cm).is_kept.size(), 2u);
+  EXPECT_EQ (Split (4_cm, 3_mm, 500, 5_cm).is_kept.size(), 1u);
+}
+
+TEST (PlaneLayers, NeedPoints)
+{
+  EXPECT_EQ (Split (4_cm, 3_mm, 20).is_kept.size(), 1u);
+}
