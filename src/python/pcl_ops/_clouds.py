@@ -50,7 +50,8 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
     """
     from . import _files  # what it needs takes longer to load than all else
 
-    with open(path, "rb"):
+    name = os.fspath(path)  # no number, which would open, and close, a file of the caller
+    with open(name, "rb"):
         pass
     file = _files.load(os.fsencode(path))
     return from_message(file)._replace(
