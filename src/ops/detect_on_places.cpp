@@ -138,6 +138,8 @@ planesOfRegions (const Points& points,
   LabelledPlanes found = merge (
       labelCloud (points, distinct, labels, is_plane, parameters.threads), parameters);
   tellNoises (distinct, noise, found);
+  if (parameters.distance_threshold)
+    found.used.distance_threshold = parameters.distance_threshold;
   return found;
 }
 
