@@ -53,7 +53,8 @@ splitLayers (const Coordinates& places,
              Labels& labels,
              std::vector<char>& is_plane)
 {
-  constexpr double noises_apart = 2.2;
+  // Supports that mix the layers scatter by half of what they are apart.
+  constexpr double noises_apart = 1.7;
   std::vector<Plane> planes;
   std::vector<double> min_apart;
   for (const Region& region : regions.list) {

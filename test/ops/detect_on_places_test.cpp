@@ -214,7 +214,7 @@ TEST (DetectOnPlaces, MakesOnePlaneOfWhatAGapDivides)
 
 TEST (DetectOnPlaces, KeepsApartWhatNoiseDoesNotExplain)
 {
-  for (const double noise : {2_mm, 5_cm}) {
+  for (const double noise : {2_mm, 3_cm}) {
     const Points points = drawnPoints (
         {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{2.5, 0, 0.03}, {2, 0, 0}, {0, 2, 0}}},
         2_cm,
