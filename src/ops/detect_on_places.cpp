@@ -32,7 +32,9 @@ neighborsFactor (const OpsParameters& parameters)
 {
   constexpr double usual_k = 30.0;
   constexpr double usual_rate = 0.03;
-  return parameters.k / usual_k * std::sqrt (usual_rate / parameters.sampling_rate);
+  constexpr double power = 0.25;
+  return parameters.k / usual_k *
+         std::pow (usual_rate / parameters.sampling_rate, power);
 }
 
 // theta_N: over the usual one.
@@ -40,8 +42,7 @@ double
 minPointsFactor (const OpsParameters& parameters)
 {
   constexpr double usual_samples = 20.0;
-  constexpr double usual_rate = 0.03;
-  return parameters.min_samples / usual_samples * usual_rate / parameters.sampling_rate;
+  return parameters.min_samples / usual_samples;
 }
 
 // The two sides of a wall that is thinner than its noise lets regions tell are planes

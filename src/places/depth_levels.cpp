@@ -62,7 +62,7 @@ commonDirection (const std::vector<Eigen::Vector3d>& normals)
 {
   constexpr std::size_t tried = 100;
   constexpr double min_share = 0.8;
-  const double min_cosine = std::cos (1.0 * M_PI / 180.0);
+  const double min_cosine = std::cos (3.0 * M_PI / 180.0);
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   std::size_t most = 0;
   const std::size_t step = std::max<std::size_t> (1, normals.size() / tried);
@@ -127,6 +127,17 @@ stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
   return steps[steps.size() / 2];
 }
 
+// Whether there are enough levels with as many points as others have: a floor and the
+// leg of a chair are none. A tenth of the mean is enough.
+bool
+areMany (const std::vector<DepthLevel>& levels, std::size_t points)
+{
+  constexpr std::size_t share = 10;
+  return std::count_if (levels.begin(), levels.end(), [&] (const DepthLevel& level) {
+           return share * level.points * levels.size() >= points;
+         }) >= static_cast<std::ptrdiff_t> (min_levels);
+}
+
 // Whether points are many a level, and most of them lie on levels that are thin for
 // their distance.
 bool
@@ -135,7 +146,7 @@ areLevels (const std::vector<DepthLevel>& levels, std::size_t points)
   constexpr std::size_t points_of_level = 50;
   constexpr double max_thickness = 0.3;
   constexpr double min_share = 0.8;
-  if (levels.size() < min_levels || levels.size() * points_of_level > points)
+  if (levels.size() * points_of_level > points || !areMany (levels, points))
     return false;
   std::size_t thin = 0;
   for (std::size_t k = 0; k < levels.size(); ++k)

@@ -74,4 +74,9 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
                                   0.0))
                    .step.empty());
   EXPECT_TRUE (levelsOf (drawnOn ({square_of_ground}, 5_cm, 0.0)).step.empty());
+  // A floor, and a few points of a leg at heights of their own.
+  Coordinates floor = drawnOn ({square_of_ground}, 3_cm, 0.0);
+  for (int i = 0; i < 20; ++i)
+    floor.add (1.0f, 1.0f, 0.03f * static_cast<float> (i * i));
+  EXPECT_TRUE (levelsOf (floor).step.empty());
 }
