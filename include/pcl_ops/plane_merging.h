@@ -26,9 +26,10 @@ struct MergingParameters {
    * one's points to the larger plane is below this many times the noise of the noisier
    * one, and neither is more than 6 times as noisy as the other; the noise of a plane
    * is the rms distance of its points to it. Not in the paper. With
-   * Sampling::Neighborhoods it is how many noises of their surroundings planes are apart
-   * that are joined over a gap. Not given: 2 with Sampling::Neighborhoods, 1.5 with
-   * Sampling::Surfels, whose surfaces, as real walls, are not flat; 0 elsewhere. */
+   * Sampling::Neighborhoods it is how many noises of their surroundings planes are
+   * apart that are joined over a gap. Not given: 2 with Sampling::Neighborhoods, 1.5
+   * with Sampling::Surfels, whose surfaces, as real walls, are not flat; 0 elsewhere.
+   */
   std::optional<double> noise_factor;
 };
 
