@@ -53,7 +53,8 @@ splitLayers (const Coordinates& places,
              Labels& labels,
              std::vector<char>& is_plane)
 {
-  constexpr double noises_apart = 2.2;
+  // Supports that mix the layers scatter by half of what they are apart.
+  constexpr double noises_apart = 1.7;
   std::vector<Plane> planes;
   std::vector<double> min_apart;
   for (const Region& region : regions.list) {
@@ -138,6 +139,8 @@ planesOfRegions (const Points& points,
   LabelledPlanes found = merge (
       labelCloud (points, distinct, labels, is_plane, parameters.threads), parameters);
   tellNoises (distinct, noise, found);
+  if (parameters.distance_threshold)
+    found.used.distance_threshold = parameters.distance_threshold;
   return found;
 }
 

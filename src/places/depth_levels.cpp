@@ -3,10 +3,12 @@
 #include "places/depth_levels.h"
 
 #include "geometry/principal_axes.h"
+#include "places/constants.h"
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -16,14 +18,16 @@ namespace {
 constexpr std::size_t min_points_on_levels = 2000;
 constexpr std::size_t min_levels = 12;
 
-// Normals of some neighborhoods that are exactly flat.
+// Normals of the flattest of some neighborhoods. Those of levels are exactly flat, or
+// nearly so where coordinates were rounded later.
 std::vector<Eigen::Vector3d>
-normalsOfExactPlaces (const Coordinates& points, const PointTree& tree)
+normalsOfFlattestPlaces (const Coordinates& points, const PointTree& tree)
 {
   constexpr std::size_t places = 2000;
   constexpr std::size_t neighbors = 17;
-  constexpr double max_thickness = 0.005;
-  constexpr double min_share = 0.1;
+  constexpr std::size_t wanted = places / 10;
+  constexpr double max_thickness = 0.02;
+  std::vector<std::pair<double, std::size_t>> thickness;
   std::vector<Eigen::Vector3d> normals;
   NearestPoints nearest;
   for (std::size_t s = 0; s < places; ++s) {
@@ -36,14 +40,19 @@ normalsOfExactPlaces (const Coordinates& points, const PointTree& tree)
       moments.add (p.x(), p.y(), p.z());
     }
     const PrincipalAxes axes = principalAxes (moments.covariance());
-    const double width = std::sqrt (12.0 * std::max (0.0, axes.values[1]));
-    if (width > 0.0 &&
-        std::sqrt (std::max (0.0, axes.values[0])) < max_thickness * width)
-      normals.push_back (axes.normal);
+    const double width =
+        std::sqrt (squared_width_of_variance * std::max (0.0, axes.values[1]));
+    if (width > 0.0)
+      thickness.emplace_back (std::sqrt (std::max (0.0, axes.values[0])) / width,
+                              normals.size());
+    normals.push_back (axes.normal);
   }
-  if (static_cast<double> (normals.size()) < min_share * places)
-    normals.clear();
-  return normals;
+  std::sort (thickness.begin(), thickness.end());
+  std::vector<Eigen::Vector3d> flattest;
+  for (const auto& [thick, place] : thickness)
+    if (thick < max_thickness && flattest.size() < wanted)
+      flattest.push_back (normals[place]);
+  return flattest.size() == wanted ? flattest : std::vector<Eigen::Vector3d>();
 }
 
 // The direction that nearly all of the normals have, or zero. The faces of a CAD model
@@ -160,7 +169,7 @@ findDepthLevels (const Coordinates& points, const PointTree& tree)
   if (points.size() < min_points_on_levels)
     return found;
   const Eigen::Vector3d direction =
-      commonDirection (normalsOfExactPlaces (points, tree));
+      commonDirection (normalsOfFlattestPlaces (points, tree));
   if (direction.isZero())
     return found;
   std::vector<double> offset (points.size());

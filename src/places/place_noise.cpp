@@ -126,6 +126,16 @@ smoothed (const Places& places, const std::vector<float>& noise, unsigned thread
   return mean;
 }
 
+// Whether the smallest support that is flat, of those of some levels, is not exact.
+bool
+tellsNoise (const Places& places, std::size_t place, std::size_t levels)
+{
+  for (std::size_t l = 0; l < levels; ++l)
+    if (places.supports[l][place].is_flat)
+      return !isExact (places.supports[l][place]);
+  return false;
+}
+
 // No place is far from what is usual where points are as dense: leaves and edges
 // scatter by more, and some places by chance by less.
 void
@@ -133,11 +143,20 @@ limitByUsual (const Places& places, unsigned threads, std::vector<float>& noise)
 {
   std::vector<float> density;
   std::vector<float> telling;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (places.supports[0][i].is_flat && !isExact (places.supports[0][i])) {
-      density.push_back (places.density[i]);
-      telling.push_back (noise[i]);
-    }
+  const auto gather = [&] (std::size_t levels) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (tellsNoise (places, i, levels)) {
+        density.push_back (places.density[i]);
+        telling.push_back (noise[i]);
+      }
+  };
+  gather (1);
+  if (static_cast<double> (telling.size()) <
+      place_constants.min_telling_share * static_cast<double> (places.size())) {
+    density.clear();
+    telling.clear();
+    gather (places.supports.size());
+  }
   const UsualNoise usual (density, telling);
   forEach (threads, places.size(), [&] (std::size_t i) {
     const double here = usual.of (places.density[i]);

@@ -9,8 +9,10 @@
 #include <cli/progress.h>
 #include <detection/methods.h>
 #include <detection/thickness.h>
+#include <evaluation/data/changed_clouds.h>
 #include <io/labeled_pcd.h>
 #include <io/output_file.h>
+#include <metrics/partitions.h>
 #include <numbers/statistics.h>
 
 #include <algorithm>
@@ -67,6 +69,12 @@ thicknessSummary (const EvaluationCloud& cloud, const PlaneLabels& labels)
   return summary;
 }
 
+std::string
+agreementColumn (const CloudChange& change)
+{
+  return std::string ("agreement_") + change.name;
+}
+
 /** The columns of numbers in results.csv, in order. */
 std::vector<std::string>
 columnsOfNumbers ()
@@ -116,6 +124,8 @@ columnsOfNumbers ()
                                 "thick_length",
                                 "rms_largest"})
     columns.emplace_back (thickness);
+  for (const CloudChange& change : cloud_changes)
+    columns.push_back (agreementColumn (change));
   return columns;
 }
 
@@ -268,6 +278,27 @@ shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
   return cloud;
 }
 
+EvaluationCloud
+sampled (EvaluationCloud cloud, std::optional<std::size_t> most_points)
+{
+  if (!most_points || *most_points >= cloud.cloud->size())
+    return cloud;
+  const pcl::Indices points = drawPoints (cloud.cloud->size(), *most_points);
+  const XyzCloud::ConstPtr all = cloud.cloud;
+  cloud.cloud.reset (new XyzCloud);
+  pcl::copyPointCloud (*all, points, *cloud.cloud);
+  if (cloud.truth)
+    cloud.truth = selectLabels (*cloud.truth, points);
+  if (!cloud.is_ignored.empty()) {
+    std::vector<char> is_ignored;
+    for (const pcl::index_t point : points)
+      is_ignored.push_back (cloud.is_ignored[point]);
+    cloud.is_ignored = is_ignored;
+  }
+  cloud.image = nullptr;
+  return cloud;
+}
+
 struct LoadedCloud {
   const CloudSource& source;
   EvaluationCloud loaded = {};
@@ -346,7 +377,7 @@ struct Evaluation {
     LoadedCloud cloud{source};
     try {
       inMemory (source.name, fewer_at_a_time, [&] {
-        cloud.loaded = shifted (source.load(), plan.shift);
+        cloud.loaded = shifted (sampled (source.load(), plan.most_points), plan.shift);
         cloud.truth = truthOf (cloud.loaded, plan.truth);
       });
       return cloud;
@@ -409,6 +440,28 @@ struct Evaluation {
     return row;
   }
 
+  /** How far the labels of changed copies agree with those of the cloud; nothing of a
+   * run that was stopped. */
+  void
+  addAgreements (const LoadedCloud& cloud,
+                 const Configuration& configuration,
+                 RunSettings settings,
+                 const PlaneLabels& labels,
+                 RowNumbers& row) const
+  {
+    settings.image = nullptr;
+    for (const CloudChange& change : cloud_changes) {
+      const ChangedCloud changed =
+          changedCloud (*cloud.loaded.cloud, cloud.loaded.up, change);
+      settings.up = changed.up;
+      const std::optional<DetectorRun> run =
+          runLimited (configuration, changed.cloud, settings, plan.time_limit);
+      if (run)
+        row[agreementColumn (change)] =
+            agreementOf (selectLabels (labels, changed.points), run->labels);
+    }
+  }
+
   /** Of a run that was stopped none but how long it took, so that it is not tried
    * again. */
   RowNumbers
@@ -428,7 +481,10 @@ struct Evaluation {
       return {{"detection_ms", 1e3 * plan.time_limit}};
     }
     saveLabels (cloud, configuration.name, run->labels);
-    return numbersOf (cloud, *run);
+    RowNumbers row = numbersOf (cloud, *run);
+    if (plan.has_changes && !configuration.is_own && !configuration.needs_image)
+      addAgreements (cloud, configuration, settings, run->labels, row);
+    return row;
   }
 
   void

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "changed_clouds.h"
+
+#include <pcl/common/io.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+constexpr std::uint32_t seed_of_points = 1;
+constexpr std::uint32_t seed_of_jitter = 2;
+
+/** Its output is fixed by the C++ standard, that of std:: distributions is not. */
+using RandomGenerator = std::mt19937;
+
+/** Uniform, from [0, 1). */
+double
+drawUnit (RandomGenerator& generator)
+{
+  return generator() * (1.0 / 4294967296.0);
+}
+
+void
+move (ChangedCloud& changed)
+{
+  const Eigen::Vector3f shift (0.0371f, 0.0613f, 0.0829f); // [m]; no round numbers
+  for (pcl::PointXYZ& point : *changed.cloud)
+    point.getVector3fMap() += shift;
+  changed.cloud->sensor_origin_.head<3>() += shift;
+}
+
+void
+turn (ChangedCloud& changed)
+{
+  constexpr double angle = 3.14159265358979323846 / 6.0; // [rad]
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd (angle, Vector3d::UnitZ()).toRotationMatrix();
+  const auto turned = [&rotation] (const Eigen::Vector3f& point) {
+    return (rotation * point.cast<double>()).eval().cast<float>().eval();
+  };
+  for (pcl::PointXYZ& point : *changed.cloud)
+    point.getVector3fMap() = turned (point.getVector3fMap());
+  auto sensor = changed.cloud->sensor_origin_.head<3>();
+  sensor = turned (sensor);
+  changed.up = rotation * changed.up;
+}
+
+void
+thin (ChangedCloud& changed)
+{
+  constexpr std::size_t one_in = 100;
+  const std::size_t all = changed.points.size();
+  changed.points = drawPoints (all, all - (all + one_in - 1) / one_in);
+  const XyzCloud before = *changed.cloud;
+  pcl::copyPointCloud (before, changed.points, *changed.cloud);
+}
+
+void
+jitter (ChangedCloud& changed)
+{
+  constexpr double most = 1e-4; // [m]
+  RandomGenerator generator (seed_of_jitter);
+  for (pcl::PointXYZ& point : *changed.cloud)
+    for (float& coordinate : point.getVector3fMap())
+      coordinate = float (coordinate + most * (2.0 * drawUnit (generator) - 1.0));
+}
+
+void
+roundToMillimeters (ChangedCloud& changed)
+{
+  constexpr double per_meter = 1e3;
+  for (pcl::PointXYZ& point : *changed.cloud)
+    for (float& coordinate : point.getVector3fMap())
+      coordinate = float (std::round (coordinate * per_meter) / per_meter);
+}
+
+} // namespace
+
+const std::array<CloudChange, 5> cloud_changes{{{"moved", move},
+                                                {"turned", turn},
+                                                {"thinned", thin},
+                                                {"jittered", jitter},
+                                                {"rounded", roundToMillimeters}}};
+
+pcl::Indices
+drawPoints (std::size_t all, std::size_t count)
+{
+  RandomGenerator generator (seed_of_points);
+  pcl::Indices points;
+  points.reserve (count);
+  for (std::size_t i = 0; i < all; ++i)
+    if (drawUnit (generator) * double (all - i) < double (count - points.size()))
+      points.push_back (pcl::index_t (i));
+  return points;
+}
+
+ChangedCloud
+changedCloud (const XyzCloud& cloud, const Vector3d& up, const CloudChange& change)
+{
+  ChangedCloud changed{XyzCloud::Ptr (new XyzCloud (cloud)), up, {}};
+  changed.points.resize (cloud.size());
+  std::iota (changed.points.begin(), changed.points.end(), 0);
+  change.apply (changed);
+  return changed;
+}
+
+} // namespace pcl_ops::evaluation
