@@ -28,7 +28,8 @@ enum class Sampling {
 };
 
 /** \brief What Sampling::Points, the paper's algorithm, alone reads; those of
- * voxels and leaves are not drawn, divided or weighted, and are always refitted. */
+ * neighborhoods and voxels are not drawn, divided or weighted, and are always refitted.
+ */
 struct PaperParameters {
   /** \brief When planes are divided by orientation (paper, "Detecting planes in
    * multiple orientations"). */
@@ -67,8 +68,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   /** \brief Of the class, for messages. */
   static constexpr const char* class_name = "OrientedPointSampling";
 
-  /** \brief Expert knobs of Sampling::Surfels; of leaves the voxel size and the angle
-   * threshold alone. */
+  /** \brief Expert knobs of Sampling::Surfels; Sampling::Neighborhoods has none. */
   struct Surfels {
     /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked
      * at in voxels of half the edge. Voxels then begin at whole multiples of it from
@@ -105,15 +105,18 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   OrientedPointSamplingParameters() { distance_threshold.reset(); }
 
   Sampling sampling = Sampling::Automatic;
-  /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1; on
-   * surfels it decides how many voxels the cloud is divided into. */
+  /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. On
+   * surfels it decides how many voxels the cloud is divided into, on neighborhoods how
+   * many points they have: four times the rate, half of the points. */
   double sampling_rate = 0.03;
   /** \brief k: the neighbors of each sample that its normal comes from, 2 or more. The
-   * normal of a leaf comes from at least k / 5 points, that of a voxel from k / 2. */
+   * smallest neighborhoods have at most 1.2 k points (10 to 36 at the default), the
+   * normal of a voxel comes from at least k / 2. */
   int k = 30;
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
-   * in any case; of surfels at least as many. It counts samples, not points: a number
-   * of points is \ref PlaneDetectorParameters::min_points. */
+   * in any case; of surfels at least as many. On neighborhoods 20 stand for 6
+   * independent points. It counts samples, not points: a number of points is \ref
+   * PlaneDetectorParameters::min_points. */
   unsigned min_samples = 20;
   PaperParameters paper_only;
   Surfels surfels;
@@ -170,7 +173,8 @@ public:
   }
 
   /** \brief k: the neighbors of each sample that its normal comes from, 2 or more. The
-   * normal of a leaf comes from at least k / 5 points, that of a voxel from k / 2. */
+   * smallest neighborhoods have at most 1.2 k points (10 to 36 at the default), the
+   * normal of a voxel comes from at least k / 2. */
   void
   setKSearch (int k)
   {
@@ -210,7 +214,8 @@ public:
   }
 
   /** \brief p: probability that RANSAC draws an inlier of the largest plane, above 0
-   * and below 1. Belongs to the paper preset: voxels and leaves are not drawn. */
+   * and below 1. Belongs to the paper preset: neighborhoods and voxels are not drawn.
+   */
   void
   setProbability (double probability)
   {

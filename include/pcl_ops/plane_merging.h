@@ -19,14 +19,17 @@ struct MergingParameters {
   /** \brief Largest angle between the normals [rad]. */
   double angle_threshold = paper_angle_tolerance;
   /** \brief Largest distance of either centroid to the other plane [m]. Not given: the
-   * detector's theta_h; with Sampling::Surfels the noise decides alone. Without a
-   * detector: 0.05 m. */
+   * detector's theta_h; with Sampling::Neighborhoods and Sampling::Surfels the noise
+   * decides alone. Without a detector: 0.05 m. */
   std::optional<double> distance_threshold;
   /** \brief Planes within the angle are one, too, if the rms distance of the smaller
    * one's points to the larger plane is below this many times the noise of the noisier
    * one, and neither is more than 6 times as noisy as the other; the noise of a plane
-   * is the rms distance of its points to it. Not in the paper. Not given: 1.5 with
-   * Sampling::Surfels, whose surfaces, as real walls, are not flat; 0 elsewhere. */
+   * is the rms distance of its points to it. Not in the paper. With
+   * Sampling::Neighborhoods it is how many noises of their surroundings planes are
+   * apart that are joined over a gap. Not given: 2 with Sampling::Neighborhoods, 1.5
+   * with Sampling::Surfels, whose surfaces, as real walls, are not flat; 0 elsewhere.
+   */
   std::optional<double> noise_factor;
 };
 

@@ -48,11 +48,9 @@ class Plane(_pcl_ops.Segment):
         doc="(4,): normal and d of a x + b y + c z + d = 0.")
     rms: float = _part("rms", "Root mean square distance of the inliers to the plane.")
     noise: Optional[float] = _part("noise", """How far points around scatter about the surface
-        through them, the median over the plane; at most 1.25 times what the flattest places with
-        points as dense scatter by. None of other methods than "ops", with a given
-        surfels_voxel_size, and where the cloud has no such places. rms is at most 8 times this,
-        but where the cloud is divided into voxels, as images of depth cameras are, or
-        merging_distance_threshold makes one plane of several.""")
+        through them, the median over the plane; at most 4 times what is usual where points are as
+        dense. None of other methods than "ops", with a given surfels_voxel_size, and of exact
+        points.""")
     orientation: Literal["horizontal", "vertical", "other"] = _part(
         "orientation", "By up and angle_tolerance.")
     inliers: NDArray[np.int32] = _part(
