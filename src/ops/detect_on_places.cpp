@@ -66,6 +66,36 @@ splitLayers (const Coordinates& places,
   splitLayers (places, planes, min_apart, labels, is_plane);
 }
 
+// No plane is thicker than its noise says: hills are joined of pieces each of which is
+// thin. What is exact for its width is none.
+void
+dropThick (const Coordinates& places,
+           const PlaceNoise& noise,
+           const Labels& labels,
+           unsigned threads,
+           std::vector<char>& is_plane)
+{
+  const std::vector<Moments> moments =
+      momentsOfLabels (places, labels, is_plane.size(), threads);
+  std::vector<std::vector<float>> noises (is_plane.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != no_plane)
+      noises[labels[i]].push_back (noise.of_place[i]);
+  for (std::size_t p = 0; p < is_plane.size(); ++p) {
+    const std::optional<PlaneFit> fit =
+        is_plane[p] != 0 && moments[p].count >= min_places ? fitPlane (moments[p])
+                                                           : std::nullopt;
+    if (!fit)
+      continue;
+    const double width = std::sqrt (squared_width_of_variance * fit->variances[1]);
+    const double limit =
+        std::max (place_constants.max_noises_of_plane * medianOf (noises[p]),
+                  place_constants.max_exact * width);
+    if (fit->variances[0] > limit * limit)
+      is_plane[p] = 0;
+  }
+}
+
 // The labels of all points of the cloud, of planes that are kept.
 AssignedPoints
 labelCloud (const Points& points,
@@ -137,6 +167,8 @@ planesOfRegions (const Points& points,
                                parameters.distance_threshold,
                                parameters.threads);
   splitLayers (distinct, regions, parameters.distance_threshold, labels, is_plane);
+  if (!parameters.distance_threshold)
+    dropThick (distinct, noise, labels, parameters.threads, is_plane);
   LabelledPlanes found = merge (
       labelCloud (points, distinct, labels, is_plane, parameters.threads), parameters);
   tellNoises (distinct, noise, found);
@@ -158,7 +190,10 @@ detectOnPlaces (const Points& points,
   StageClock clock;
   // P: each place once, in an order of its own
   const DistinctPlaces distinct = distinctPlaces (points, threads);
-  if (distinct.size() < min_places)
+  // alpha_s: a share that is far from drawing a point finds none
+  constexpr double least_drawn = 0.1;
+  if (distinct.size() < min_places ||
+      parameters.sampling_rate * static_cast<double> (points.size()) < least_drawn)
     return found;
   // k: the nearest points of each, and what larger supports are like
   const Places places =

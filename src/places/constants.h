@@ -26,6 +26,8 @@ struct PlaceConstants {
   int arms = 8; // neighbors that a support adds to the one before
   /** \brief The largest support has at most this share of the points. */
   double max_share_of_points = 0.1;
+  /** \brief What depth on levels counts as while nearest points are looked for. */
+  double depth_of_levels = 0.25;
   /** \brief Scatter over width of a support that is flat; smaller over larger variance
    * of one that is no line. */
   double max_thickness = 0.17 / 3.0;
@@ -80,6 +82,8 @@ struct PlaceConstants {
   // Evidence for a region, a sum: above 0 it is a plane.
   double min_independent_points = 6.0;
   int min_flat_places = 2;
+  /** \brief Largest rms of a plane in units of its noise. */
+  double max_noises_of_plane = 8.0;
   double evidence = -1.94;
   double evidence_of_size = 4.62;
   double max_size = 1.5; // decades of points above the root of all

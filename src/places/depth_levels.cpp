@@ -26,6 +26,7 @@ normalsOfFlattestPlaces (const Coordinates& points, const PointTree& tree)
   constexpr std::size_t places = 2000;
   constexpr std::size_t neighbors = 17;
   constexpr std::size_t wanted = places / 10;
+  constexpr double exact_thickness = 0.005;
   constexpr double max_thickness = 0.02;
   std::vector<std::pair<double, std::size_t>> thickness;
   std::vector<Eigen::Vector3d> normals;
@@ -47,12 +48,16 @@ normalsOfFlattestPlaces (const Coordinates& points, const PointTree& tree)
                               normals.size());
     normals.push_back (axes.normal);
   }
+  if (thickness.size() < wanted)
+    return {};
   std::sort (thickness.begin(), thickness.end());
+  // All that are exact: faces of a model are in several directions.
+  const double limit = std::max (exact_thickness, thickness[wanted - 1].first);
   std::vector<Eigen::Vector3d> flattest;
   for (const auto& [thick, place] : thickness)
-    if (thick < max_thickness && flattest.size() < wanted)
+    if (thick <= limit)
       flattest.push_back (normals[place]);
-  return flattest.size() == wanted ? flattest : std::vector<Eigen::Vector3d>();
+  return limit < max_thickness ? flattest : std::vector<Eigen::Vector3d>();
 }
 
 // The direction that nearly all of the normals have, or zero. The faces of a CAD model

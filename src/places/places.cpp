@@ -189,6 +189,25 @@ pointsOfLevels (const Places& places)
   return points;
 }
 
+// Points on levels nearer to those of the next levels: else neighborhoods would follow
+// the levels, which are farther apart than the points on them.
+Coordinates
+flattened (const Coordinates& points, const DepthLevels& levels)
+{
+  Coordinates flat;
+  flat.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d point = points[i];
+    const double excess =
+        (1.0 - place_constants.depth_of_levels) * levels.direction.dot (point);
+    const Eigen::Vector3f moved = (point - excess * levels.direction).cast<float>();
+    flat.x[i] = moved.x();
+    flat.y[i] = moved.y();
+    flat.z[i] = moved.z();
+  }
+  return flat;
+}
+
 void
 addSupports (const DepthLevels& levels, unsigned threads, Places& places)
 {
@@ -237,12 +256,15 @@ describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threa
   places.nearest.resize (points.size() * places.neighbors);
   for (std::size_t i = 0; i < points.size(); ++i)
     places.position[i] = points[i];
-  const PointTree tree (points);
+  PointTree tree (points);
+  const DepthLevels levels = findDepthLevels (points, tree);
+  if (!levels.step.empty())
+    tree = PointTree (flattened (points, levels));
   parallelFor (
       threads, points.size(), at_once, [&] (std::size_t begin, std::size_t end) {
         findNearest (tree, begin, end, places);
       });
-  addSupports (findDepthLevels (points, tree), threads, places);
+  addSupports (levels, threads, places);
   places.density.resize (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     constexpr float least_area = 1e-30F;

@@ -415,12 +415,12 @@ TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
 
 TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
 {
-  // A wall 5 m away that a depth camera sees at a slant, with steps of 4 cm, and the
-  // same rounded to millimeters and turned.
+  // A wall 5 m away that a depth camera sees at a slant, with steps of 2 cm and as much
+  // noise, and the same rounded to millimeters and turned.
   const auto onLevels = [] (bool is_turned) {
-    Points points = drawnPoints ({{{-1, -1, 4.5}, {2, 0, 0.8}, {0, 2, 0}}}, 1_cm, 1_mm);
+    Points points = drawnPoints ({{{-1, -1, 4.5}, {2, 0, 0.4}, {0, 2, 0}}}, 1_cm, 5_mm);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      points.z[i] = static_cast<float> (4_cm * std::round (points.z[i] / 4_cm));
+      points.z[i] = static_cast<float> (2_cm * std::round (points.z[i] / 2_cm));
       if (!is_turned)
         continue;
       const float x = 0.8f * points.x[i] - 0.6f * points.z[i];
