@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/angles.h"
+#include "geometry/direction_steps.h"
 #include "geometry/points.h"
 #include <pcl_ops/visibility.h>
 
@@ -46,6 +47,13 @@ sightingsFrom (const Eigen::Vector3d& place, const Coordinates& points)
       sightings.emplace_back (cellOf (offset), static_cast<float> (range));
   }
   std::sort (sightings.begin(), sightings.end());
+  // What a sensor writes for missing readings is one place with very many points.
+  constexpr std::size_t max_equal = 256;
+  std::size_t kept = 0;
+  for (const Sighting& sighting : sightings)
+    if (kept < max_equal || sightings[kept - max_equal] != sighting)
+      sightings[kept++] = sighting;
+  sightings.resize (kept);
   return sightings;
 }
 
@@ -122,8 +130,14 @@ detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoi
 bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
 {
+  constexpr double next_to_none = 0.01;
   constexpr double largest_share = 0.05;
-  return detail::occludedFraction (cloud, viewpoint) <= largest_share;
+  const double hidden = detail::occludedFraction (cloud, viewpoint);
+  if (hidden <= next_to_none)
+    return true;
+  const Points points = finitePoints (cloud, 1);
+  const Seen seen = seenByItsSteps (points, viewpoint - points.origin);
+  return seen == Seen::CannotTell ? hidden <= largest_share : seen == Seen::Yes;
 }
 
 void

@@ -4,6 +4,8 @@
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/visibility.h>
 
+#include <random>
+
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Eigen::Vector3d;
 using namespace pcl_ops;
@@ -26,6 +28,32 @@ wallBehindABoard ()
       const bool hits_board =
           std::abs (on_board.x()) < 0.5 && std::abs (on_board.y()) < 0.5;
       cloud.push_back (toPoint (camera + (hits_board ? 2.0 : 4.0) * ray));
+    }
+  return cloud;
+}
+
+/** \brief What a lidar 1.7 m above a street sees: 64 beams, 0.6 degrees apart, which go
+ * round in steps of 0.2 degrees, houses 8 m to its left and right, and a hedge on
+ * either side, through which every other ray passes. */
+Cloud
+streetSeenBy (const Vector3d& lidar)
+{
+  Cloud cloud;
+  for (int beam = 0; beam < 64; ++beam)
+    for (int step = 0; step < 1800; ++step) {
+      const double elevation = -26_deg + 0.6_deg * beam;
+      const double azimuth = 0.2_deg * step;
+      const Vector3d ray (std::cos (elevation) * std::cos (azimuth),
+                          std::cos (elevation) * std::sin (azimuth),
+                          std::sin (elevation));
+      const double to_house = 8.0 / std::max (1e-9, std::abs (ray.y()));
+      const double to_hedge = 4.0 / std::max (1e-9, std::abs (ray.y()));
+      const double to_ground = ray.z() < 0.0 ? -1.7 / ray.z() : 1e9;
+      const bool hits_hedge = step % 2 == 0 && 1.7 + to_hedge * ray.z() < 2.5;
+      const double range =
+          std::min ({to_house, to_ground, hits_hedge ? to_hedge : 1e9});
+      if (range < 80.0)
+        cloud.push_back (toPoint (lidar + range * ray));
     }
   return cloud;
 }
@@ -120,6 +148,33 @@ TEST (Visibility, IsGivenFromTheCameraAloneInAnyOrderOfPoints)
     std::reverse (cloud.begin(), cloud.end());
     EXPECT_EQ (occludedFraction (CloudView (cloud), place), hidden);
   }
+}
+
+TEST (Visibility, IsGivenFromALidarThoughAHedgeHidesThings)
+{
+  const Vector3d lidar (3, 2, 1);
+  const Cloud street = streetSeenBy (lidar);
+  const CloudView cloud (street);
+  EXPECT_GT (occludedFraction (cloud, lidar), 5_percent);
+  EXPECT_TRUE (isSeenFrom (lidar, cloud));
+  for (const Vector3d& move : {Vector3d (3, 0, 0), Vector3d (0, 3, 0)})
+    for (const double sign : {-1.0, 1.0})
+      EXPECT_FALSE (isSeenFrom (lidar + sign * move, cloud)) << sign * move.transpose();
+  EXPECT_FALSE (isSeenFrom (lidar + Vector3d (0, 9, 0), cloud)) << "behind a house";
+  EXPECT_FALSE (isSeenFrom (lidar - Vector3d (0, 0, 3), cloud)) << "below the ground";
+}
+
+TEST (Visibility, OfHalfTheRaysOfALidarIsGivenFromTheLidarAlone)
+{
+  const Vector3d lidar (3, 2, 1);
+  const Cloud street = streetSeenBy (lidar);
+  Cloud half;
+  std::minstd_rand random (1);
+  for (const pcl::PointXYZ& point : street)
+    if (random() % 2 == 0)
+      half.push_back (point);
+  EXPECT_TRUE (isSeenFrom (lidar, CloudView (half)));
+  EXPECT_FALSE (isSeenFrom (lidar + Vector3d (0, 3, 0), CloudView (half)));
 }
 
 TEST (Visibility, OfTooFewPointsIsAsGiven)

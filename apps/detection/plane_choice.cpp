@@ -7,9 +7,55 @@
 #include <detection/plane_list.h>
 #include <numbers/angles.h>
 
+#include <algorithm>
+#include <sstream>
+
 namespace pcl_ops::apps {
 
 namespace {
+
+constexpr const char* known_of_only = "horizontal, vertical or other (how a plane "
+                                      "lies); floor, ceiling, wall, slab, roof, "
+                                      "ramp or table (what it is); or largest";
+
+std::vector<std::string>
+namesIn (const std::string& list)
+{
+  std::vector<std::string> names;
+  std::istringstream parts (list);
+  for (std::string part; std::getline (parts, part, ',');)
+    names.push_back (part);
+  return names;
+}
+
+/** \throws UsageError that says what is known */
+void
+checkOnly (const std::string& list)
+{
+  const std::vector<std::string> names = namesIn (list);
+  for (const std::string& name : names) {
+    if (!orientationCalled (name) && !kindCalled (name) && name != "largest")
+      throw UsageError ("--only",
+                        "'" + name + "' is unknown; give some of " + known_of_only);
+    if (name == "largest" && names.size() > 1)
+      throw UsageError ("--only", "largest goes with no other; give --max-planes 1");
+  }
+  if (names.empty() || list.back() == ',')
+    throw UsageError ("--only", "'" + list + "' is no list; give wall,roof");
+}
+
+/** \brief Whether a plane is one of those named; "other" is how it lies. */
+bool
+isNamed (const std::vector<std::string>& names,
+         const PlaneSegment& plane,
+         const std::optional<PlaneKind>& kind)
+{
+  return std::any_of (names.begin(), names.end(), [&] (const std::string& name) {
+    if (const auto orientation = orientationCalled (name))
+      return plane.orientation == *orientation;
+    return kind && kindCalled (name) == kind;
+  });
+}
 
 /** \brief An option with its value and how many planes it dropped. */
 struct OptionReport {
@@ -19,11 +65,13 @@ struct OptionReport {
 };
 
 std::vector<OptionReport>
-reportsOf (const PlaneChoice& choice, const DroppedPlanes& dropped = {})
+reportsOf (const PlaneChoice& choice,
+           const DroppedPlanes& dropped = {},
+           std::size_t not_named = 0)
 {
   const PlaneFilter& filter = choice.filter;
   const std::size_t by_only = choice.only == "largest" ? dropped.by_number : 0;
-  return {{"only", choice.only, dropped.by_orientation + by_only},
+  return {{"only", choice.only, not_named + by_only},
           {"direction",
            filter.direction.value_or (Eigen::Vector3d::Zero()),
            dropped.by_direction},
@@ -61,7 +109,8 @@ adviceOn (const PlaneChoice& choice, const Dropped& dropped)
   const std::string found = std::to_string (dropped.found);
   const auto& [option, count] = dropped.by_option.front();
   if (option == "only" && count == dropped.found)
-    return "none of the " + found + " planes found is " + choice.only +
+    return "none of the " + found + " planes found is " +
+           boost::replace_all_copy (choice.only, ",", " or ") +
            ": leave out --only, or change --up or --angle-tolerance";
   return "all " + found + " planes found are dropped, " + dropped.reasons() +
          ": leave an option out or ask for less";
@@ -84,8 +133,12 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
   constexpr double right_angle = 90;
   PlaneFilter& filter = choice.filter;
   line.beginGroup (title_of_choice);
-  line.add ("only WHICH", choice.only, {"horizontal", "vertical", "other", "largest"})
-      .help ("horizontal, vertical, other or largest only");
+  line.add ("only WHICH",
+            [&choice] (const std::string& text) {
+              checkOnly (text);
+              choice.only = text;
+            })
+      .help ("horizontal, vertical, other; wall, roof ...; or largest");
   line.add ("direction x,y,z",
             [&filter] (const std::string& text) {
               filter.direction = parseDirection ("--direction", text).cast<double>();
@@ -132,22 +185,40 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,
           const std::vector<PlaneSegment>& planes,
+          const std::vector<PlaneKind>& kinds,
           const Eigen::Vector3d& up,
           const ExtentOfPlane& extent_of,
           Dropped& dropped)
 {
   PlaneFilter filter = choice.filter;
   filter.up_axis = up;
-  filter.orientation = orientationCalled (choice.only);
   if (choice.only == "largest")
     filter.max_planes = 1;
   filter.direction_tolerance = toRadians (choice.within);
   if (choice.slope)
     filter.slope = {toRadians ((*choice.slope)[0]), toRadians ((*choice.slope)[1])};
+  const std::vector<std::string> names =
+      choice.only == "largest" ? std::vector<std::string>() : namesIn (choice.only);
+  std::vector<PlaneSegment> named;
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (names.empty() ||
+        isNamed (names,
+                 planes[i],
+                 kinds.empty() ? std::nullopt : std::optional<PlaneKind> (kinds[i]))) {
+      named.push_back (planes[i]);
+      positions.push_back (i);
+    }
+  const auto extent_of_named = [&] (const PlaneSegment& plane) {
+    return extent_of (planes[positions[std::size_t (&plane - named.data())]]);
+  };
   DroppedPlanes counts;
-  std::vector<std::size_t> kept = keptPlanes (planes, filter, extent_of, counts);
+  std::vector<std::size_t> kept = keptPlanes (named, filter, extent_of_named, counts);
+  for (std::size_t& position : kept)
+    position = positions[position];
   dropped = {planes.size(), {}};
-  for (const auto& [option, setting, count] : reportsOf (choice, counts))
+  for (const auto& [option, setting, count] :
+       reportsOf (choice, counts, planes.size() - named.size()))
     if (count > 0)
       dropped.by_option.emplace_back (option, count);
   return kept;
@@ -165,8 +236,12 @@ keepChosen (const PlaneChoice& choice,
   std::vector<PlaneExtent> extents;
   std::vector<PlaneMove> moves;
   detected.settings.update (choice.given);
-  for (const std::size_t i : chosenOf (
-           choice, detected.planes, detected.up.cast<double>(), extent_of, dropped)) {
+  for (const std::size_t i : chosenOf (choice,
+                                       detected.planes,
+                                       detected.kinds,
+                                       detected.up.cast<double>(),
+                                       extent_of,
+                                       dropped)) {
     kept.push_back (std::move (detected.planes[i]));
     if (!detected.kinds.empty())
       kinds.push_back (detected.kinds[i]);

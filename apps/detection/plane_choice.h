@@ -8,7 +8,7 @@
 namespace pcl_ops::apps {
 
 struct PlaneChoice {
-  /** \brief An orientation, "largest", or empty for all. */
+  /** \brief Orientations, kinds, "largest", with commas between; empty for all. */
   std::string only;
   /** \brief Largest angle to the direction of the filter [degree]. */
   double within = 10.0;
@@ -40,11 +40,13 @@ void
 finishChoice (const CommandLine& line, PlaneChoice& choice);
 
 /** \brief The positions of the chosen planes.
+ * \param[in] kinds one for each plane, or none, which no kind in \p choice is of
  * \param[in] up against gravity, in the frame of the planes
  * \param[in] extent_of asked for planes that may be too small or too large */
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,
           const std::vector<PlaneSegment>& planes,
+          const std::vector<PlaneKind>& kinds,
           const Eigen::Vector3d& up,
           const ExtentOfPlane& extent_of,
           Dropped& dropped);

@@ -94,8 +94,12 @@ choosePlanes (const PlaneChoice& choice, Json& list)
 {
   const Json all = std::move (list.at ("planes"));
   std::vector<PlaneSegment> segments;
-  for (const Json& plane : all)
+  std::vector<PlaneKind> kinds;
+  for (const Json& plane : all) {
     segments.push_back (segmentIn (plane));
+    const std::string kind = plane.value ("kind", std::string());
+    kinds.push_back (kindCalled (kind).value_or (PlaneKind::Other));
+  }
   const auto extent_of = [&] (const PlaneSegment& segment) {
     const Json& plane = all[std::size_t (&segment - segments.data())];
     PlaneExtent extent;
@@ -107,7 +111,7 @@ choosePlanes (const PlaneChoice& choice, Json& list)
   Dropped dropped;
   Json chosen = Json::array();
   for (const std::size_t i :
-       chosenOf (choice, segments, Eigen::Vector3d::UnitZ(), extent_of, dropped))
+       chosenOf (choice, segments, kinds, Eigen::Vector3d::UnitZ(), extent_of, dropped))
     chosen.push_back (all[i]);
   if (!dropped.by_option.empty())
     list["dropped"] = toObject (dropped);

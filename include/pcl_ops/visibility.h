@@ -26,9 +26,14 @@ occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
 
 } // namespace detail
 
-/** \brief Whether a cloud may have been taken from a place: one surface in each
- * direction, nothing behind anything (\ref detail::occludedFraction up to 0.05). A
- * cloud of several scans was taken from no one place. */
+/** \brief Whether a cloud may have been taken from a place.
+ *
+ * It was where directions to the points are in even steps, as a sensor makes them, also
+ * if twigs and edges of the cloud hide one another. Where the steps tell nothing, as of
+ * a thinned cloud, there has to be one surface in each direction, nothing behind
+ * anything (\ref detail::occludedFraction up to 0.05). Of lidar scans places 3 m beside
+ * the sensor are told from it, one above it may be believed. A cloud of several scans
+ * was taken from no one place. */
 PCL_OPS_EXPORT bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
 

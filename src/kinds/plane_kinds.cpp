@@ -254,6 +254,15 @@ kindOf (const PlaneShape& shape,
   return isSlopingRoof (shape, story) ? PlaneKind::Roof : PlaneKind::Other;
 }
 
+/** \brief Whether a plane has a relief of its own, as a hillside has: it is no part of
+ * a building. */
+bool
+hasRelief (const PlaneSegment& plane)
+{
+  constexpr double max_noises = 3.0;
+  return plane.noise && plane.rms() > max_noises * *plane.noise;
+}
+
 /** \brief Whether a vertical plane is a part of another one, in its plane. */
 bool
 continues (const PlaneShape& part, const PlaneShape& wall)
@@ -325,6 +334,9 @@ planeKinds (const std::vector<PlaneSegment>& planes,
   for (const PlaneShape& shape : shapes)
     kinds.push_back (kindOf (shape, shapes, stories));
   nameParts (shapes, kinds);
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (hasRelief (planes[i]))
+      kinds[i] = PlaneKind::Other;
   return kinds;
 }
 

@@ -194,6 +194,25 @@ TEST (PlaneKinds, OfAHouseFromAboveAreGroundWallsAndRoof)
   EXPECT_EQ (house.kinds(), (Names{"floor", "wall", "roof", "roof"}));
 }
 
+TEST (PlaneKinds, OfAHillsideIsOther)
+{
+  Rectangles survey;
+  survey.sensor = {0, 0, 1e3};
+  survey.level (0.0, 60_m, 40_m).add ({0, 0, 5}, {30, 0, 0}, {0, 20, 6});
+  ASSERT_EQ (survey.lastKind(), "roof");
+  PlaneSegment& slope = survey.planes.back();
+  const auto has_rms = [&slope] (double rms) {
+    slope.moments = Moments::of (
+        1000.0, slope.centroid, rms * rms * slope.normal * slope.normal.transpose());
+  };
+  has_rms (0.5);
+  EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
+  slope.noise = 0.1;
+  EXPECT_EQ (survey.lastKind(), "other") << "its rms is five noises";
+  has_rms (0.2);
+  EXPECT_EQ (survey.lastKind(), "roof") << "its rms is two noises";
+}
+
 TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
 {
   EXPECT_EQ (shell().add ({1, 1, 0}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "ramp");

@@ -10,6 +10,7 @@ import pickle
 import tempfile
 import unittest
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pcl_ops
@@ -172,7 +173,7 @@ class Planes(unittest.TestCase):
             inliers[0] = 10**6
 
     def test_print_in_a_line_and_pickle_with_one_array_for_all(self):
-        self.assertRegex(repr(floor), r"<pcl_ops.Plane: horizontal, \d+ points, rms 0.00\d+>")
+        self.assertRegex(repr(floor), r"<pcl_ops.Plane: horizontal(, floor)?, \d+ points, rms 0.00\d+>")
         for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
             copies = pickle.loads(pickle.dumps(planes, protocol))
             for plane, original in zip(copies, planes):
@@ -415,3 +416,68 @@ class OtherFrames(unittest.TestCase):
         for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
             with self.assertRaisesRegex(TypeError, "pcl_ops.PlaneTracker"):
                 pickle.dumps(tracker, protocol)
+
+
+class Kinds(unittest.TestCase):
+    def test_tell_which_planes_are_kept(self):
+        self.assertEqual(planes.kind.tolist(), ["floor", "wall", "wall"])
+        self.assertEqual((planes.kind == "wall").tolist(), [False, True, True])
+        kept, dropped = pcl_ops.filter_planes(planes, kind="wall")
+        self.assertEqual((kept, dropped["kind"]), ([wall, side], 1))
+        self.assertEqual(pcl_ops.filter_planes(planes, kind=("floor", "roof"))[0], [floor])
+
+    def test_that_are_unknown_are_refused_with_what_is_near(self):
+        with self.assertRaisesRegex(ValueError, "'wal' is unknown; did you mean wall"):
+            pcl_ops.filter_planes(planes, kind="wal")
+
+    def test_are_in_what_a_plane_says_of_itself(self):
+        self.assertEqual(floor.kind, "floor")
+        self.assertIn("horizontal, floor,", repr(floor))
+
+
+class Mistakes(unittest.TestCase):
+    def test_in_names_of_parameters_are_answered_with_the_nearest(self):
+        with self.assertRaisesRegex(ValueError, "min_point: .*did you mean min_points"):
+            pcl_ops.filter_planes(planes, min_point=100)
+
+    def test_of_a_cloud_for_its_points_are_named(self):
+        class PointCloud:
+            points = [[0.0, 0.0, 0.0]]
+
+        for cloud in (PointCloud(), pcl_ops.Cloud(points, viewpoint, {})):
+            with self.assertRaisesRegex(TypeError, "give its .points"):
+                pcl_ops.segment(cloud)
+
+    def test_of_a_number_for_a_file_leave_the_file_open(self):
+        with tempfile.TemporaryFile() as file:
+            with self.assertRaises(TypeError):
+                pcl_ops.read(file.fileno())
+            file.write(b"open")
+        with self.assertRaises(TypeError):
+            pcl_ops.read(True)
+
+    def test_of_an_up_without_direction_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for up in ((0, 0, 0), (0, 0, 1e-320)):
+                with self.assertRaisesRegex(ValueError, "up: has no direction"):
+                    pcl_ops.write_planes(f"{folder}/p.csv", planes, up=up)
+
+    def test_of_length_of_up_change_nothing(self):
+        self.assertEqual(floor.as_dict((0, 0, 1e300))["slope"], floor.as_dict()["slope"])
+
+
+class WrittenPlanes(unittest.TestCase):
+    def test_are_complete_whatever_other_threads_write(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "planes.json"
+            with ThreadPoolExecutor(8) as pool:
+                list(pool.map(lambda _: pcl_ops.write_planes(file, planes), range(80)))
+            self.assertEqual([path.name for path in pathlib.Path(folder).iterdir()], [file.name])
+            written = json.loads(file.read_text())["planes"]
+        self.assertEqual([one["kind"] for one in written], ["floor", "wall", "wall"])
+        np.testing.assert_allclose(written[0]["coefficients"], floor.coefficients)
+        self.assertEqual(len(written[0]["hull"]), len(floor.hull))
+
+    def test_are_no_geopackage_and_the_message_says_what_makes_one(self):
+        with self.assertRaisesRegex(ValueError, "pcl_ops_segment --planes"):
+            pcl_ops.write_planes("planes.gpkg", planes)

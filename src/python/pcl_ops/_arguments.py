@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What arguments have to be, and the named ones that the extension knows."""
 
+import difflib
 import inspect
-from typing import Any, Callable, Dict, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,6 +48,12 @@ def _set(struct: Any, name: str, kind: str, value: Any) -> None:
             f"not {value!r:.80}") from None
 
 
+def did_you_mean(name: Any, known: Iterable[str]) -> str:
+    """What to add to the message on an unknown name; empty where none is like it."""
+    like = difflib.get_close_matches(str(name), list(known), 1)
+    return f"; did you mean {like[0]}?" if like else ""
+
+
 def with_given(preset: Any, given: Dict[str, Any]) -> Any:
     """The extension's struct with those parameters set that the user gives."""
 
@@ -55,7 +62,8 @@ def with_given(preset: Any, given: Dict[str, Any]) -> Any:
         known = parameters_of(struct)
         for name, value in some.items():
             if name not in known:
-                raise ValueError(f"{name}: unknown parameter; there are {', '.join(known)}")
+                hint = did_you_mean(name, known) or f"; there are {', '.join(known)}"
+                raise ValueError(f"{name}: unknown parameter{hint}")
             _set(struct, name, known[name][1], value)
         return struct, struct.problem()
 
@@ -111,6 +119,9 @@ def _rows_of_three(array: NDArray[Any]) -> NDArray[Any]:
 
 def points_array(points: Any) -> NDArray[Any]:
     """The points as aligned rows of the machine's order of bytes, the same array where it is."""
+    if not isinstance(points, np.ndarray) and hasattr(points, "points"):
+        raise TypeError(f"points: a {type(points).__name__} is no array; give its .points, as "
+                        "numpy.asarray(cloud.points)")
     array = plain_array("points", points, "numpy.nan")
     if array.dtype.kind != "f" or array.dtype.itemsize not in (4, 8):
         raise TypeError(f"points: dtype {array.dtype} is neither float32 nor float64")
@@ -192,6 +203,16 @@ def place(name: str, given: Any) -> NDArray[np.float64]:
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: has to be finite, not {given!r:.80}")
     return array
+
+
+def direction(name: str, given: Any) -> NDArray[np.float64]:
+    """A unit vector along what is given, which may have any length but 0."""
+    array = place(name, given)
+    longest = np.abs(array).max()
+    if not longest >= np.finfo(float).tiny:
+        raise ValueError(f"{name}: has no direction")
+    array = array / longest  # squares of huge numbers are infinite
+    return array / np.linalg.norm(array)
 
 
 def pose_matrix(pose: Any) -> NDArray[np.float64]:

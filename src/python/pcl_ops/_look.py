@@ -10,7 +10,7 @@ from typing import Any, Dict, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arguments import Points, Vector, place, plane_numbers, points_array, single_precision
+from ._arguments import Points, Vector, direction, place, plane_numbers, points_array, single_precision
 from ._planes import Plane, Planes, find_plane_edges, plane_list
 from ._segmentation import is_seen_from
 
@@ -50,9 +50,18 @@ def _direction_to_eye(
     return slant / np.linalg.norm(slant)
 
 
+def _check_shown(points: NDArray[Any], title: Any) -> None:
+    """That the page can be written: its script computes with squares, in double precision."""
+    finite = points[np.isfinite(points)]
+    if len(finite) and np.abs(finite).max() > 1e100:
+        raise ValueError("points: some are farther than 1e100 from zero, which no page can show")
+    if title is not None and not isinstance(title, str):
+        raise TypeError(f"title: has to be a str, not {title!r:.80}")
+
+
 def write_html(
     path: Union[str, "os.PathLike[str]"], points: Points, labels: NDArray[Any], planes: Planes, *,
-    title: Optional[str] = None, up: Vector = (0.0, 0.0, 1.0),
+    title: Optional[str] = None, up: Optional[Vector] = None,
     viewpoint: Vector = (0.0, 0.0, 0.0), max_points: int = 2_000_000,
 ) -> None:
     """Write a page that shows a point cloud and its planes in a browser.
@@ -63,23 +72,23 @@ def write_html(
     path: of the page, .html.
     points, labels, planes: array of shape (N, 3), and what segment returned for it.
     title: by default the name of the file.
-    up: vector against gravity.
+    up: vector against gravity; None: the one that segment was given or found, for its list,
+        else z.
     viewpoint: where the sensor was.
     max_points: of more points than this an even sample is shown, with points of each plane.
 
     Raises OSError where the file cannot be written; it is complete, or as it was.
     """
+    axis = getattr(planes, "up", (0.0, 0.0, 1.0)) if up is None else up
     planes = plane_list("planes", planes)
     array = points_array(points)
+    _check_shown(array, title)
     numbers = plane_numbers("labels", labels, np.shape(points)[:-1], -1)
     if numbers.max() > len(planes):
         raise ValueError(f"labels: the label {numbers.max() - 1} is none of {len(planes)} planes")
     if not (isinstance(max_points, int) and max_points >= 0):
         raise ValueError(f"max_points: has to be a number of points, not {max_points!r:.80}")
-    upwards, sensor = place("up", up), place("viewpoint", viewpoint)
-    if not upwards.any():
-        raise ValueError("up: has no direction")
-    upwards /= np.linalg.norm(upwards)
+    upwards, sensor = direction("up", axis), place("viewpoint", viewpoint)
     is_seen = is_seen_from(array, sensor)
     description = {
         "title": os.path.basename(os.fsdecode(path)) if title is None else title,
@@ -91,5 +100,5 @@ def write_html(
     from . import _page  # here, so that only those who write a page load it
 
     single, origin = single_precision(array)
-    _page.save(os.fsencode(path), json.dumps(description), single, origin, numbers, len(planes),
+    _page.save(os.fsencode(path), json.dumps(description, allow_nan=False), single, origin, numbers, len(planes),
                max_points)

@@ -8,6 +8,7 @@ import json
 import math
 import os
 import re
+import tempfile
 from typing import Any, Dict, List, Literal, Optional, Sequence, Union
 
 import numpy as np
@@ -26,8 +27,8 @@ def write_planes(
 ) -> None:
     """Write planes with their outlines, as --planes of the programs does.
 
-    path: .geojson, a map for QGIS and others, or .csv, a table with the outline as the column
-        wkt.
+    path: .geojson, a map for QGIS and others, .csv, a table with the outline as the column
+        wkt, or .json, the list that pcl_ops_evaluate planes and others read.
     planes: list of Plane.
     crs: of a .geojson, the reference system of the coordinates, as "EPSG:25832"; without it
         programs take them for degrees.
@@ -62,21 +63,40 @@ def write_planes(
         text = _geojson(rows, outlines, crs)
     elif extension == ".csv":
         text = _csv(rows, outlines)
+    elif extension == ".json":
+        text = _json(rows, outlines, listed)
+    elif extension == ".gpkg":
+        raise ValueError(f"{name}: GeoPackages are written by pcl_ops_segment --planes; give a "
+                         ".geojson, which ogr2ogr makes one of")
     else:
-        raise ValueError(f"{name}: has an unknown extension; give .geojson or .csv")
+        raise ValueError(f"{name}: has an unknown extension; give .geojson, .csv or .json")
     _replace_file(name, text)
 
 
 def _replace_file(name: str, text: str) -> None:
     """Under another name until it is complete: a failure leaves an existing file as it is."""
-    unfinished = f"{os.path.realpath(name)}.{os.getpid()}.part"
+    target = os.path.realpath(name)
+    folder, base = os.path.split(target)
+    # One for each call: threads may write one file.
+    descriptor, unfinished = tempfile.mkstemp(".part", base + ".", folder)
     try:
-        with open(unfinished, "w", encoding="utf-8", newline="") as file:
+        with open(descriptor, "w", encoding="utf-8", newline="") as file:
             file.write(text)
-        os.replace(unfinished, os.path.realpath(name))
-    finally:
-        if os.path.exists(unfinished):
-            os.remove(unfinished)
+        os.chmod(unfinished, _mode_of(target))
+        os.replace(unfinished, target)
+    except BaseException:
+        os.remove(unfinished)
+        raise
+
+
+def _mode_of(target: str) -> int:
+    """That of the file, or of a new one; mkstemp has others not read its files."""
+    try:
+        return os.stat(target).st_mode & 0o7777
+    except FileNotFoundError:
+        mask = os.umask(0)
+        os.umask(mask)
+        return 0o666 & ~mask
 
 
 def _seen_from_above(rings: Rings) -> Rings:
@@ -133,6 +153,23 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
             f'\n{{"type":"Feature","id":{row["id"]},"geometry":{geometry},"properties":'
             f"{json.dumps(properties, separators=(',', ':'))}}}")
     return f'{text}"features":[{",".join(features)}\n]}}\n'
+
+
+def _json(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], planes: Planes) -> str:
+    """As --planes FILE.json of the programs has planes, without what they know of the run."""
+    listed = []
+    for row, rings, plane in zip(rows, outlines, planes):
+        one = {name: row[name] for name in ("id", "orientation", "kind", "points")}
+        one.update(coefficients=plane.coefficients.tolist(), centroid=plane.centroid.tolist(),
+                   normal=plane.normal.tolist(), rms=plane.rms)
+        if plane.noise is not None:
+            one["noise"] = plane.noise
+        one.update((name, row[name]) for name in ("area", "slope", "aspect", "height"))
+        one["extent"] = {"length": row["length"], "width": row["width"]}
+        open_rings = [ring[:-1].tolist() for ring in rings]
+        one["hull"], one["holes"] = (open_rings or [[]])[0], open_rings[1:]
+        listed.append(one)
+    return json.dumps({"planes": listed}, indent=1, allow_nan=False) + "\n"
 
 
 def _csv(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings]) -> str:

@@ -4,14 +4,14 @@
 others."""
 
 from typing import Any, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple
-from typing import Union
+from typing import Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
 from ._arguments import (
-    Points, Vector, is_same_array, named_parameters, place, points_array, pose_matrix,
+    Points, Vector, did_you_mean, direction, is_same_array, named_parameters, place, points_array, pose_matrix,
     single_precision, with_given)
 
 
@@ -124,8 +124,7 @@ class Plane(_pcl_ops.Segment):
         goes down, clockwise from y as seen from above; None where it is level, or z is not up.
         height: of the centroid along up.
         """
-        axis = place("up", up)
-        axis = axis / np.linalg.norm(axis)
+        axis = direction("up", up)
         along = float(self.normal @ axis)
         across = float(np.linalg.norm(np.cross(self.normal, axis)))
         x, y = (self.normal if along >= 0.0 or self.orientation == "vertical"
@@ -149,7 +148,8 @@ class Plane(_pcl_ops.Segment):
         self._named_with: Tuple[List["Plane"], Vector] = [self], (0.0, 0.0, 1.0)
 
     def __repr__(self) -> str:
-        return (f"<pcl_ops.Plane: {self.orientation}, {len(self.inliers)} points, "
+        known = f", {self._kind}" if self._kind else ""
+        return (f"<pcl_ops.Plane: {self.orientation}{known}, {len(self.inliers)} points, "
                 f"rms {self.rms:.3g}>")
 
     def __reduce__(self) -> Any:
@@ -187,6 +187,11 @@ class FoundPlanes(List[Plane]):
     """Against gravity: what orientations are named by."""
     up_confidence: Optional[float] = None
     """With up="auto", how sure the planes are of it, 0 to 1; None where they cannot tell."""
+
+    @property
+    def kind(self) -> NDArray[np.str_]:
+        """(len,): the kind of each; planes.kind == "wall" tells which are walls."""
+        return np.array([plane.kind for plane in self], dtype="<U7")
 
     def as_dict(self) -> Dict[str, List[Any]]:
         """Columns by name, those of Plane.as_dict: pandas.DataFrame(planes.as_dict())."""
@@ -281,10 +286,13 @@ def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels
 
 
 @named_parameters("filter_planes")
-def filter_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Dict[str, int]]:
+def filter_planes(
+    planes: Planes, *, kind: Union[None, Kind, Sequence[Kind]] = None, **parameters: Any
+) -> Tuple[List[Plane], Dict[str, int]]:
     """Keep the planes that are wanted.
 
     planes: list of Plane, in an order that stays.
+    kind: "wall" and the like, as Plane.kind says, or several: ("wall", "roof").
     orientation: "horizontal", "vertical" or "other".
     direction: vector (x, y, z) of any length that normals point along, or against, to
         within direction_tolerance [rad].
@@ -300,9 +308,23 @@ def filter_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Dict[
     Returns (kept, dropped): the list of Plane, and a dict with how many each of these
     arguments dropped; a plane counts once, for the first it fails.
     """
-    planes = plane_list("planes", planes)
-    kept, dropped = _pcl_ops.filter(planes, with_given(_pcl_ops.filter_planes(), parameters))
-    return [planes[i] for i in kept], dropped
+    listed = plane_list("planes", planes)
+    named = listed
+    if kind is not None:
+        wanted = _kinds_of(kind)
+        named = [plane for plane in listed if plane.kind in wanted]
+    kept, dropped = _pcl_ops.filter(named, with_given(_pcl_ops.filter_planes(), parameters))
+    return [named[i] for i in kept], {"kind": len(listed) - len(named), **dropped}
+
+
+def _kinds_of(kind: Any) -> List[str]:
+    wanted = [kind] if isinstance(kind, str) else list(kind)
+    known = get_args(Kind)
+    for one in wanted:
+        if one not in known:
+            raise ValueError(f"kind: {one!r:.80} is unknown{did_you_mean(one, known)}; "
+                             f"there are {', '.join(known)}")
+    return wanted
 
 
 class PlaneMove(NamedTuple):
