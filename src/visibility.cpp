@@ -136,8 +136,8 @@ isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
   if (hidden <= next_to_none)
     return true;
   const Points points = finitePoints (cloud, 1);
-  const Seen seen = seenByItsSteps (points, viewpoint - points.origin);
-  return seen == Seen::CannotTell ? hidden <= largest_share : seen == Seen::Yes;
+  const StepsSay seen = seenByItsSteps (points, viewpoint - points.origin);
+  return seen == StepsSay::CannotTell ? hidden <= largest_share : seen == StepsSay::Yes;
 }
 
 void

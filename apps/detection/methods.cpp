@@ -283,6 +283,8 @@ samplingName (Sampling sampling)
     return "surfels";
   case Sampling::Leaves:
     return "leaves";
+  case Sampling::Neighborhoods:
+    return "neighborhoods";
   case Sampling::Automatic:
     break;
   }

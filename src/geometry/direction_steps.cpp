@@ -156,7 +156,7 @@ shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& place)
   return static_cast<double> (number + commonest (steps).second) / all;
 }
 
-Seen
+StepsSay
 seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& place)
 {
   // Of 15 lidar scans 13 have .7 to 1; of those whose lines cross the six places
@@ -168,9 +168,9 @@ seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& place)
   constexpr double nearby = 0.15; // of the median distance
   const double here = shareOfCommonSteps (points, place);
   if (here >= high)
-    return Seen::Yes;
+    return StepsSay::Yes;
   if (here < low)
-    return Seen::CannotTell;
+    return StepsSay::CannotTell;
   std::vector<float> ranges;
   for (std::size_t i = 0; i < points.size(); ++i)
     ranges.push_back (static_cast<float> ((points[i] - place).norm()));
@@ -182,8 +182,8 @@ seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& place)
       around = std::max (around, shareOfCommonSteps (points, there));
     }
   if (around < highest_of_sensor * here)
-    return Seen::Yes;
-  return around > lowest_of_others * here ? Seen::No : Seen::CannotTell;
+    return StepsSay::Yes;
+  return around > lowest_of_others * here ? StepsSay::No : StepsSay::CannotTell;
 }
 
 } // namespace pcl_ops::internal

@@ -19,11 +19,11 @@ namespace pcl_ops::internal {
 double
 shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& place);
 
-enum class Seen { Yes, No, CannotTell };
+enum class StepsSay { Yes, No, CannotTell };
 
 /** \brief Whether points were measured from a place, by \ref shareOfCommonSteps: it is
  * high there, or higher than at places nearby; elsewhere it rises to one side. */
-Seen
+StepsSay
 seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& place);
 
 } // namespace pcl_ops::internal

@@ -3,6 +3,7 @@
 #include "geometry/angles.h"
 #include "ops/detect_as_in_paper.h"
 #include "ops/detect_on_leaves.h"
+#include "ops/detect_on_places.h"
 #include "ops/detect_on_voxels.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
@@ -21,6 +22,8 @@ detectBySampling (const DetectorInput& input,
 {
   if (parameters.sampling == Sampling::Points)
     return detectAsInPaper (input, points, parameters, durations);
+  if (parameters.sampling == Sampling::Neighborhoods)
+    return detectOnPlaces (points, parameters, durations);
   const bool has_one_size = parameters.surfels.voxel_size.has_value();
   if (parameters.sampling == Sampling::Surfels ||
       (parameters.sampling == Sampling::Automatic && has_one_size))

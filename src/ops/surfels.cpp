@@ -29,7 +29,7 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 constexpr double flat_enough = 0.2;
 
 // The voxels of one resolution, and the planes around them.
-struct Level {
+struct GridLevel {
   const VoxelNeighbors& neighbors;
   double voxel_size;
   /** \brief Empty for the finest level. */
@@ -65,7 +65,7 @@ findNormals (const std::vector<Moments>& of_voxels,
              double min_points,
              std::size_t begin,
              std::size_t end,
-             Level& level)
+             GridLevel& level)
 {
   Indices voxels;
   std::vector<Moments> moments;
@@ -97,7 +97,7 @@ void
 findAllNormals (const std::vector<Moments>& moments,
                 double min_points,
                 unsigned threads,
-                Level& level)
+                GridLevel& level)
 {
   // So few that what is noted of them stays in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
@@ -114,10 +114,10 @@ findAllNormals (const std::vector<Moments>& moments,
 }
 
 // Grids, each of twice the voxel size of the one before, as far as the octree goes.
-std::vector<Level>
+std::vector<GridLevel>
 findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned threads)
 {
-  std::vector<Level> levels;
+  std::vector<GridLevel> levels;
   levels.push_back ({grid.neighbors, grid.voxel_size, {}, grid.size()});
   findAllNormals (grid.moments, min_points, threads, levels.back());
   std::vector<Moments> moments;
@@ -147,7 +147,7 @@ struct FlattestPlane {
   /** \brief Considers the planes around a voxel of a level. The flattest may mostly
    * serve, and spares a look at the others. */
   void
-  considerAll (const Level& level, std::size_t at)
+  considerAll (const GridLevel& level, std::size_t at)
   {
     const std::uint32_t flattest = level.flattest_around[at];
     if (level.thickness[flattest] >= thickness)
@@ -160,7 +160,7 @@ struct FlattestPlane {
   }
 
   void
-  consider (const Level& level, std::size_t candidate)
+  consider (const GridLevel& level, std::size_t candidate)
   {
     if (level.thickness[candidate] >= thickness)
       return;
@@ -174,10 +174,12 @@ struct FlattestPlane {
 };
 
 std::optional<Surfel>
-surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& levels)
+surfelOf (std::size_t voxel,
+          const VoxelGrid& finest,
+          const std::vector<GridLevel>& levels)
 {
   FlattestPlane plane{finest.moments[voxel], smallestNoise (finest)};
-  for (const Level& level : levels) {
+  for (const GridLevel& level : levels) {
     const std::size_t at = level.voxelHolding (voxel);
     if (level.thickness[at] < flat_enough)
       plane.consider (level, at);
@@ -219,7 +221,8 @@ findSurfels (const VoxelGrid& grid,
              unsigned threads,
              const Labels& plane_of_voxel)
 {
-  const std::vector<Level> levels = findLevels (grid, resolutions, min_points, threads);
+  const std::vector<GridLevel> levels =
+      findLevels (grid, resolutions, min_points, threads);
   std::vector<std::optional<Surfel>> normals (grid.size());
   forEach (threads, grid.size(), [&] (std::size_t i) {
     if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)

@@ -31,6 +31,7 @@ inline const std::tuple words = {
     Words<Sampling>{{"points", Sampling::Points},
                     {"surfels", Sampling::Surfels},
                     {"leaves", Sampling::Leaves},
+                    {"neighborhoods", Sampling::Neighborhoods},
                     {"automatic", Sampling::Automatic}},
     Words<PaperStrategy>{{"detect_then_divide", PaperStrategy::DetectThenDivide},
                          {"divide_then_detect", PaperStrategy::DivideThenDetect}},

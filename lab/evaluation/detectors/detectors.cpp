@@ -113,6 +113,9 @@ addRowsOfPaper (std::vector<Configuration>& all)
   Ops::Parameters on_leaves;
   on_leaves.sampling = Sampling::Leaves;
   add<Ops> (all, "ops-leaves", "sampling", on_leaves);
+  Ops::Parameters on_neighborhoods;
+  on_neighborhoods.sampling = Sampling::Neighborhoods;
+  add<Ops> (all, "ops-neighborhoods", "sampling", on_neighborhoods);
   Ops::Parameters on_voxels;
   on_voxels.sampling = Sampling::Surfels;
   add<Ops> (all, "ops-voxels", "sampling", on_voxels);

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "places/places.h"
+
+#include "base/parallel.h"
+#include "geometry/principal_axes.h"
+#include "places/constants.h"
+#include "places/depth_levels.h"
+#include "places/point_tree.h"
+#include <pcl_ops/plane.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Writes the nearest of the points at some positions of the tree.
+void
+findNearest (const PointTree& tree, std::size_t begin, std::size_t end, Places& places)
+{
+  NearestPoints found;
+  const std::size_t wanted = places.neighbors + 1;
+  // What is left out by rounding is left out for no point.
+  constexpr float rounding = 1.0F + 1e-5F;
+  float reach = std::numeric_limits<float>::infinity();
+  for (std::size_t p = begin; p < end; ++p) {
+    // The nearest of the point before are no farther away than that.
+    if (p > begin)
+      reach += std::sqrt (tree.squaredDistance (p, p - 1));
+    found.start (wanted, reach * reach * rounding);
+    tree.find (p, found);
+    reach = std::sqrt (found.bound());
+    const std::uint32_t place = tree.order()[p];
+    std::uint32_t* next = places.nearest.data() + place * places.neighbors;
+    std::uint32_t* const last = next + places.neighbors;
+    for (std::size_t i = 0; i < found.size() && next != last; ++i)
+      if (found[i] != place)
+        *next++ = found[i];
+    std::fill (next, last, place);
+  }
+}
+
+/** \brief Sums of points about the zero of the local frame. */
+using Sums = std::vector<Moments>;
+
+Sums
+sumsOfNearest (const Places& places, unsigned threads)
+{
+  Sums sums (places.size());
+  forEach (threads, places.size(), [&] (std::size_t i) {
+    const Eigen::Vector3d& own = places.position[i];
+    sums[i].add (own.x(), own.y(), own.z());
+    for (std::size_t k = 0; k < places.neighbors; ++k) {
+      const Eigen::Vector3d& other = places.position[places.nearestOf (i)[k]];
+      sums[i].add (other.x(), other.y(), other.z());
+    }
+  });
+  return sums;
+}
+
+// Points on levels may be anywhere within their steps. Their variance is added where
+// drawing their places would do the same by chance, another time each time.
+void
+addSteps (const Places& places, const DepthLevels& levels, unsigned threads, Sums& sums)
+{
+  if (levels.step.empty())
+    return;
+  const Eigen::Vector3d& d = levels.direction;
+  const std::array<double, 6> products{d.x() * d.x(),
+                                       d.x() * d.y(),
+                                       d.x() * d.z(),
+                                       d.y() * d.y(),
+                                       d.y() * d.z(),
+                                       d.z() * d.z()};
+  const auto squared = [&] (std::size_t i) {
+    return static_cast<double> (levels.step[i]) * levels.step[i];
+  };
+  forEach (threads, places.size(), [&] (std::size_t i) {
+    double sum = squared (i);
+    for (std::size_t k = 0; k < places.neighbors; ++k)
+      sum += squared (places.nearestOf (i)[k]);
+    for (std::size_t p = 0; p < products.size(); ++p)
+      sums[i].products[p] += sum / squared_width_of_variance * products[p];
+  });
+}
+
+Support
+supportOf (const PrincipalAxes& axes, double points)
+{
+  // Three parameters are fitted.
+  const double freedom = points / (points - 3.0);
+  const Eigen::Vector3d variances = axes.values.cwiseMax (0.0);
+  const double scatter = std::sqrt (variances[0] * freedom);
+  const double width = std::sqrt (squared_width_of_variance * variances[1]);
+  Support support;
+  support.normal = axes.normal.cast<float>();
+  support.scatter = static_cast<float> (scatter);
+  support.width = static_cast<float> (width);
+  support.is_flat = scatter < place_constants.max_thickness * width &&
+                    variances[1] > place_constants.min_slimness * variances[2];
+  return support;
+}
+
+std::vector<Support>
+supportsOf (const Sums& sums, double points, unsigned threads)
+{
+  constexpr std::size_t at_once = 64;
+  std::vector<Support> supports (sums.size());
+  parallelFor (threads, sums.size(), at_once, [&] (std::size_t begin, std::size_t end) {
+    std::array<Eigen::Matrix3d, at_once> matrices;
+    matrices.fill (Eigen::Matrix3d::Zero());
+    std::array<PrincipalAxes, at_once> axes;
+    for (std::size_t i = begin; i < end; ++i)
+      matrices[i - begin] = sums[i].covariance();
+    principalAxes (matrices.data(), end - begin, axes.data());
+    for (std::size_t i = begin; i < end; ++i)
+      supports[i] = supportOf (axes[i - begin], points);
+  });
+  return supports;
+}
+
+// Adds to the sums of each place those of its arms.
+Sums
+addArms (const Sums& sums,
+         const Indices& arms,
+         std::size_t arms_of_place,
+         unsigned threads)
+{
+  Sums added (sums);
+  forEach (threads, sums.size(), [&] (std::size_t i) {
+    for (std::size_t k = 0; k < arms_of_place; ++k)
+      added[i].addAligned (sums[arms[i * arms_of_place + k]]);
+  });
+  return added;
+}
+
+// The farthest of the nearest of each place.
+Indices
+firstArms (const Places& places, std::size_t arms_of_place)
+{
+  Indices arms (places.size() * arms_of_place);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    std::copy_n (places.nearestOf (i) + places.neighbors - arms_of_place,
+                 arms_of_place,
+                 arms.begin() + static_cast<std::ptrdiff_t> (i * arms_of_place));
+  return arms;
+}
+
+// In place of each arm the one of its arms that is farthest from the place.
+Indices
+longerArms (const Places& places,
+            const Indices& arms,
+            std::size_t arms_of_place,
+            unsigned threads)
+{
+  Indices longer (arms.size());
+  forEach (threads, places.size(), [&] (std::size_t i) {
+    for (std::size_t k = i * arms_of_place; k < (i + 1) * arms_of_place; ++k) {
+      longer[k] = arms[k];
+      double farthest = 0.0;
+      for (std::size_t q = 0; q < arms_of_place; ++q) {
+        const std::uint32_t end = arms[arms[k] * arms_of_place + q];
+        const double distance =
+            (places.position[end] - places.position[i]).squaredNorm();
+        if (distance > farthest) {
+          farthest = distance;
+          longer[k] = end;
+        }
+      }
+    }
+  });
+  return longer;
+}
+
+// How many points supports of each level have.
+std::vector<double>
+pointsOfLevels (const Places& places)
+{
+  std::vector<double> points{static_cast<double> (places.neighbors + 1)};
+  const double most =
+      place_constants.max_share_of_points * static_cast<double> (places.size());
+  while (
+      static_cast<int> (points.size()) < place_constants.max_levels &&
+      (points.size() < 2 || points.back() * place_constants.points_per_level <= most))
+    points.push_back (points.back() * place_constants.points_per_level);
+  return points;
+}
+
+// Points on levels nearer to those of the next levels: else neighborhoods would follow
+// the levels, which are farther apart than the points on them.
+Coordinates
+flattened (const Coordinates& points, const DepthLevels& levels)
+{
+  Coordinates flat;
+  flat.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d point = points[i];
+    const double excess =
+        (1.0 - place_constants.depth_of_levels) * levels.direction.dot (point);
+    const Eigen::Vector3f moved = (point - excess * levels.direction).cast<float>();
+    flat.x[i] = moved.x();
+    flat.y[i] = moved.y();
+    flat.z[i] = moved.z();
+  }
+  return flat;
+}
+
+void
+addSupports (const DepthLevels& levels, unsigned threads, Places& places)
+{
+  const std::size_t arms_of_place =
+      std::min<std::size_t> (place_constants.arms, places.neighbors);
+  places.points_of_level = pointsOfLevels (places);
+  Sums sums = sumsOfNearest (places, threads);
+  addSteps (places, levels, threads, sums);
+  Indices arms = firstArms (places, arms_of_place);
+  for (std::size_t level = 0; level < places.points_of_level.size(); ++level) {
+    if (level > 1)
+      arms = longerArms (places, arms, arms_of_place, threads);
+    if (level > 0)
+      sums = addArms (sums, arms, arms_of_place, threads);
+    places.supports.push_back (
+        supportsOf (sums, places.points_of_level[level], threads));
+  }
+}
+
+} // namespace
+
+std::size_t
+neighborsOfCloud (std::size_t points, double factor)
+{
+  // A support has to tell how it scatters.
+  constexpr double least = 6.0;
+  const double usual =
+      place_constants.min_neighbors *
+      std::pow (static_cast<double> (points) / place_constants.neighbors_cloud,
+                place_constants.neighbors_growth);
+  const double wanted = std::round (
+      factor *
+      std::clamp (usual, place_constants.min_neighbors, place_constants.max_neighbors));
+  const auto number = static_cast<std::size_t> (
+      std::clamp (wanted, least, static_cast<double> (NearestPoints::max_size)));
+  return std::min (number, points);
+}
+
+Places
+describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threads)
+{
+  constexpr std::size_t at_once = 4096;
+  Places places;
+  places.neighbors = neighbors - 1;
+  places.position.resize (points.size());
+  places.nearest.resize (points.size() * places.neighbors);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    places.position[i] = points[i];
+  PointTree tree (points);
+  const DepthLevels levels = findDepthLevels (points, tree);
+  if (!levels.step.empty())
+    tree = PointTree (flattened (points, levels));
+  parallelFor (
+      threads, points.size(), at_once, [&] (std::size_t begin, std::size_t end) {
+        findNearest (tree, begin, end, places);
+      });
+  addSupports (levels, threads, places);
+  places.density.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    constexpr float least_area = 1e-30F;
+    const float width = places.supports[0][i].width;
+    places.density[i] = static_cast<float> (neighbors) / (width * width + least_area);
+  }
+  return places;
+}
+
+} // namespace pcl_ops::internal

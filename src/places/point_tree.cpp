@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "places/point_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+constexpr std::uint32_t max_points_of_tree_leaf = 8;
+
+const std::vector<float>&
+axisOf (const Coordinates& points, int axis)
+{
+  return axis == 0 ? points.x : axis == 1 ? points.y : points.z;
+}
+
+} // namespace
+
+PointTree::PointTree (const Coordinates& points) : order_ (points.size())
+{
+  std::iota (order_.begin(), order_.end(), 0U);
+  nodes_.reserve (points.size() / 2 + 1);
+  if (points.size() > 0)
+    divide (points, 0, static_cast<std::uint32_t> (points.size()));
+  sorted_ = selected (points, order_);
+}
+
+std::uint32_t
+PointTree::divide (const Coordinates& points, std::uint32_t begin, std::uint32_t end)
+{
+  const auto number = static_cast<std::uint32_t> (nodes_.size());
+  Node node{{}, {}, begin, end, 0};
+  int longest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<float>& values = axisOf (points, axis);
+    float low = values[order_[begin]];
+    float high = low;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      low = std::min (low, values[order_[i]]);
+      high = std::max (high, values[order_[i]]);
+    }
+    node.low[axis] = low;
+    node.high[axis] = high;
+    if (high - low > node.high[longest] - node.low[longest])
+      longest = axis;
+  }
+  nodes_.push_back (node);
+  if (end - begin <= max_points_of_tree_leaf)
+    return number;
+  const std::vector<float>& values = axisOf (points, longest);
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element (order_.begin() + begin,
+                    order_.begin() + middle,
+                    order_.begin() + end,
+                    [&] (std::uint32_t first, std::uint32_t second) {
+                      return values[first] != values[second]
+                                 ? values[first] < values[second]
+                                 : first < second;
+                    });
+  divide (points, begin, middle);
+  const std::uint32_t second = divide (points, middle, end);
+  nodes_[number].second_child = second;
+  return number;
+}
+
+float
+PointTree::squaredDistance (std::size_t first, std::size_t second) const
+{
+  const float x = sorted_.x[first] - sorted_.x[second];
+  const float y = sorted_.y[first] - sorted_.y[second];
+  const float z = sorted_.z[first] - sorted_.z[second];
+  return x * x + y * y + z * z;
+}
+
+void
+PointTree::find (std::size_t position, NearestPoints& nearest) const
+{
+  constexpr std::size_t max_depth = 64;
+  struct Open {
+    float squared_distance;
+    std::uint32_t node;
+  };
+  const std::array<float, 3> query{
+      sorted_.x[position], sorted_.y[position], sorted_.z[position]};
+  const auto distanceOf = [&] (std::uint32_t number) {
+    const Node& node = nodes_[number];
+    float sum = 0.0F;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float outside = std::max (
+          {node.low[axis] - query[axis], query[axis] - node.high[axis], 0.0F});
+      sum += outside * outside;
+    }
+    return sum;
+  };
+  std::array<Open, max_depth> open;
+  std::size_t number_open = 0;
+  open[number_open++] = {0.0F, 0};
+  while (number_open > 0) {
+    const Open next = open[--number_open];
+    if (next.squared_distance > nearest.bound())
+      continue;
+    const Node& node = nodes_[next.node];
+    if (node.second_child == 0) {
+      for (std::uint32_t i = node.begin; i < node.end; ++i)
+        nearest.offer (squaredDistance (i, position), order_[i]);
+      continue;
+    }
+    Open near{distanceOf (next.node + 1), next.node + 1};
+    Open far{distanceOf (node.second_child), node.second_child};
+    if (far.squared_distance < near.squared_distance)
+      std::swap (near, far);
+    open[number_open++] = far;
+    open[number_open++] = near;
+  }
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "places/place_noise.h"
+#include "places/regions.h"
+#include "scene.h"
+#include "voxels/distinct_places.h"
+
+#include <vector>
+
+/** \brief Points drawn on surfaces, so far apart on average; in the order of the
+ * surfaces.
+ */
+inline pcl_ops::internal::Coordinates
+drawnOn (const std::vector<Surface>& surfaces, double spacing, double noise)
+{
+  pcl_ops::internal::Coordinates points;
+  RandomGenerator generator (seedOfTest());
+  for (const Surface& surface : surfaces) {
+    const long number = std::lround (surface.area() / (spacing * spacing));
+    for (long i = 0; i < number; ++i) {
+      const pcl::PointXYZ point = toPoint (drawPointOf (surface, noise, generator));
+      points.add (point.x, point.y, point.z);
+    }
+  }
+  return points;
+}
+
+/** \brief What the engine knows of a cloud before and while regions grow. */
+struct PlaceScene {
+  explicit PlaceScene (const pcl_ops::internal::Coordinates& points,
+                       std::size_t neighbors = 24)
+  : distinct (pcl_ops::internal::distinctPlaces (points, 1))
+  , places (pcl_ops::internal::describePlaces (distinct, neighbors, 1))
+  , noise (pcl_ops::internal::noiseOfPlaces (places, 1))
+  , chosen (pcl_ops::internal::chooseSupports (places, noise, 1))
+  , regions (pcl_ops::internal::growRegions (places, noise, chosen, std::nullopt))
+  {}
+
+  /** \brief The points of each region that has any, by falling number. */
+  std::vector<std::size_t>
+  sizes () const
+  {
+    std::vector<std::size_t> sizes;
+    for (const pcl_ops::internal::Region& region : regions.list)
+      if (region.moments.count > 0.0)
+        sizes.push_back (static_cast<std::size_t> (region.moments.count));
+    std::sort (sizes.rbegin(), sizes.rend());
+    return sizes;
+  }
+
+  pcl_ops::internal::DistinctPlaces distinct;
+  pcl_ops::internal::Places places;
+  pcl_ops::internal::PlaceNoise noise;
+  pcl_ops::internal::ChosenSupports chosen;
+  pcl_ops::internal::Regions regions;
+};
+
+/** \brief Squares of 2 m at x, y = 0. */
+inline const Surface square_of_ground = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};

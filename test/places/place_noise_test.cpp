@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "place_scene.h"
+#include "places/place_noise.h"
+
+#include <cmath>
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+// A wall whose neighboring points err alike: waves of 40 cm.
+Coordinates
+wavyWall ()
+{
+  Coordinates points = drawnOn ({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, 2_cm, 1_mm);
+  const auto wave = [] (float along) { return std::sin (2.0 * pi * along / 0.4); };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.z[i] += static_cast<float> (2_cm * wave (points.x[i]) * wave (points.y[i]));
+  return points;
+}
+
+double
+medianNoise (const PlaceScene& scene)
+{
+  std::vector<float> noise (scene.noise.of_place);
+  return medianOf (noise);
+}
+
+} // namespace
+
+TEST (PlaceNoise, IsThatOfWhiteNoise)
+{
+  const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 3_mm));
+  EXPECT_NEAR (medianNoise (scene), 3e-3, 6e-4);
+  EXPECT_LT (scene.noise.common_errors, 3.0);
+  for (const double growth : scene.noise.growth)
+    EXPECT_LT (growth, 1.2);
+}
+
+TEST (PlaceNoise, IsThatOfLargeSupportsWhereNeighborsErrAlike)
+{
+  const PlaceScene scene (wavyWall());
+  // The rms of the waves is 1 cm.
+  EXPECT_GT (medianNoise (scene), 6e-3);
+  EXPECT_GT (scene.noise.growth[0], 1.5);
+  EXPECT_GT (scene.noise.common_errors, 5.0);
+}
+
+TEST (PlaceNoise, IsNoneOfExactPoints)
+{
+  EXPECT_LT (medianNoise (PlaceScene (drawnOn ({square_of_ground}, 2_cm, 0.0))), 1e-6);
+}
+
+TEST (ChooseSupports, TakesTheLargestThatTheNoiseExplains)
+{
+  // Beside the edge of two walls supports are smaller than in the middle of one.
+  const PlaceScene scene (
+      drawnOn ({square_of_ground, {{0, 0, 0}, {2, 0, 0}, {0, 0, 2}}}, 2_cm, 2_mm));
+  double beside = 0.0;
+  double inside = 0.0;
+  double places_beside = 0.0;
+  double places_inside = 0.0;
+  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+    const Eigen::Vector3d& place = scene.places.position[i];
+    const double from_edge = std::max (place.y(), place.z());
+    if (from_edge < 0.1) {
+      beside += scene.chosen.width[i];
+      ++places_beside;
+    }
+    else if (std::abs (from_edge - 1.0) < 0.2) {
+      inside += scene.chosen.width[i];
+      ++places_inside;
+    }
+  }
+  EXPECT_LT (beside / places_beside, 0.6 * inside / places_inside);
+}
