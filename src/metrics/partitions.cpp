@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace pcl_ops::evaluation {
 
@@ -102,6 +103,34 @@ partitionMetrics (const Confusion& confusion)
       {"variation_of_information", has_planes ? variationOfInformation (common) : 0.0},
       {"rand_index", has_planes ? randIndex (common) : 1.0},
       {"segmentation_covering", has_planes ? segmentationCovering (common) : 1.0}};
+}
+
+double
+agreementOf (const PlaneLabels& first, const PlaneLabels& second)
+{
+  if (first.size() != second.size())
+    throw std::invalid_argument ("agreementOf: labelings of different points");
+  Confusion confusion = confusionOf (first, second);
+  std::size_t on_planes = 0; // in either
+  for (const PlaneIds* planes : {&confusion.truth, &confusion.result})
+    for (const std::size_t points : planes->points)
+      on_planes += points;
+  for (const Overlap& pair : confusion.overlaps)
+    on_planes -= pair.points;
+  std::stable_sort (
+      confusion.overlaps.begin(),
+      confusion.overlaps.end(),
+      [] (const Overlap& a, const Overlap& b) { return a.points > b.points; });
+  std::vector<char> is_matched_in_first (confusion.truth.size());
+  std::vector<char> is_matched_in_second (confusion.result.size());
+  std::size_t alike = 0;
+  for (const Overlap& pair : confusion.overlaps) {
+    if (is_matched_in_first[pair.truth] || is_matched_in_second[pair.result])
+      continue;
+    is_matched_in_first[pair.truth] = is_matched_in_second[pair.result] = 1;
+    alike += pair.points;
+  }
+  return on_planes > 0 ? double (alike) / double (on_planes) : 1.0;
 }
 
 } // namespace pcl_ops::evaluation

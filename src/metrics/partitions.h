@@ -17,4 +17,12 @@ namespace pcl_ops::evaluation {
 NamedValues
 partitionMetrics (const Confusion& confusion);
 
+/** How alike two labelings of the same points are, neither of which is a truth: points
+ * on planes that are matched one to one, the largest overlap first, and on both of a
+ * match / points on a plane in either; 1 where there are none. Of equal overlaps the
+ * one of the lower labels is first.
+ * \throw std::invalid_argument if the sizes differ */
+double
+agreementOf (const PlaneLabels& first, const PlaneLabels& second);
+
 } // namespace pcl_ops::evaluation
