@@ -10,8 +10,10 @@
 #include <io/output_file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <set>
 
 namespace {
@@ -40,6 +42,7 @@ struct RunOptions {
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::string detectors;
   std::vector<std::string> own_labels; // NAME=FOLDER
+  std::optional<std::size_t> most_clouds;
 };
 
 void
@@ -79,7 +82,22 @@ declareOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
   line.add ("shift X,Y,Z",
             [&plan] (const std::string& text) { plan.shift = parseShift (text); })
       .help ("added to all points: voxels begin elsewhere in them (0,0,0)");
+  line.add ("changes", plan.has_changes)
+      .help ("run on changed copies of the clouds, too, and write how far they agree");
+  line.add ("most-clouds N", options.most_clouds, from (1))
+      .help ("of each DATASET, evenly spread (all)");
   line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
+}
+
+/** At most so many, evenly spread. */
+void
+addClouds (const DataSet& all,
+           std::optional<std::size_t> most,
+           std::vector<CloudSource>& clouds)
+{
+  const std::size_t count = std::min (most.value_or (all.size()), all.size());
+  for (std::size_t i = 0; i < count; ++i)
+    clouds.push_back (all[i * all.size() / count]);
 }
 
 /** The configurations that are named, and the labels that are given. */
@@ -118,10 +136,8 @@ readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
   if (plan.configurations.empty() && plan.labels_folder.empty())
     throw UsageError ("--detectors",
                       "none leaves nothing to do; give --labels or --results, too");
-  for (const std::string& data_set : options.data_sets) {
-    const DataSet clouds = dataSetOf (data_set, options.up);
-    plan.clouds.insert (plan.clouds.end(), clouds.begin(), clouds.end());
-  }
+  for (const std::string& data_set : options.data_sets)
+    addClouds (dataSetOf (data_set, options.up), options.most_clouds, plan.clouds);
   makeFolder (options.folder);
   plan.file = (std::filesystem::path (options.folder) / "results.csv").string();
   return true;

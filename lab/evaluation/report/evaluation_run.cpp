@@ -9,8 +9,10 @@
 #include <cli/progress.h>
 #include <detection/methods.h>
 #include <detection/thickness.h>
+#include <evaluation/data/changed_clouds.h>
 #include <io/labeled_pcd.h>
 #include <io/output_file.h>
+#include <metrics/partitions.h>
 #include <numbers/statistics.h>
 
 #include <algorithm>
@@ -67,6 +69,12 @@ thicknessSummary (const EvaluationCloud& cloud, const PlaneLabels& labels)
   return summary;
 }
 
+std::string
+agreementColumn (const CloudChange& change)
+{
+  return std::string ("agreement_") + change.name;
+}
+
 /** The columns of numbers in results.csv, in order. */
 std::vector<std::string>
 columnsOfNumbers ()
@@ -116,6 +124,8 @@ columnsOfNumbers ()
                                 "thick_length",
                                 "rms_largest"})
     columns.emplace_back (thickness);
+  for (const CloudChange& change : cloud_changes)
+    columns.push_back (agreementColumn (change));
   return columns;
 }
 
@@ -409,6 +419,28 @@ struct Evaluation {
     return row;
   }
 
+  /** How far the labels of changed copies agree with those of the cloud; nothing of a
+   * run that was stopped. */
+  void
+  addAgreements (const LoadedCloud& cloud,
+                 const Configuration& configuration,
+                 RunSettings settings,
+                 const PlaneLabels& labels,
+                 RowNumbers& row) const
+  {
+    settings.image = nullptr;
+    for (const CloudChange& change : cloud_changes) {
+      const ChangedCloud changed =
+          changedCloud (*cloud.loaded.cloud, cloud.loaded.up, change);
+      settings.up = changed.up;
+      const std::optional<DetectorRun> run =
+          runLimited (configuration, changed.cloud, settings, plan.time_limit);
+      if (run)
+        row[agreementColumn (change)] =
+            agreementOf (selectLabels (labels, changed.points), run->labels);
+    }
+  }
+
   /** Of a run that was stopped none but how long it took, so that it is not tried
    * again. */
   RowNumbers
@@ -428,7 +460,10 @@ struct Evaluation {
       return {{"detection_ms", 1e3 * plan.time_limit}};
     }
     saveLabels (cloud, configuration.name, run->labels);
-    return numbersOf (cloud, *run);
+    RowNumbers row = numbersOf (cloud, *run);
+    if (plan.has_changes && !configuration.is_own && !configuration.needs_image)
+      addAgreements (cloud, configuration, settings, run->labels, row);
+    return row;
   }
 
   void

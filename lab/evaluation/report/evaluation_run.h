@@ -22,6 +22,9 @@ struct EvaluationPlan {
   std::string labels_folder = {};
   /** Added to every point: voxels begin elsewhere in the same cloud [m]. */
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
+  /** Also runs detectors that need no image on \ref cloud_changes of each cloud, and
+   * writes how far their labels agree. */
+  bool has_changes = false;
 };
 
 /** Clouds count with all their rows in the file; stopped runs have a row without

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
+#include <evaluation/data/changed_clouds.h>
 #include <evaluation/report/evaluation_run.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
@@ -43,7 +44,7 @@ labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
             ++calls;
             DetectorRun run;
             run.labels.assign (cloud->size(), 0);
-            std::fill_n (run.labels.begin(), labeled, 1);
+            std::fill_n (run.labels.begin(), std::min (labeled, cloud->size()), 1);
             run.planes_before_merging = 7;
             run.durations.detection = 1500.0;
             return run;
@@ -98,6 +99,7 @@ TEST_F (EvaluationRunTest, EveryColumnHasANumberWhereTheTruthIsKnown)
   };
   plan.clouds = {{"squares", "a", square_of_points}};
   plan.configurations = {labeling ("all-right", 400, calls)};
+  plan.has_changes = true;
   run();
   EXPECT_FALSE (contains (contentOf (file), "nan")) << contentOf (file);
 }
@@ -110,6 +112,25 @@ TEST_F (EvaluationRunTest, EveryMetricHasAColumn)
   for (const NamedValues& values : {metrics.named, namedCounts (metrics)})
     for (const auto& named : values)
       EXPECT_TRUE (contains (header + ',', ',' + named.first + ',')) << named.first;
+}
+
+TEST_F (EvaluationRunTest, ChangedCloudsAgreeAsFarAsTheirLabels)
+{
+  // The first five of ten points are a plane; where one of them is left out, four of
+  // these and a sixth.
+  plan.clouds = {rowOfPoints ("a")};
+  plan.configurations = {labeling ("all-right", 10, calls)};
+  run();
+  EXPECT_TRUE (contains (contentOf (file), ",nan,nan,nan,nan,nan\n"))
+      << "not asked for";
+  EXPECT_EQ (calls, 1);
+  plan.configurations.push_back (labeling ("half-right", 5, calls));
+  plan.has_changes = true;
+  run();
+  EXPECT_EQ (calls, 1 + 1 + int (cloud_changes.size()));
+  EXPECT_TRUE (std::regex_search (contentOf (file),
+                                  std::regex ("half-right.*,1,1,(1|0\\.8),1,1\n")))
+      << contentOf (file);
 }
 
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
