@@ -33,6 +33,11 @@ def without_truth(on_planes, on_thick):
             "thick_length_share": on_thick}
 
 
+def agreeing(values, *clouds):
+    """With agreements of moved clouds."""
+    return {**values, "agreements": {"moved": clouds}, "moved": sum(clouds) / len(clouds)}
+
+
 def printed(call, *arguments):
     with contextlib.redirect_stdout(io.StringIO()) as output:
         call(*arguments)
@@ -82,11 +87,42 @@ class Lines(unittest.TestCase):
     def test_sets_are_compared_where_both_sides_have_them(self):
         now = {"rooms": with_truth(0.7), "tables": with_truth(0.1), "roofs": "absent"}
         before = {"rooms": with_truth(0.6, scatter=0.02), "cad": with_truth(0.9, scatter=0.0)}
-        lines = printed(accuracy.compare, now, before)
+        lines = printed(accuracy.compare, now, before, {})
         self.assertIn("roofs               absent", lines)
-        self.assertEqual(lines[-2], "all 2 sets: 0.4000")
-        self.assertEqual(lines[-1], "the 1 sets of both: 0.7000, before 0.6000 (+0.1000); "
+        self.assertEqual(lines[-4], "all 2 sets: 0.4000")
+        self.assertEqual(lines[-3], "the 1 sets of both: 0.7000, before 0.6000 (+0.1000); "
                                     "1 moved by more than their scatter")
+
+    def test_agreements_are_at_the_end_beside_those_before(self):
+        now = {"rooms": agreeing(with_truth(0.7), 0.5), "wild-kitti": agreeing(with_truth(0.7), 1)}
+        before = accuracy.overall({"rooms": agreeing(with_truth(0.7), 0.25)})
+        lines = printed(accuracy.compare, now, {}, before)
+        for place, start in ((-4, "all clouds: moved 0.750/0.500; turned -/-;"),
+                             (-3, "all clouds, before: moved 0.250/0.250;"),
+                             (-2, "real clouds: moved 1.000/1.000;"),
+                             (-1, "real clouds, before: moved -/-;")):
+            self.assertTrue(lines[place].startswith("agreement, " + start), lines[place])
+
+
+class Agreements(unittest.TestCase):
+    def test_the_worst_tenth_is_what_a_tenth_of_the_clouds_are_below(self):
+        clouds = [number / 20 for number in range(20, 0, -1)]
+        rows = accuracy.overall({"rooms": agreeing(with_truth(0.7), *clouds)})
+        self.assertAlmostEqual(rows["all-median"]["moved"], 0.525)
+        self.assertAlmostEqual(rows["all-tenth"]["moved"], 0.15)
+
+    def test_a_program_without_changes_has_none(self):
+        self.assertEqual(accuracy.agreements_of([{"f_score": "1"}])["moved"], [])
+        rows = [{"agreement_moved": text} for text in ("0.5", "nan", "1")]
+        self.assertEqual(accuracy.agreements_of(rows)["moved"], [0.5, 1.0])
+
+    def test_f_is_the_mean_of_the_positions_and_scatter_their_deviation(self):
+        positions = [{**with_truth(f_score), "detection_ms": 1.0} for f_score in (0.5, 0.6, 0.7)]
+        values = accuracy.over_positions([agreeing(positions[0], 0.9), *positions[1:]])
+        self.assertAlmostEqual(values["f_score"], 0.6)
+        self.assertAlmostEqual(values["scatter"], 0.1)
+        self.assertEqual(values["moved"], 0.9)
+        self.assertEqual(accuracy.over_positions([positions[0], "absent"]), "absent")
 
 
 class Stored(unittest.TestCase):
@@ -96,20 +132,32 @@ class Stored(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def test_what_is_stored_is_read_again(self):
-        values = {"rooms": with_truth(0.625), "wild-kitti": without_truth(0.75, 0.25)}
-        results = {(name, shift): value for name, value in values.items()
-                   for shift in accuracy.SHIFTS}
+        values = {"rooms": agreeing(with_truth(0.625, scatter=0.125), 1.0, 1.0),
+                  "wild-kitti": agreeing(without_truth(0.75, 0.25), 0.5, 0.5)}
         with mock.patch.object(accuracy, "STORED", self.folder / "accuracy.csv"), \
                 mock.patch.object(accuracy, "measure_all",
-                                  lambda folder, names, *_: results if names else {}):
-            accuracy.store(self.folder, list(values), "ops", False)
+                                  lambda folder, names, *_: values):
+            printed(accuracy.store, self.folder, list(values), "ops")
             stored = accuracy.read_stored()
+            over_clouds = accuracy.read_stored_overall()
         self.assertEqual(list(stored), list(values))
-        self.assertEqual(stored["rooms"], with_truth(0.625, scatter=0.0))
+        for column in ("clouds", "f_score", "scatter", "moved"):
+            self.assertEqual(stored["rooms"][column], values["rooms"][column])
+        self.assertEqual(over_clouds["all-median"]["moved"], 0.75)
+        self.assertEqual(over_clouds["real-tenth"]["moved"], 0.5)
+        self.assertTrue(math.isnan(over_clouds["all-median"]["turned"]))
         self.assertEqual(accuracy.score(stored["wild-kitti"]), 0.25)
 
     def test_the_file_of_the_project_has_only_sets_that_are_measured(self):
         self.assertLessEqual(set(accuracy.read_stored()), set(accuracy.SETS))
+
+    def test_a_file_without_agreements_is_read(self):
+        file = self.folder / "accuracy.csv"
+        file.write_text("set,clouds,f_score\nrooms,6,0.5\n")
+        with mock.patch.object(accuracy, "STORED", file):
+            self.assertEqual(accuracy.read_stored()["rooms"]["f_score"], 0.5)
+            self.assertTrue(math.isnan(accuracy.read_stored()["rooms"]["moved"]))
+            self.assertEqual(accuracy.read_stored_overall(), {})
 
     def test_real_clouds_are_left_out_where_they_are_absent(self):
         (self.folder / "roof_1.pcd").touch()
@@ -131,6 +179,9 @@ class Arguments(unittest.TestCase):
         self.assertIn("--sets lunar: is no set; give a part of one of rooms, ",
                       self.refusal("--sets", "lunar"))
         self.assertIn("--sets (: is no expression; ", self.refusal("--sets", "("))
+
+    def test_quick_values_are_not_stored_among_the_others(self):
+        self.assertIn("give --stored FILE", self.refusal("store", "--quick"))
 
     def test_a_folder_without_the_program_is_refused(self):
         self.assertIn("has no pcl_ops_evaluate", self.refusal("--bin", "/"))
