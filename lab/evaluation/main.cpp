@@ -45,6 +45,21 @@ struct RunOptions {
   std::optional<std::size_t> most_clouds;
 };
 
+/** What is made of the clouds of the data sets. */
+void
+declareCloudOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
+{
+  line.add ("shift X,Y,Z",
+            [&plan] (const std::string& text) { plan.shift = parseShift (text); })
+      .help ("added to all points: voxels begin elsewhere in them (0,0,0)");
+  line.add ("changes", plan.has_changes)
+      .help ("run on changed copies of the clouds, too, and write how far they agree");
+  line.add ("most-clouds N", options.most_clouds, from (1))
+      .help ("of each DATASET, evenly spread (all)");
+  line.add ("most-points N", plan.most_points, from (1))
+      .help ("of each cloud, drawn at random and without an image (all)");
+}
+
 void
 declareOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
 {
@@ -79,13 +94,7 @@ declareOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
       .help ("points of the smallest plane they are to find (50; 500 of loops)");
   line.add ("time-limit S", plan.time_limit, from (0).upTo (1e6))
       .help ("for a detector of others on a cloud, 0 for none (600)");
-  line.add ("shift X,Y,Z",
-            [&plan] (const std::string& text) { plan.shift = parseShift (text); })
-      .help ("added to all points: voxels begin elsewhere in them (0,0,0)");
-  line.add ("changes", plan.has_changes)
-      .help ("run on changed copies of the clouds, too, and write how far they agree");
-  line.add ("most-clouds N", options.most_clouds, from (1))
-      .help ("of each DATASET, evenly spread (all)");
+  declareCloudOptions (line, options, plan);
   line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
 }
 

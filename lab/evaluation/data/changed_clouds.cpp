@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "changed_clouds.h"
 
+#include <pcl/common/io.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -12,7 +14,7 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr std::uint32_t seed_of_thinning = 1;
+constexpr std::uint32_t seed_of_points = 1;
 constexpr std::uint32_t seed_of_jitter = 2;
 
 /** Its output is fixed by the C++ standard, that of std:: distributions is not. */
@@ -50,25 +52,14 @@ turn (ChangedCloud& changed)
   changed.up = rotation * changed.up;
 }
 
-/** Exactly as many as are to go, each point with the same chance (Knuth, The Art of
- * Computer Programming 2, algorithm S). */
 void
 thin (ChangedCloud& changed)
 {
   constexpr std::size_t one_in = 100;
-  RandomGenerator generator (seed_of_thinning);
-  XyzCloud& cloud = *changed.cloud;
-  std::size_t kept = 0;
-  std::size_t to_go = (cloud.size() + one_in - 1) / one_in;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (drawUnit (generator) * double (cloud.size() - i) < double (to_go))
-      --to_go;
-    else {
-      cloud[kept] = cloud[i];
-      changed.points[kept++] = changed.points[i];
-    }
-  cloud.resize (kept);
-  changed.points.resize (kept);
+  const std::size_t all = changed.points.size();
+  changed.points = drawPoints (all, all - (all + one_in - 1) / one_in);
+  const XyzCloud before = *changed.cloud;
+  pcl::copyPointCloud (before, changed.points, *changed.cloud);
 }
 
 void
@@ -97,6 +88,18 @@ const std::array<CloudChange, 5> cloud_changes{{{"moved", move},
                                                 {"thinned", thin},
                                                 {"jittered", jitter},
                                                 {"rounded", roundToMillimeters}}};
+
+pcl::Indices
+drawPoints (std::size_t all, std::size_t count)
+{
+  RandomGenerator generator (seed_of_points);
+  pcl::Indices points;
+  points.reserve (count);
+  for (std::size_t i = 0; i < all; ++i)
+    if (drawUnit (generator) * double (all - i) < double (count - points.size()))
+      points.push_back (pcl::index_t (i));
+  return points;
+}
 
 ChangedCloud
 changedCloud (const XyzCloud& cloud, const Vector3d& up, const CloudChange& change)

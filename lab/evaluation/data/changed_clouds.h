@@ -30,6 +30,11 @@ struct CloudChange {
  * - rounded: coordinates are whole millimeters */
 extern const std::array<CloudChange, 5> cloud_changes;
 
+/** Exactly \p count of \p all points, ascending, each with the same chance (Knuth, The
+ * Art of Computer Programming 2, algorithm S); always the same ones. */
+pcl::Indices
+drawPoints (std::size_t all, std::size_t count);
+
 ChangedCloud
 changedCloud (const XyzCloud& cloud, const Vector3d& up, const CloudChange& change);
 

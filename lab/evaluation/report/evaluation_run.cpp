@@ -278,6 +278,27 @@ shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
   return cloud;
 }
 
+EvaluationCloud
+sampled (EvaluationCloud cloud, std::optional<std::size_t> most_points)
+{
+  if (!most_points || *most_points >= cloud.cloud->size())
+    return cloud;
+  const pcl::Indices points = drawPoints (cloud.cloud->size(), *most_points);
+  const XyzCloud::ConstPtr all = cloud.cloud;
+  cloud.cloud.reset (new XyzCloud);
+  pcl::copyPointCloud (*all, points, *cloud.cloud);
+  if (cloud.truth)
+    cloud.truth = selectLabels (*cloud.truth, points);
+  if (!cloud.is_ignored.empty()) {
+    std::vector<char> is_ignored;
+    for (const pcl::index_t point : points)
+      is_ignored.push_back (cloud.is_ignored[point]);
+    cloud.is_ignored = is_ignored;
+  }
+  cloud.image = nullptr;
+  return cloud;
+}
+
 struct LoadedCloud {
   const CloudSource& source;
   EvaluationCloud loaded = {};
@@ -356,7 +377,7 @@ struct Evaluation {
     LoadedCloud cloud{source};
     try {
       inMemory (source.name, fewer_at_a_time, [&] {
-        cloud.loaded = shifted (source.load(), plan.shift);
+        cloud.loaded = shifted (sampled (source.load(), plan.most_points), plan.shift);
         cloud.truth = truthOf (cloud.loaded, plan.truth);
       });
       return cloud;

@@ -5,6 +5,7 @@
 #include <evaluation/detectors/detectors.h>
 
 #include <iosfwd>
+#include <optional>
 
 namespace pcl_ops::evaluation {
 
@@ -22,6 +23,8 @@ struct EvaluationPlan {
   std::string labels_folder = {};
   /** Added to every point: voxels begin elsewhere in the same cloud [m]. */
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
+  /** Of each cloud, drawn at random; none: all. Then none has an image. */
+  std::optional<std::size_t> most_points = std::nullopt;
   /** Also runs detectors that need no image on \ref cloud_changes of each cloud, and
    * writes how far their labels agree. */
   bool has_changes = false;

@@ -79,6 +79,21 @@ TEST (ChangedClouds, ThinnedOnesSayWhereTheirPointsWere)
     EXPECT_EQ ((*thinned.cloud)[i].x, cloud[thinned.points[i]].x);
 }
 
+TEST (DrawPoints, GivesAsManyAsAskedFor)
+{
+  EXPECT_EQ (drawPoints (3, 3), (pcl::Indices{0, 1, 2}));
+  EXPECT_TRUE (drawPoints (3, 0).empty());
+  const pcl::Indices points = drawPoints (1000, 500);
+  ASSERT_EQ (points.size(), 500u);
+  EXPECT_TRUE (std::is_sorted (points.begin(), points.end()));
+  EXPECT_NEAR (std::count_if (points.begin(),
+                              points.end(),
+                              [] (auto point) { return point < 500; }),
+               250,
+               50)
+      << "of the first half";
+}
+
 TEST (ChangedClouds, SmallOnesLoseAPointAndEmptyOnesNone)
 {
   EXPECT_EQ (changedBy ("thinned", rowOf (7)).cloud->size(), 6u);

@@ -133,6 +133,16 @@ TEST_F (EvaluationRunTest, ChangedCloudsAgreeAsFarAsTheirLabels)
       << contentOf (file);
 }
 
+TEST_F (EvaluationRunTest, SamplesOfCloudsHaveTheTruthOfTheirPoints)
+{
+  plan.most_points = 6;
+  plan.configurations = {labeling ("all-right", 10, calls)};
+  run();
+  EXPECT_TRUE (
+      contains (contentOf (file), "\nrows,a,exact,all-right,42,6,1,1,7,1,1,1,"))
+      << contentOf (file);
+}
+
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 {
   run();
