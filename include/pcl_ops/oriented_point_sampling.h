@@ -22,9 +22,9 @@ enum class Sampling {
    * are denser and their noise is even. */
   Leaves,
   /** \brief Each point with its nearest ones: its normal comes from the largest
-   * neighborhood that the noise of the cloud explains. Nothing divides space: the planes
-   * stay the same where the cloud is moved or turned, and nearly the same where some of
-   * the points are left out. It takes 2 to 6 times as long as Automatic. */
+   * neighborhood that the noise of the cloud explains. Nothing divides space: the
+   * planes stay the same where the cloud is moved or turned, and nearly the same where
+   * some of the points are left out. It takes 2 to 6 times as long as Automatic. */
   Neighborhoods,
   /** \brief Leaves; surfels where over a quarter of the points err as neighbors do,
    * as in images of depth cameras, whose noise voxels of one size average better, and
