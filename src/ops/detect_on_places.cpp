@@ -98,11 +98,11 @@ dropThick (const Coordinates& places,
 
 // The labels of all points of the cloud, of planes that are kept.
 AssignedPoints
-labelCloud (const Points& points,
-            const DistinctPlaces& distinct,
-            const Labels& labels,
-            const std::vector<char>& is_kept,
-            unsigned threads)
+labelPointsOf (const Points& points,
+               const DistinctPlaces& distinct,
+               const Labels& labels,
+               const std::vector<char>& is_kept,
+               unsigned threads)
 {
   Labels number (is_kept.size(), no_plane);
   std::int32_t planes = 0;
@@ -122,7 +122,7 @@ labelCloud (const Points& points,
 
 // Planes of a distance that a user gave are one, too.
 LabelledPlanes
-merge (AssignedPoints assigned, const OpsParameters& parameters)
+mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
 {
   MergingParameters given = parameters.merging;
   given.enabled = given.enabled && given.distance_threshold.has_value();
@@ -169,8 +169,9 @@ planesOfRegions (const Points& points,
   splitLayers (distinct, regions, parameters.distance_threshold, labels, is_plane);
   if (!parameters.distance_threshold)
     dropThick (distinct, noise, labels, parameters.threads, is_plane);
-  LabelledPlanes found = merge (
-      labelCloud (points, distinct, labels, is_plane, parameters.threads), parameters);
+  LabelledPlanes found = mergeByGivenDistance (
+      labelPointsOf (points, distinct, labels, is_plane, parameters.threads),
+      parameters);
   tellNoises (distinct, noise, found);
   if (parameters.distance_threshold)
     found.used.distance_threshold = parameters.distance_threshold;

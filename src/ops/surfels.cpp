@@ -26,7 +26,7 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 }
 
 // Thickness of a neighborhood over its width up to which no other is looked at.
-constexpr double flat_enough = 0.2;
+constexpr double flat_enough_of_voxels = 0.2;
 
 // The voxels of one resolution, and the planes around them.
 struct GridLevel {
@@ -181,13 +181,13 @@ surfelOf (std::size_t voxel,
   FlattestPlane plane{finest.moments[voxel], smallestNoise (finest)};
   for (const GridLevel& level : levels) {
     const std::size_t at = level.voxelHolding (voxel);
-    if (level.thickness[at] < flat_enough)
+    if (level.thickness[at] < flat_enough_of_voxels)
       plane.consider (level, at);
     // Where nothing around is flat enough, a coarser level is likely to have better.
-    if (plane.thickness >= flat_enough &&
-        level.thickness[level.flattest_around[at]] < flat_enough)
+    if (plane.thickness >= flat_enough_of_voxels &&
+        level.thickness[level.flattest_around[at]] < flat_enough_of_voxels)
       plane.considerAll (level, at);
-    if (plane.thickness < flat_enough)
+    if (plane.thickness < flat_enough_of_voxels)
       return *plane.best;
   }
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)

@@ -6,10 +6,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Every number that the engine on neighborhoods was tuned with.
- * src/doc/places.csv has a row for each: what halving and doubling it does to the sets
- * of scripts/accuracy.
- */
+/** \brief Every number that the engine on neighborhoods was tuned with, on two clouds
+ * of each set of scripts/accuracy; src/doc/decisions.md says what was tried. They have
+ * not been halved and doubled one by one. */
 struct PlaceConstants {
   // The neighborhoods of places.
   /** \brief Nearest points of a place, itself included: so many times (points /

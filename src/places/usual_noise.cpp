@@ -12,10 +12,18 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// The density is 0 of points as far apart as numbers go.
+double
+logarithmOf (double density)
+{
+  constexpr double limit = 300.0;
+  return std::clamp (std::log2 (density), -limit, limit);
+}
+
 int
 octaveOf (double density)
 {
-  return static_cast<int> (std::floor (std::log2 (density)));
+  return static_cast<int> (std::floor (logarithmOf (density)));
 }
 
 // The values of an octave, and every other one of those beside it.
@@ -65,7 +73,7 @@ double
 UsualNoise::of (double density) const
 {
   // An octave's value is that of its middle.
-  const double place = std::log2 (density) - 0.5;
+  const double place = logarithmOf (density) - 0.5;
   const int below = static_cast<int> (std::floor (place));
   const auto first = of_octave_.find (below);
   const auto second = of_octave_.find (below + 1);

@@ -139,6 +139,11 @@ struct OpsOnNeighborhoods : Ops {
   OpsOnNeighborhoods() : Ops (neighborhoodsOn (nullptr)) {}
 };
 
+/** \brief On the nearest points of each point. */
+struct OpsOnNeighborhoods : Ops {
+  OpsOnNeighborhoods() : Ops (neighborhoodsOn (nullptr)) {}
+};
+
 struct OpsOnVoxels : Ops {
   OpsOnVoxels() : Ops (voxelsOn (nullptr)) {}
 };
@@ -148,7 +153,8 @@ using Detectors = ::testing::Types<Ops,
                                    PublishedOps,
                                    pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
                                    pcl_ops::KernelHoughTransform<pcl::PointXYZ>,
-                                   OpsOnVoxels>;
+                                   OpsOnVoxels,
+                                   OpsOnNeighborhoods>;
 TYPED_TEST_SUITE (PlaneDetector, Detectors);
 
 TYPED_TEST (PlaneDetector, FindsNothingWhereThereIsNoPlaneAndCallsThatSuccess)

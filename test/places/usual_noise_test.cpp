@@ -48,3 +48,10 @@ TEST (UsualNoise, IsAtMostThreeTimesThatOfTheCloud)
 }
 
 TEST (UsualNoise, IsNoneOfNoPlaces) { EXPECT_EQ (UsualNoise ({}, {}).of (1.0), 0.0); }
+
+TEST (UsualNoise, IsKnownAtAnyDensity)
+{
+  const UsualNoise usual ({0.0f, 1.4f}, {1.0f, 1.0f});
+  EXPECT_NEAR (usual.of (0.0), 1.0, 1e-6);
+  EXPECT_NEAR (usual.of (1e308), 1.0, 1e-6);
+}

@@ -450,10 +450,10 @@ class Mistakes(unittest.TestCase):
 
     def test_of_a_number_for_a_file_leave_the_file_open(self):
         with tempfile.TemporaryFile() as file:
-            with self.assertRaises(TypeError):
+            with self.assertRaises(ValueError):
                 pcl_ops.read(file.fileno())
             file.write(b"open")
-        with self.assertRaises(TypeError):
+        with self.assertRaises(ValueError):
             pcl_ops.read(True)
 
     def test_of_an_up_without_direction_are_refused(self):
