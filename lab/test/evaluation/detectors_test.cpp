@@ -111,10 +111,9 @@ TEST (Detectors, OpsHasMostOfTheRoadOfALidarScanInOnePlaneByAThreshold)
   EXPECT_GT (most, points / 2);
 }
 
-TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanEightNoises)
+TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanTwelveNoises)
 {
-  // Grounds of lidar scans become thicker where leaves and points go to likelier
-  // planes.
+  // Hills are joined of pieces each of which is thin.
   for (const std::string name : {"lidar/nuscenes_20.pcd",
                                  "lidar/kitti_77.pcd",
                                  "wild/airborne_isprs_fsite8.pcd"}) {
@@ -126,7 +125,7 @@ TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanEightNoises)
         *cloud.cloud, pcl_ops::OrientedPointSamplingParameters());
     EXPECT_GE (planes.size(), 10u);
     for (const pcl_ops::PlaneSegment& plane : planes)
-      EXPECT_LE (plane.rms(), 8.0 * plane.noise.value_or (0.0) * (1.0 + 1e-6)) << name;
+      EXPECT_LE (plane.rms(), 12.0 * plane.noise.value_or (0.0) * (1.0 + 1e-6)) << name;
   }
 }
 
