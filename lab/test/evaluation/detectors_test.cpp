@@ -77,25 +77,16 @@ TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
   }
 }
 
-TEST (Detectors, OpsHasMostOfTheRoadOfALidarScanInOnePlaneByAThreshold)
+TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
 {
-  // In pieces, as without a threshold, it is no floor to planeKinds: it bends by more
-  // than its noise.
+  // In pieces it is no floor to planeKinds.
   constexpr std::uint32_t road = 40; // of SemanticKITTI
   const auto file = fs::path (PCL_OPS_DATA_DIR) / "real/lidar64_semkitti_00_000000.pcd";
   if (!fs::exists (file))
     GTEST_SKIP() << "no " << file;
   const EvaluationCloud cloud = dataSetOf ("clouds:" + file.string()).at (0).load();
-  pcl_ops::OrientedPointSamplingParameters parameters;
-  parameters.distance_threshold = 0.15;
-  PlaneLabels labels (cloud.cloud->size(), 0);
-  std::uint32_t number = 0;
-  for (const pcl_ops::PlaneSegment& plane :
-       pcl_ops::detectPlanes (*cloud.cloud, parameters)) {
-    ++number;
-    for (const pcl::index_t i : plane.inliers)
-      labels[i] = number;
-  }
+  const PlaneLabels labels =
+      selectConfigurations ("ops").at (0).run (cloud.cloud, {}).labels;
   std::map<std::uint32_t, std::size_t> points_of_plane;
   std::size_t points = 0;
   for (std::size_t i = 0; i < labels.size(); ++i)
