@@ -4,7 +4,9 @@
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane_kinds.h>
 
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 using Eigen::Vector3d;
@@ -50,12 +52,20 @@ struct Rectangles {
   }
 
   std::vector<std::string>
-  kinds () const
+  kinds (const std::optional<Vector3d>& viewpoint = {},
+         const Vector3d& up = Vector3d::UnitZ()) const
   {
     std::vector<std::string> names;
-    for (const PlaneKind kind : planeKinds (planes, extents, Vector3d::UnitZ()))
+    for (const PlaneKind kind : planeKinds (planes, extents, up, 1.0, viewpoint))
       names.emplace_back (toString (kind));
     return names;
+  }
+
+  /** \brief Where it is known that the sensor was there. */
+  std::vector<std::string>
+  kindsFromSensor (const Vector3d& up = Vector3d::UnitZ()) const
+  {
+    return kinds (sensor, up);
   }
 
   std::string
@@ -252,6 +262,93 @@ TEST (PlaneKinds, OfAGalleryIsASlab)
   EXPECT_EQ (hall.kinds(), (Names{"floor", "slab", "ceiling"}));
 }
 
+TEST (PlaneKinds, OfWhatLiesBelowTheSensorAreNoCeilings)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.level (-4.0, 4_m, 4_m).level (-2.0, 20_m, 20_m, 5.0, 5.0); // a pit, the street
+  EXPECT_EQ (street.kinds().back(), "ceiling") << "the sensor may have been below it";
+  EXPECT_EQ (street.kindsFromSensor().back(), "floor");
+}
+
+TEST (PlaneKinds, OfAMapDoNotHangOnASensorThatIsNowhereNear)
+{
+  Rectangles map;
+  map.sensor = {0, 0, 1e6};
+  map.level (0.0, 8_m, 8_m).level (3.0, 8_m, 8_m);
+  EXPECT_EQ (map.kindsFromSensor(), (Names{"floor", "ceiling"}));
+}
+
+TEST (PlaneKinds, OfATerraceBelowTheSensorAreAFloorAndItsWall)
+{
+  Rectangles terrace;
+  terrace.sensor = {5, 5, 6};
+  terrace.level (0.0, 20_m, 10_m).level (4.0, 10_m, 10_m);
+  terrace.add ({0, 10, 4}, {10, 0, 0}, {0, 0, 3});
+  EXPECT_EQ (terrace.kindsFromSensor(), (Names{"floor", "floor", "wall"}));
+}
+
+TEST (PlaneKinds, OfAFlatRoofFarBelowTheSensorIsARoof)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 30};
+  house.level (0.0, 20_m, 20_m).level (5.0, 10_m, 10_m);
+  EXPECT_EQ (house.kindsFromSensor(), (Names{"floor", "roof"}));
+}
+
+TEST (PlaneKinds, OfARoomAreTheSameWhereTheSensorIsKnown)
+{
+  EXPECT_EQ (shell().kindsFromSensor(), shell().kinds());
+  Rectangles image = shell();
+  image.sensor = {2, 1.5, 2.5}; // in the plane of the ceiling, which it does not see
+  EXPECT_EQ (image.kindsFromSensor(), shell().kinds());
+}
+
+TEST (PlaneKinds, OfPartsOfTheGroundAtTwoHeightsAreFloors)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 2};
+  street.level (0.0, 10_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
+  EXPECT_EQ (street.kinds(), (Names{"floor", "slab"}));
+  EXPECT_EQ (street.kindsFromSensor(), (Names{"floor", "floor"}));
+}
+
+TEST (PlaneKinds, OfARoomAreTheSameForASensorThatLeans)
+{
+  const Names upright = {"floor", "ceiling", "wall", "wall", "wall", "wall", "table"};
+  Rectangles room = shell();
+  room.level (0.72, 1.4, 0.8, 1.0, 1.0);
+  for (const double degrees : {5.0, 8.0, 11.0}) {
+    // The sensor's own axis, which it takes for up.
+    const Eigen::AngleAxisd lean (degrees * M_PI / 180.0, Vector3d::UnitX());
+    const Vector3d up = lean * Vector3d::UnitZ();
+    for (PlaneSegment& plane : room.planes)
+      plane.orientation = orientationOf (plane.normal, up, paper_angle_tolerance);
+    EXPECT_EQ (room.kindsFromSensor (up), upright) << degrees;
+    if (degrees > 7.0) {
+      EXPECT_NE (room.kinds (std::nullopt, up).front(), "floor")
+          << "of an unknown sensor nobody knows that it leans";
+    }
+  }
+}
+
+TEST (PlaneKinds, OfWallsAreWallsThoughSomeGroundFarAwaySlopes)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.add ({-3, 4, -1}, {6, 0, 0}, {0, 0.3, 3});  // leans by 6 degrees
+  street.add ({40, -3, -4}, {8, 0, 1.2}, {0, 6, 0}); // 48 m2, 8 degrees
+  EXPECT_EQ (street.kindsFromSensor().front(), "wall");
+}
+
+TEST (PlaneKinds, OfASlopeBesideALevelFloorIsARampThoughItIsTheLarger)
+{
+  Rectangles garage;
+  garage.level (0.0, 4_m, 5_m).add ({4, 0, 0}, {10, 0, 1.4}, {0, 5, 0});
+  garage.sensor = {2, 2, 2};
+  EXPECT_EQ (garage.kindsFromSensor(), (Names{"floor", "ramp"}));
+}
+
 TEST (PlaneKinds, OfNoPlanesAreNone)
 {
   EXPECT_TRUE (planeKinds ({}, {}, Vector3d::UnitZ()).empty());
@@ -265,6 +362,8 @@ TEST (PlaneKinds, RefuseWhatHasNoMeaning)
   EXPECT_THROW (planeKinds (room.planes, room.extents, {0, 0, 0}),
                 std::invalid_argument);
   EXPECT_THROW (planeKinds (room.planes, room.extents, up, 0.0), std::invalid_argument);
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up, 1.0, Vector3d (0, NAN, 0)),
+                std::invalid_argument);
 }
 
 TEST (PlaneKinds, RefusePlanesWithoutAHeight)
