@@ -103,6 +103,14 @@ class Planes(unittest.TestCase):
         self.assertEqual(list(columns), list(row))
         self.assertEqual(pcl_ops.FoundPlanes().as_dict(), {name: [] for name in row})
 
+    def test_are_no_ceilings_below_the_sensor(self):
+        street = surface((0, 0, -2), (9, 0, 0), (0, 9, 0), 20000)
+        pit = surface((0, -5, -4.5), (4, 0, 0), (0, 4, 0), 4000)
+        found = pcl_ops.segment(np.vstack([street, pit]))[1]
+        self.assertEqual(found[0].kind, "floor")
+        self.assertEqual(pcl_ops.plane_kinds(found, viewpoint=(0, 0, 0))[0], "floor")
+        self.assertEqual(pcl_ops.plane_kinds(found)[0], "ceiling", "from where is not known")
+
     def test_have_kinds_by_all_planes_of_the_cloud(self):
         self.assertEqual([plane.kind for plane in planes], ["floor", "wall", "wall"])
         self.assertEqual(floor.as_dict()["kind"], "floor")
