@@ -381,6 +381,43 @@ nameParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
         kinds[i] = PlaneKind::Wall;
 }
 
+void
+checkArguments (const std::vector<PlaneSegment>& planes,
+                const std::vector<PlaneExtent>& extents,
+                const Vector3d& up,
+                double meter,
+                const Viewpoint& viewpoint)
+{
+  if (planes.size() != extents.size())
+    throw std::invalid_argument ("each plane has to have its extent");
+  if (!up.allFinite() || up.isZero (0.0))
+    throw std::invalid_argument ("the up axis must be a direction");
+  if (!(meter > 0.0 && std::isfinite (meter)))
+    throw std::invalid_argument ("a meter must be a length above 0");
+  if (viewpoint && !viewpoint->allFinite())
+    throw std::invalid_argument ("the viewpoint must be finite");
+}
+
+/** \brief Over the ground where a sensor leans. \param[in] up unit vector */
+std::vector<PlaneShape>
+uprightShapes (const std::vector<PlaneSegment>& planes,
+               const std::vector<PlaneExtent>& extents,
+               const Vector3d& up,
+               double meter,
+               const Viewpoint& sensor)
+{
+  std::vector<PlaneShape> shapes = shapesOf (planes, extents, up, meter, sensor);
+  const PlaneShape* const ground = leaningGround (shapes);
+  if (ground == nullptr)
+    return shapes;
+  const Vector3d upright =
+      ground->normal.dot (up) < 0.0 ? -ground->normal : ground->normal;
+  shapes = shapesOf (planes, extents, upright, meter, sensor);
+  for (PlaneShape& shape : shapes)
+    shape.orientation = orientationOf (shape.normal, upright, paper_angle_tolerance);
+  return shapes;
+}
+
 } // namespace
 
 const char*
@@ -414,24 +451,9 @@ planeKinds (const std::vector<PlaneSegment>& planes,
             double meter,
             const std::optional<Eigen::Vector3d>& viewpoint)
 {
-  if (planes.size() != extents.size())
-    throw std::invalid_argument ("each plane has to have its extent");
-  if (!up.allFinite() || up.isZero (0.0))
-    throw std::invalid_argument ("the up axis must be a direction");
-  if (!(meter > 0.0 && std::isfinite (meter)))
-    throw std::invalid_argument ("a meter must be a length above 0");
-  if (viewpoint && !viewpoint->allFinite())
-    throw std::invalid_argument ("the viewpoint must be finite");
-  const Vector3d axis = up.stableNormalized();
-  const Viewpoint sensor = nearSensor (viewpoint, extents);
-  std::vector<PlaneShape> shapes = shapesOf (planes, extents, axis, meter, sensor);
-  if (const PlaneShape* const ground = leaningGround (shapes)) {
-    const Vector3d upright =
-        ground->normal.dot (axis) < 0.0 ? -ground->normal : ground->normal;
-    shapes = shapesOf (planes, extents, upright, meter, sensor);
-    for (PlaneShape& shape : shapes)
-      shape.orientation = orientationOf (shape.normal, upright, paper_angle_tolerance);
-  }
+  checkArguments (planes, extents, up, meter, viewpoint);
+  const std::vector<PlaneShape> shapes = uprightShapes (
+      planes, extents, up.stableNormalized(), meter, nearSensor (viewpoint, extents));
   const std::vector<Story> stories = storiesOf (shapes);
   std::vector<PlaneKind> kinds;
   for (const PlaneShape& shape : shapes)
