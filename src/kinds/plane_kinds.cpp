@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/angles.h"
+#include "kinds/continuation.h"
 #include "kinds/heights.h"
 #include "kinds/stories.h"
 #include <pcl_ops/plane_kinds.h>
@@ -69,6 +70,12 @@ sightOf (const PlaneSegment& plane,
         extent.area / (meter * meter) * std::abs (height) / std::pow (distance, 3);
   return sight;
 }
+
+struct Scene {
+  std::vector<PlaneShape> shapes;
+  /** \brief Unit vector that their heights are along. */
+  Vector3d up;
+};
 
 /** \brief Nothing where a sensor is farther away than any sees, as zero is from a map.
  */
@@ -353,10 +360,49 @@ kindOf (const PlaneShape& shape,
 /** \brief Whether a plane has a relief of its own, as a hillside has: it is no part of
  * a building. */
 bool
-hasRelief (const PlaneSegment& plane)
+hasRelief (const PlaneSegment& plane, double meter)
 {
   constexpr double max_noises = 3.0;
-  return plane.noise && plane.rms() > max_noises * *plane.noise;
+  constexpr double max_rms = 0.35; // of a roof with its chimneys [m]
+  const double rms = plane.rms();
+  return rms > max_rms * meter || (plane.noise && rms > max_noises * *plane.noise);
+}
+
+/** \brief One for each plane, in a frame whose z is up; walls without an outline. */
+std::vector<PlaneFromAbove>
+planesFromAbove (const Scene& scene,
+                 const std::vector<PlaneExtent>& extents,
+                 double meter)
+{
+  constexpr double min_cosine = 0.5; // 60 degrees
+  const auto turn = Eigen::Quaterniond::FromTwoVectors (scene.up, Vector3d::UnitZ());
+  std::vector<PlaneFromAbove> planes;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    const PlaneShape& shape = scene.shapes[i];
+    const Vector3d normal = turn * shape.normal;
+    PlaneFromAbove& plane = planes.emplace_back();
+    plane.normal = normal.z() < 0.0 ? -normal : normal;
+    plane.center = turn * shape.center;
+    plane.area = shape.area;
+    if (plane.normal.z() >= min_cosine)
+      for (const Vector3d& corner : extents[i].hull)
+        plane.hull.push_back (turn * corner / meter);
+  }
+  return planes;
+}
+
+/** \brief Has hillsides be no roofs. Walls keep their names: in depth images they bend
+ * by as much; of 20 rooms .17 of the walls were left. */
+void
+denyHills (const std::vector<PlaneSegment>& planes,
+           const std::vector<PlaneFromAbove>& from_above,
+           double meter,
+           std::vector<PlaneKind>& kinds)
+{
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (kinds[i] == PlaneKind::Roof &&
+        (hasRelief (planes[i], meter) || isContinued (from_above[i], from_above)))
+      kinds[i] = PlaneKind::Other;
 }
 
 /** \brief Whether a vertical plane is a part of another one, in its plane. */
@@ -399,23 +445,23 @@ checkArguments (const std::vector<PlaneSegment>& planes,
 }
 
 /** \brief Over the ground where a sensor leans. \param[in] up unit vector */
-std::vector<PlaneShape>
-uprightShapes (const std::vector<PlaneSegment>& planes,
-               const std::vector<PlaneExtent>& extents,
-               const Vector3d& up,
-               double meter,
-               const Viewpoint& sensor)
+Scene
+uprightScene (const std::vector<PlaneSegment>& planes,
+              const std::vector<PlaneExtent>& extents,
+              const Vector3d& up,
+              double meter,
+              const Viewpoint& sensor)
 {
-  std::vector<PlaneShape> shapes = shapesOf (planes, extents, up, meter, sensor);
-  const PlaneShape* const ground = leaningGround (shapes);
+  Scene scene{shapesOf (planes, extents, up, meter, sensor), up};
+  const PlaneShape* const ground = leaningGround (scene.shapes);
   if (ground == nullptr)
-    return shapes;
+    return scene;
   const Vector3d upright =
       ground->normal.dot (up) < 0.0 ? -ground->normal : ground->normal;
-  shapes = shapesOf (planes, extents, upright, meter, sensor);
-  for (PlaneShape& shape : shapes)
+  scene = {shapesOf (planes, extents, upright, meter, sensor), upright};
+  for (PlaneShape& shape : scene.shapes)
     shape.orientation = orientationOf (shape.normal, upright, paper_angle_tolerance);
-  return shapes;
+  return scene;
 }
 
 } // namespace
@@ -452,17 +498,15 @@ planeKinds (const std::vector<PlaneSegment>& planes,
             const std::optional<Eigen::Vector3d>& viewpoint)
 {
   checkArguments (planes, extents, up, meter, viewpoint);
-  const std::vector<PlaneShape> shapes = uprightShapes (
+  const Scene scene = uprightScene (
       planes, extents, up.stableNormalized(), meter, nearSensor (viewpoint, extents));
+  const std::vector<PlaneShape>& shapes = scene.shapes;
   const std::vector<Story> stories = storiesOf (shapes);
   std::vector<PlaneKind> kinds;
   for (const PlaneShape& shape : shapes)
     kinds.push_back (kindOf (shape, shapes, stories));
   nameParts (shapes, kinds);
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    // Walls in depth images bend by as much: of 20 rooms .17 of the walls were named.
-    if (kinds[i] == PlaneKind::Roof && hasRelief (planes[i]))
-      kinds[i] = PlaneKind::Other;
+  denyHills (planes, planesFromAbove (scene, extents, meter), meter, kinds);
   return kinds;
 }
 

@@ -216,11 +216,63 @@ TEST (PlaneKinds, OfAHillsideIsOther)
         1000.0, slope.centroid, rms * rms * slope.normal * slope.normal.transpose());
   };
   has_rms (0.5);
-  EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
-  slope.noise = 0.1;
-  EXPECT_EQ (survey.lastKind(), "other") << "its rms is five noises";
+  EXPECT_EQ (survey.lastKind(), "other") << "of half a meter, whatever the noise";
   has_rms (0.2);
+  EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
+  slope.noise = 0.05;
+  EXPECT_EQ (survey.lastKind(), "other") << "its rms is four noises";
+  slope.noise = 0.1;
   EXPECT_EQ (survey.lastKind(), "roof") << "its rms is two noises";
+}
+
+TEST (PlaneKinds, OfASlopeThatGoesOnAtItsEndsIsOther)
+{
+  // A valley of 40 m, and a hillside of 20 degrees in three strips above one another.
+  const auto strip = [] (Rectangles& hills, double from) {
+    hills.add ({0, from, 0.36 * from}, {40, 0, 0}, {0, 9, 0.36 * 9});
+  };
+  Rectangles hills;
+  hills.sensor = {0, 0, 1e3};
+  hills.level (0.0, 40_m, 40_m, 0.0, -40.0);
+  for (const double from : {0.0, 10.0, 20.0})
+    strip (hills, from);
+  EXPECT_EQ (hills.kinds()[2], "other");
+  Rectangles roof;
+  roof.sensor = {0, 0, 1e3};
+  roof.level (0.0, 40_m, 40_m, 0.0, -40.0);
+  strip (roof, 10.0);
+  EXPECT_EQ (roof.kinds()[1], "roof") << "alone";
+}
+
+TEST (PlaneKinds, OfTwoSidesOfAGableAreRoofs)
+{
+  for (const double rise : {0.5, 4.0}) { // of 7 and of 45 degrees
+    Rectangles house;
+    house.sensor = {0, 0, 1e3};
+    house.level (0.0, 40_m, 40_m, -15.0, -15.0);
+    house.add ({0, 0, 3}, {10, 0, 0}, {0, 4, rise});
+    house.add ({0, 8, 3}, {10, 0, 0}, {0, -4, rise});
+    EXPECT_EQ (house.kinds(), (Names{"floor", "roof", "roof"})) << rise;
+  }
+}
+
+TEST (PlaneKinds, OfARoofWithoutItsGroundIsARoof)
+{
+  Rectangles roof;
+  roof.sensor = {0, 0, 1e3};
+  roof.level (0.0, 2_m, 2_m, 30.0, 0.0); // a place of the ground elsewhere
+  roof.add ({0, 0, 5}, {10, 0, 0}, {0, 4, 2});
+  roof.add ({0, 8, 5}, {10, 0, 0}, {0, -4, 2});
+  EXPECT_EQ (roof.kinds(), (Names{"floor", "roof", "roof"}));
+}
+
+TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
+{
+  Rectangles terraces; // steps of a field, each lower by half a meter
+  terraces.sensor = {0, 0, 1e3};
+  for (const double step : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
+    terraces.level (0.5 * step, 30_m, 10_m, 0.0, 10.0 * step);
+  EXPECT_EQ (terraces.kinds()[5], "other");
 }
 
 TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
