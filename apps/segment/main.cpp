@@ -10,6 +10,7 @@
 #include <cli/progress.h>
 #include <cli/text.h>
 #include <detection/common_up.h>
+#include <detection/known_sensor.h>
 #include <io/las_file.h>
 #include <io/pose_file.h>
 #include <pcl_ops/plane_tracker.h>
@@ -151,12 +152,18 @@ regularize (Detected& detected)
 /** \brief Says what planes are, by their convex outlines, which are kept.
  * \param[in] meter its length in the unit of the cloud */
 void
-nameKinds (const ShiftedCloud& shifted, double meter, Detected& detected)
+nameKinds (const FileCloud& cloud,
+           const ShiftedCloud& shifted,
+           double meter,
+           Detected& detected)
 {
   for (const PlaneSegment& plane : detected.planes)
     detected.extents.push_back (extentInFile (shifted, plane, "convex"));
-  detected.kinds =
-      planeKinds (detected.planes, detected.extents, detected.up.cast<double>(), meter);
+  detected.kinds = planeKinds (detected.planes,
+                               detected.extents,
+                               detected.up.cast<double>(),
+                               meter,
+                               knownSensor (cloud, shifted));
   if (meter != 1.0)
     detected.settings["meter"] = meter;
 }
@@ -206,7 +213,7 @@ segmentCloud (const SegmentOptions& options,
     report.detected.advice = likeliestCause (shifted, report);
   if (options.regularize)
     regularize (report.detected);
-  nameKinds (shifted, options.of_plan.meter, report.detected);
+  nameKinds (cloud, shifted, options.of_plan.meter, report.detected);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);

@@ -90,7 +90,7 @@ def segment(
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
     planes.up = parameters_of(given)["up"][0]
     planes.up_confidence = found_up and found_up[1]
-    name_together(planes, planes.up)
+    name_together(planes, planes.up, sensor)
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
         labels[plane.inliers] = number
