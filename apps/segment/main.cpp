@@ -5,11 +5,13 @@
 #include <Eigen/Geometry>
 
 #include "report.h"
+#include "warnings.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <cli/text.h>
 #include <detection/common_up.h>
+#include <detection/warning_lines.h>
 #include <io/las_file.h>
 #include <io/pose_file.h>
 #include <pcl_ops/plane_tracker.h>
@@ -172,6 +174,19 @@ likeliestCause (const ShiftedCloud& shifted, const Report& report)
   return on_degrees.empty() ? report.detected.advice : on_degrees;
 }
 
+FloorPlan
+floorPlanOf (const SegmentOptions& options,
+             const ShiftedCloud& shifted,
+             const Detected& detected)
+{
+  return findFloorPlan (*shifted.cloud,
+                        detected.planes,
+                        detected.kinds,
+                        detected.up.cast<double>(),
+                        options.of_plan,
+                        shifted.shift);
+}
+
 /** \brief Reads a cloud, finds its planes and writes its outputs.
  * \param[in] give_ids where it is missing, planes are numbered by falling size
  * \param[in] lines what tells the stages; nullptr for none
@@ -204,6 +219,8 @@ segmentCloud (const SegmentOptions& options,
   turnToScanners (report.detected.planes, cloud.scans);
   if (!report.detected.advice.empty())
     report.detected.advice = likeliestCause (shifted, report);
+  report.warnings =
+      warningsOn (options, cloud, shifted, report.detected, task.has_camera_poses);
   if (options.regularize)
     regularize (report.detected);
   nameKinds (shifted, options.of_plan.meter, report.detected);
@@ -211,7 +228,11 @@ segmentCloud (const SegmentOptions& options,
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);
   };
+  const std::size_t walls_found = wallsAmong (report.detected);
   report.dropped = keepChosen (options.choice, extent_of, report.detected);
+  if (!task.outputs.plan.empty())
+    report.plan = floorPlanOf (options, shifted, report.detected);
+  addWarningsOnPlan (walls_found, report);
   report.ids = numbersUpTo (planes.size());
   report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
@@ -497,6 +518,12 @@ segmentOne (const SegmentOptions& options)
   lines.reset();
   if (!report.damage.empty())
     warn (report.input + ": " + report.damage);
+  if (!options.quiet) {
+    WarningLines doubts;
+    doubts.add (report.input, report.warnings);
+    for (const std::string& line : doubts.lines())
+      warn (line);
+  }
   if (options.quiet || task.outputs.planes == standard_stream)
     return ExitCode::done;
   printTable (report, std::cout);

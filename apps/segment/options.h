@@ -100,6 +100,9 @@ struct Task {
   /** \brief A file, or "-" for the standard input. */
   std::string input;
   Outputs outputs;
+  /** \brief Whether poses are used as the cloud's own that look like those of KITTI's
+   * camera. */
+  bool has_camera_poses = false;
 };
 
 struct Batch {

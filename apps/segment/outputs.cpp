@@ -427,19 +427,6 @@ saveEdges (const std::string& file,
   savePolyData (file, cloud, toLines (edges));
 }
 
-FloorPlan
-floorPlanOf (const SegmentOptions& options,
-             const ShiftedCloud& shifted,
-             const Detected& detected)
-{
-  return findFloorPlan (*shifted.cloud,
-                        detected.planes,
-                        detected.kinds,
-                        detected.up.cast<double>(),
-                        options.of_plan,
-                        shifted.shift);
-}
-
 } // namespace
 
 bool
@@ -486,7 +473,7 @@ saveOutputs (const SegmentOptions& options,
     saveEdges (outputs.edges, cloud, shifted, report, options.map.crs);
   if (!outputs.plan.empty())
     savePlan (outputs.plan,
-              floorPlanOf (options, shifted, report.detected),
+              report.plan.value(),
               report.ids,
               fs::path (report.input).filename().string(),
               options.map.crs,

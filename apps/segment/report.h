@@ -3,6 +3,7 @@
 #pragma once
 
 #include "options.h"
+#include <pcl_ops/result_warnings.h>
 
 #include <iosfwd>
 
@@ -21,6 +22,10 @@ struct Report {
   Dropped dropped;
   /** \brief What makes the cloud look damaged; empty where nothing does. */
   std::string damage;
+  /** \brief What is doubtful about the planes and the plan. */
+  std::vector<ResultWarning> warnings;
+  /** \brief The floor plan, if one is asked for. */
+  std::optional<FloorPlan> plan;
   /** \brief One for each plane, if an output says where planes end; else none. */
   std::vector<PlaneExtent> extents;
 
