@@ -219,8 +219,8 @@ segmentCloud (const SegmentOptions& options,
   turnToScanners (report.detected.planes, cloud.scans);
   if (!report.detected.advice.empty())
     report.detected.advice = likeliestCause (shifted, report);
-  report.warnings =
-      warningsOn (options, cloud, shifted, report.detected, task.has_camera_poses);
+  if (!options.quiet || !task.outputs.planes.empty())
+    report.warnings = warningsOn (options, task, cloud, shifted, report.detected);
   if (options.regularize)
     regularize (report.detected);
   nameKinds (shifted, options.of_plan.meter, report.detected);
@@ -228,11 +228,13 @@ segmentCloud (const SegmentOptions& options,
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);
   };
-  const std::size_t walls_found = wallsAmong (report.detected);
+  PlanCounts counts;
+  counts.wall_planes_found = countOf (PlaneKind::Wall, report.detected);
+  counts.has_floor = countOf (PlaneKind::Floor, report.detected) > 0;
   report.dropped = keepChosen (options.choice, extent_of, report.detected);
   if (!task.outputs.plan.empty())
     report.plan = floorPlanOf (options, shifted, report.detected);
-  addWarningsOnPlan (walls_found, report);
+  warnOfPlan (options, shifted, counts, report);
   report.ids = numbersUpTo (planes.size());
   report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();

@@ -3,6 +3,8 @@
 #include "warnings.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -22,48 +24,70 @@ knowledgeOfUp (const DetectorOptions& detector,
   return is_said ? UpKnowledge::Known : UpKnowledge::Assumed;
 }
 
+ResultContext
+contextOf (const SegmentOptions& options, const ShiftedCloud& shifted)
+{
+  ResultContext context;
+  context.shift = shifted.shift;
+  context.has_meter = options.of_plan.meter != 1.0;
+  if (!adviceOnDegrees (shifted).empty())
+    context.unit = CoordinateUnit::Degree;
+  return context;
+}
+
+bool
+isOnUnit (const ResultWarning& warning)
+{
+  return warning.code == "millimeters" || warning.code == "feet" ||
+         warning.code == "degrees";
+}
+
 } // namespace
 
 std::vector<ResultWarning>
 warningsOn (const SegmentOptions& options,
+            const Task& task,
             const FileCloud& cloud,
             const ShiftedCloud& shifted,
-            const Detected& detected,
-            bool has_camera_poses)
+            const Detected& detected)
 {
-  ResultContext context;
-  context.shift = shifted.shift;
+  ResultContext context = contextOf (options, shifted);
   if (!cloud.origin.head<3>().isZero (0.0F))
     context.viewpoint = shifted.cloud->sensor_origin_.head<3>().cast<double>();
-  context.has_meter = options.of_plan.meter != 1.0;
-  context.up = knowledgeOfUp (options.detector, cloud, detected);
-  context.uses_kinds = !options.outputs.plan.empty() || options.choice.namesKinds();
-  context.has_camera_poses = has_camera_poses;
+  context.up_knowledge = knowledgeOfUp (options.detector, cloud, detected);
+  context.up = detected.up.cast<double>();
+  context.suggested_up = detected.suggested_up;
+  context.uses_kinds = !task.outputs.plan.empty() || options.choice.namesKinds();
+  context.has_camera_poses = task.has_camera_poses;
+  context.search = detected.search;
   return resultWarnings (*shifted.cloud, detected.planes, context);
 }
 
 std::size_t
-wallsAmong (const Detected& detected)
+countOf (PlaneKind kind, const Detected& detected)
 {
   return static_cast<std::size_t> (
-      std::count (detected.kinds.begin(), detected.kinds.end(), PlaneKind::Wall));
+      std::count (detected.kinds.begin(), detected.kinds.end(), kind));
 }
 
 void
-addWarningsOnPlan (std::size_t walls_found, Report& report)
+warnOfPlan (const SegmentOptions& options,
+            const ShiftedCloud& shifted,
+            PlanCounts counts,
+            Report& report)
 {
-  if (!report.plan)
+  const bool is_told = !options.quiet || !options.outputs.planes.empty();
+  if (!report.plan || !is_told)
     return;
-  const std::vector<PlaneKind>& kinds = report.detected.kinds;
-  ResultContext context;
-  context.plan = PlanCounts{report.plan->walls.size(),
-                            report.plan->rooms.size(),
-                            walls_found,
-                            wallsAmong (report.detected),
-                            std::find (kinds.begin(), kinds.end(), PlaneKind::Floor) !=
-                                kinds.end()};
-  std::vector<ResultWarning> all = resultWarnings ({}, {}, context);
-  all.insert (all.end(), report.warnings.begin(), report.warnings.end());
+  counts.walls = report.plan->walls.size();
+  counts.wall_planes_kept = countOf (PlaneKind::Wall, report.detected);
+  ResultContext context = contextOf (options, shifted);
+  context.plan = counts;
+  std::vector<ResultWarning> all = resultWarnings (*shifted.cloud, {}, context);
+  std::remove_copy_if (report.warnings.begin(),
+                       report.warnings.end(),
+                       std::back_inserter (all),
+                       isOnUnit);
   all.resize (std::min (all.size(), context.max_warnings));
   report.warnings = std::move (all);
 }

@@ -6,22 +6,25 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What is doubtful about all planes that were found, before any is left out.
- * \param[in] has_camera_poses whether poses look like those of KITTI's camera */
+/** \brief What is doubtful about all planes that were found, before any is moved or
+ * left out. */
 std::vector<ResultWarning>
 warningsOn (const SegmentOptions& options,
+            const Task& task,
             const FileCloud& cloud,
             const ShiftedCloud& shifted,
-            const Detected& detected,
-            bool has_camera_poses);
+            const Detected& detected);
 
-/** \brief How many of the planes are walls. */
+/** \brief How many planes are of a kind. */
 std::size_t
-wallsAmong (const Detected& detected);
+countOf (PlaneKind kind, const Detected& detected);
 
 /** \brief Puts what is doubtful about the plan, if there is one, before all else.
- * \param[in] walls_found planes that were walls before any was left out */
+ * \param[in] counts of the planes before any was left out */
 void
-addWarningsOnPlan (std::size_t walls_found, Report& report);
+warnOfPlan (const SegmentOptions& options,
+            const ShiftedCloud& shifted,
+            PlanCounts counts,
+            Report& report);
 
 } // namespace pcl_ops::apps

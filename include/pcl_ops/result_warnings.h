@@ -42,13 +42,12 @@ enum class CoordinateUnit { Unknown, Meter, Foot, Degree };
 
 /** \brief What became of the floor plan of a result. */
 struct PlanCounts {
-  /** \brief Walls and rooms of the plan. */
+  /** \brief Walls of the plan. */
   std::size_t walls = 0;
-  std::size_t rooms = 0;
   /** \brief Planes that are walls, before filters and after them. */
   std::size_t wall_planes_found = 0;
   std::size_t wall_planes_kept = 0;
-  /** \brief Whether a plane is a floor. */
+  /** \brief Whether one of the planes before filters is a floor. */
   bool has_floor = false;
 };
 
@@ -63,7 +62,11 @@ struct ResultContext {
   CoordinateUnit unit = CoordinateUnit::Unknown;
   /** \brief Whether the user gave the length of a meter: then the unit is known. */
   bool has_meter = false;
-  UpKnowledge up = UpKnowledge::Known;
+  UpKnowledge up_knowledge = UpKnowledge::Known;
+  /** \brief Against gravity, as it was used. */
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  /** \brief Another axis that the planes are sure of, where \ref up is assumed. */
+  std::optional<Eigen::Vector3d> suggested_up;
   /** \brief Whether kinds of planes or a floor plan were asked for: these need to know
    * which way is up. */
   bool uses_kinds = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <map>
 #include <sstream>
 
@@ -26,17 +27,38 @@ pythonNameOf (std::string option)
   return option;
 }
 
+/** \brief The power of ten that is the first digit of a length; 1 for none. */
+double
+unitOf (double length)
+{
+  return length > 0.0 ? std::pow (10.0, std::floor (std::log10 (length))) : 1.0;
+}
+
+std::string
+written (double number)
+{
+  std::ostringstream text;
+  text.imbue (std::locale::classic());
+  text << number;
+  return text.str();
+}
+
 } // namespace
 
 std::string
 roundedLength (double length)
 {
-  constexpr double tenth_of_digit = 10.0;
-  const double unit = std::pow (10.0, std::floor (std::log10 (length)));
-  std::ostringstream text;
-  text.imbue (std::locale::classic());
-  text << std::round (tenth_of_digit * length / unit) * unit / tenth_of_digit;
-  return text.str();
+  constexpr double digits = 10.0; // two
+  const double unit = unitOf (length);
+  return written (std::round (digits * length / unit) * unit / digits);
+}
+
+std::string
+roundedUpLength (double length)
+{
+  constexpr double smallest = 1e-6;
+  const double unit = unitOf (std::max (length, smallest));
+  return written (std::floor (std::max (length, smallest) / unit + 1.0) * unit);
 }
 
 std::string

@@ -4,6 +4,7 @@
 
 #include <pcl_ops/result_warnings.h>
 
+#include <cstdint>
 #include <string>
 
 namespace pcl_ops::internal {
@@ -11,6 +12,10 @@ namespace pcl_ops::internal {
 /** \brief A length with two digits, as people write it: 0.18, 1500. */
 std::string
 roundedLength (double length);
+
+/** \brief The number above a length with one digit. */
+std::string
+roundedUpLength (double length);
 
 /** \brief A share of one in per cent: "45 %". */
 std::string
@@ -31,6 +36,14 @@ struct ParameterText {
    * \param[in] value as the user would type it; may be empty for the option's name */
   std::string
   of (const std::string& option, const std::string& value) const;
+
+  /** \brief Of the plane at a position: labels of files begin with 1, of arrays with 0.
+   */
+  std::string
+  planeNumber (std::int32_t position) const
+  {
+    return std::to_string (isPython() ? position : position + 1);
+  }
 
   /** \brief "--up auto", or "up="auto"": of values that are words. */
   std::string
