@@ -13,6 +13,7 @@
 #include <detection/common_up.h>
 #include <detection/warning_lines.h>
 #include <io/las_file.h>
+#include <io/output_file.h>
 #include <io/pose_file.h>
 #include <pcl_ops/plane_tracker.h>
 #include <pcl_ops/visibility.h>
@@ -234,7 +235,7 @@ segmentCloud (const SegmentOptions& options,
   report.dropped = keepChosen (options.choice, extent_of, report.detected);
   if (!task.outputs.plan.empty())
     report.plan = floorPlanOf (options, shifted, report.detected);
-  warnOfPlan (options, shifted, counts, report);
+  warnOfPlan (options, cloud, shifted, counts, report);
   report.ids = numbersUpTo (planes.size());
   report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
@@ -247,7 +248,7 @@ segmentCloud (const SegmentOptions& options,
     std::transform (
         planes.begin(), planes.end(), std::back_inserter (report.extents), extent_of);
   begin ("writing");
-  saveOutputs (options, task.outputs, cloud, shifted, report);
+  report.written = saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;
 }
 
@@ -270,9 +271,16 @@ posesOf (const TrackOptions& options, std::size_t frames)
   return poses;
 }
 
+bool
+isScanOfKitti (const Task& task)
+{
+  return extensionOf (task.input) == ".bin";
+}
+
 struct Status {
   enum { Done, Failed, Interrupted } end;
-  std::string problem = {}, summary = {};
+  std::string problem = {}, summary = {}, input = {};
+  std::vector<ResultWarning> warnings = {};
 };
 
 /** \brief Segments clouds, options.jobs at a time. Goes on after one that fails; ends
@@ -294,6 +302,10 @@ public:
   {
     if (options.track.is_on && !batch.tasks.empty())
       poses_ = posesOf (options.track, batch.tasks.size());
+    in_common_frame_.track.has_camera_poses =
+        options.track.calibration.empty() && !options.track.poses.empty() &&
+        std::any_of (batch.tasks.begin(), batch.tasks.end(), isScanOfKitti) &&
+        lookLikeCameraOfKitti (options.track.poses, poses_);
   }
 
   /** \return the exit code, ExitCode::work_failed if any failed or was left */
@@ -317,6 +329,9 @@ public:
       }
     });
     progress_.erase();
+    if (!options_.quiet)
+      for (const std::string& line : doubts_.lines())
+        warn (line);
     return conclude();
   }
 
@@ -443,7 +458,9 @@ private:
       });
       return {Status::Done,
               report.damage.empty() ? "" : task.input + ": " + report.damage,
-              task.input + " -> " + task.outputs.cloud + ": " + summaryOf (report)};
+              task.input + " -> " + task.outputs.cloud + ": " + summaryOf (report),
+              task.input,
+              report.warnings};
     }
     catch (const Interrupted&) {
       return {Status::Interrupted};
@@ -469,6 +486,7 @@ private:
   print (const Status& status)
   {
     ++counts_.at (status.end);
+    doubts_.add (status.input, status.warnings);
     if (!status.problem.empty())
       progress_.note (errorLine (status.problem), std::cerr);
     if (status.end == Status::Done && !options_.quiet)
@@ -505,7 +523,20 @@ private:
   std::size_t finished_ = 0;
   bool is_given_up_ = false;
   std::array<std::size_t, 3> counts_{};
+  WarningLines doubts_;
 };
+
+/** \brief What files hold, and what is doubtful, on stderr. */
+void
+sayWhatIsDoubtful (const Report& report)
+{
+  for (const std::string& line : report.written)
+    warn (line);
+  WarningLines doubts;
+  doubts.add (report.input, report.warnings);
+  for (const std::string& line : doubts.lines())
+    warn (line);
+}
 
 int
 segmentOne (const SegmentOptions& options)
@@ -520,12 +551,8 @@ segmentOne (const SegmentOptions& options)
   lines.reset();
   if (!report.damage.empty())
     warn (report.input + ": " + report.damage);
-  if (!options.quiet) {
-    WarningLines doubts;
-    doubts.add (report.input, report.warnings);
-    for (const std::string& line : doubts.lines())
-      warn (line);
-  }
+  if (!options.quiet)
+    sayWhatIsDoubtful (report);
   if (options.quiet || task.outputs.planes == standard_stream)
     return ExitCode::done;
   printTable (report, std::cout);

@@ -41,6 +41,9 @@ struct TrackOptions {
   std::string poses;
   /** \brief A calib.txt of KITTI: the poses are of its camera, clouds of its lidar. */
   std::string calibration;
+  /** \brief Whether \ref poses are used as those of a lidar though they look like those
+   * of KITTI's camera. */
+  bool has_camera_poses = false;
   PlaneMatchingParameters matching;
 };
 
@@ -100,9 +103,6 @@ struct Task {
   /** \brief A file, or "-" for the standard input. */
   std::string input;
   Outputs outputs;
-  /** \brief Whether poses are used as the cloud's own that look like those of KITTI's
-   * camera. */
-  bool has_camera_poses = false;
 };
 
 struct Batch {

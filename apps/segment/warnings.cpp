@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "warnings.h"
 
+#include <io/las_unit.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -24,14 +26,26 @@ knowledgeOfUp (const DetectorOptions& detector,
   return is_said ? UpKnowledge::Known : UpKnowledge::Assumed;
 }
 
+CoordinateUnit
+unitOf (const FileCloud& cloud, const ShiftedCloud& shifted)
+{
+  const LasUnit unit = cloud.las ? unitOf (*cloud.las) : LasUnit::Unknown;
+  if (unit == LasUnit::Degree || !adviceOnDegrees (shifted).empty())
+    return CoordinateUnit::Degree;
+  return unit == LasUnit::Meter  ? CoordinateUnit::Meter
+         : unit == LasUnit::Foot ? CoordinateUnit::Foot
+                                 : CoordinateUnit::Unknown;
+}
+
 ResultContext
-contextOf (const SegmentOptions& options, const ShiftedCloud& shifted)
+contextOf (const SegmentOptions& options,
+           const FileCloud& cloud,
+           const ShiftedCloud& shifted)
 {
   ResultContext context;
   context.shift = shifted.shift;
   context.has_meter = options.of_plan.meter != 1.0;
-  if (!adviceOnDegrees (shifted).empty())
-    context.unit = CoordinateUnit::Degree;
+  context.unit = unitOf (cloud, shifted);
   return context;
 }
 
@@ -51,14 +65,14 @@ warningsOn (const SegmentOptions& options,
             const ShiftedCloud& shifted,
             const Detected& detected)
 {
-  ResultContext context = contextOf (options, shifted);
+  ResultContext context = contextOf (options, cloud, shifted);
   if (!cloud.origin.head<3>().isZero (0.0F))
     context.viewpoint = shifted.cloud->sensor_origin_.head<3>().cast<double>();
   context.up_knowledge = knowledgeOfUp (options.detector, cloud, detected);
   context.up = detected.up.cast<double>();
   context.suggested_up = detected.suggested_up;
   context.uses_kinds = !task.outputs.plan.empty() || options.choice.namesKinds();
-  context.has_camera_poses = task.has_camera_poses;
+  context.has_camera_poses = options.track.has_camera_poses;
   context.search = detected.search;
   return resultWarnings (*shifted.cloud, detected.planes, context);
 }
@@ -72,6 +86,7 @@ countOf (PlaneKind kind, const Detected& detected)
 
 void
 warnOfPlan (const SegmentOptions& options,
+            const FileCloud& cloud,
             const ShiftedCloud& shifted,
             PlanCounts counts,
             Report& report)
@@ -81,7 +96,7 @@ warnOfPlan (const SegmentOptions& options,
     return;
   counts.walls = report.plan->walls.size();
   counts.wall_planes_kept = countOf (PlaneKind::Wall, report.detected);
-  ResultContext context = contextOf (options, shifted);
+  ResultContext context = contextOf (options, cloud, shifted);
   context.plan = counts;
   std::vector<ResultWarning> all = resultWarnings (*shifted.cloud, {}, context);
   std::remove_copy_if (report.warnings.begin(),

@@ -23,6 +23,7 @@ countOf (PlaneKind kind, const Detected& detected);
  * \param[in] counts of the planes before any was left out */
 void
 warnOfPlan (const SegmentOptions& options,
+            const FileCloud& cloud,
             const ShiftedCloud& shifted,
             PlanCounts counts,
             Report& report);
