@@ -28,6 +28,14 @@ vectorText (const Eigen::Vector3d& vector, int digits)
   return text.str();
 }
 
+/** \brief The parameter, and whose it is. */
+std::string
+meterOf (const std::string& length, const ParameterText& text)
+{
+  return text.of ("meter", length) +
+         (text.isPython() ? " to plane_kinds and floor_plan" : "");
+}
+
 /** \brief How far a sample reaches along an axis without stray points. */
 double
 extentWithoutStrays (std::vector<float> values)
@@ -115,7 +123,7 @@ warnOfUnit (const LabelledSample& sample,
         "feet",
         "the reference system of the file is in feet, kinds and floor plans are made "
         "by rules in meters; give " +
-            text.of ("meter", "3.2808")};
+            meterOf ("3.2808", text)};
   if (sample.labels.empty())
     return std::nullopt;
   const double extents[] = {extentWithoutStrays (sample.points.x),
@@ -128,7 +136,7 @@ warnOfUnit (const LabelledSample& sample,
       "millimeters",
       "the cloud is " + roundedLength (extents[0]) + " x " +
           roundedLength (extents[1]) + " x " + roundedLength (extents[2]) +
-          " wide, which looks like millimeters; give " + text.of ("meter", "1000")};
+          " wide, which looks like millimeters; give " + meterOf ("1000", text)};
 }
 
 std::optional<ResultWarning>
@@ -138,7 +146,8 @@ warnOfViewpoint (const CloudView& cloud,
 {
   if (!context.viewpoint || isSeenFrom (*context.viewpoint, cloud))
     return std::nullopt;
-  const std::string place = vectorText (*context.viewpoint + context.shift, 6);
+  constexpr int digits = 10; // UTM to the millimeter
+  const std::string place = vectorText (*context.viewpoint + context.shift, digits);
   return ResultWarning{
       "viewpoint",
       text.isPython()
