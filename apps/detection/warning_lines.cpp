@@ -3,6 +3,7 @@
 #include "warning_lines.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -38,6 +39,26 @@ WarningLines::lines() const
                      ": " + line.warning.text);
   }
   return lines;
+}
+
+void
+putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings)
+{
+  ResultContext context;
+  context.plan = counts;
+  std::vector<ResultWarning> all = resultWarnings ({}, {}, context);
+  if (all.empty())
+    return;
+  for (const ResultWarning& warning : warnings)
+    if (warning.code == "millimeters" || warning.code == "feet" ||
+        warning.code == "degrees") {
+      std::string& text = all.front().text;
+      text = text.substr (0, text.find (": ") + 2) + warning.text;
+    }
+    else
+      all.push_back (warning);
+  all.resize (std::min (all.size(), context.max_warnings));
+  warnings = std::move (all);
 }
 
 nlohmann::ordered_json

@@ -32,6 +32,11 @@ private:
   std::vector<Line> lines_;
 };
 
+/** \brief Puts before all others why a floor plan has no wall, if it has none: the unit
+ * of the cloud, if that is doubtful, is then not told twice. */
+void
+putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
+
 /** \brief An array of objects with code and text. */
 nlohmann::ordered_json
 warningsToJson (const std::vector<ResultWarning>& warnings);

@@ -175,17 +175,23 @@ likeliestCause (const ShiftedCloud& shifted, const Report& report)
   return on_degrees.empty() ? report.detected.advice : on_degrees;
 }
 
-FloorPlan
-floorPlanOf (const SegmentOptions& options,
-             const ShiftedCloud& shifted,
-             const Detected& detected)
+/** \param[in] counts of the planes before any was left out */
+void
+drawPlan (const SegmentOptions& options,
+          const ShiftedCloud& shifted,
+          PlanCounts counts,
+          Report& report)
 {
-  return findFloorPlan (*shifted.cloud,
-                        detected.planes,
-                        detected.kinds,
-                        detected.up.cast<double>(),
-                        options.of_plan,
-                        shifted.shift);
+  const Detected& detected = report.detected;
+  report.plan = findFloorPlan (*shifted.cloud,
+                               detected.planes,
+                               detected.kinds,
+                               detected.up.cast<double>(),
+                               options.of_plan,
+                               shifted.shift);
+  counts.walls = report.plan->walls.size();
+  counts.wall_planes_kept = countOf (PlaneKind::Wall, detected);
+  putWarningOnPlan (counts, report.warnings);
 }
 
 /** \brief Reads a cloud, finds its planes and writes its outputs.
@@ -234,8 +240,7 @@ segmentCloud (const SegmentOptions& options,
   counts.has_floor = countOf (PlaneKind::Floor, report.detected) > 0;
   report.dropped = keepChosen (options.choice, extent_of, report.detected);
   if (!task.outputs.plan.empty())
-    report.plan = floorPlanOf (options, shifted, report.detected);
-  warnOfPlan (options, cloud, shifted, counts, report);
+    drawPlan (options, shifted, counts, report);
   report.ids = numbersUpTo (planes.size());
   report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();

@@ -5,8 +5,6 @@
 #include <io/las_unit.h>
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -37,25 +35,6 @@ unitOf (const FileCloud& cloud, const ShiftedCloud& shifted)
                                  : CoordinateUnit::Unknown;
 }
 
-ResultContext
-contextOf (const SegmentOptions& options,
-           const FileCloud& cloud,
-           const ShiftedCloud& shifted)
-{
-  ResultContext context;
-  context.shift = shifted.shift;
-  context.has_meter = options.of_plan.meter != 1.0;
-  context.unit = unitOf (cloud, shifted);
-  return context;
-}
-
-bool
-isOnUnit (const ResultWarning& warning)
-{
-  return warning.code == "millimeters" || warning.code == "feet" ||
-         warning.code == "degrees";
-}
-
 } // namespace
 
 std::vector<ResultWarning>
@@ -65,7 +44,10 @@ warningsOn (const SegmentOptions& options,
             const ShiftedCloud& shifted,
             const Detected& detected)
 {
-  ResultContext context = contextOf (options, cloud, shifted);
+  ResultContext context;
+  context.shift = shifted.shift;
+  context.unit = unitOf (cloud, shifted);
+  context.has_meter = options.has_meter;
   if (!cloud.origin.head<3>().isZero (0.0F))
     context.viewpoint = shifted.cloud->sensor_origin_.head<3>().cast<double>();
   context.up_knowledge = knowledgeOfUp (options.detector, cloud, detected);
@@ -82,29 +64,6 @@ countOf (PlaneKind kind, const Detected& detected)
 {
   return static_cast<std::size_t> (
       std::count (detected.kinds.begin(), detected.kinds.end(), kind));
-}
-
-void
-warnOfPlan (const SegmentOptions& options,
-            const FileCloud& cloud,
-            const ShiftedCloud& shifted,
-            PlanCounts counts,
-            Report& report)
-{
-  const bool is_told = !options.quiet || !options.outputs.planes.empty();
-  if (!report.plan || !is_told)
-    return;
-  counts.walls = report.plan->walls.size();
-  counts.wall_planes_kept = countOf (PlaneKind::Wall, report.detected);
-  ResultContext context = contextOf (options, cloud, shifted);
-  context.plan = counts;
-  std::vector<ResultWarning> all = resultWarnings (*shifted.cloud, {}, context);
-  std::remove_copy_if (report.warnings.begin(),
-                       report.warnings.end(),
-                       std::back_inserter (all),
-                       isOnUnit);
-  all.resize (std::min (all.size(), context.max_warnings));
-  report.warnings = std::move (all);
 }
 
 } // namespace pcl_ops::apps

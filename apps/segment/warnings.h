@@ -19,13 +19,4 @@ warningsOn (const SegmentOptions& options,
 std::size_t
 countOf (PlaneKind kind, const Detected& detected);
 
-/** \brief Puts what is doubtful about the plan, if there is one, before all else.
- * \param[in] counts of the planes before any was left out */
-void
-warnOfPlan (const SegmentOptions& options,
-            const FileCloud& cloud,
-            const ShiftedCloud& shifted,
-            PlanCounts counts,
-            Report& report);
-
 } // namespace pcl_ops::apps

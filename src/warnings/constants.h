@@ -35,6 +35,8 @@ struct WarningConstants {
   /** \brief A face of a model may have any size; levels of an image have thousands of
    * pixels. */
   double min_points_of_level = 1000;
+  /** \brief Two may be the sides of a wall in a model. */
+  std::size_t min_levels = 3;
   /** \brief Levels are this near to each other, over their width; stairs are not. */
   double max_step_of_width = 0.1;
   double max_angle_of_levels = 1.0 * (M_PI / 180.0);

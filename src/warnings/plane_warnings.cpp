@@ -214,7 +214,8 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
       on_levels += plane.points;
       steps.push_back (static_cast<float> (step));
     }
-  if (steps.empty() || on_levels < warning_constants.level_share * pointsOn (spreads))
+  if (steps.size() < warning_constants.min_levels ||
+      on_levels < warning_constants.level_share * pointsOn (spreads))
     return std::nullopt;
   const double step = medianOf (steps);
   const std::string edge = roundedLength (warning_constants.steps_of_voxel * step);

@@ -133,6 +133,15 @@ TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
              "");
 }
 
+TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
+{
+  EXPECT_EQ (LabelledPlaneScene()
+                 .add ({{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
+                 .add ({{0, 0.2, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
+                 .codes(),
+             "");
+}
+
 TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
 {
   LabelledPlaneScene stairs;
