@@ -383,6 +383,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   if constexpr (std::is_same_v<Parameters, OpsParameters>)
     if (parameters.sampling != Sampling::Points &&
         options.numbers.count ("voxel-size") == 0) {
+      detected.search = parameters;
       const std::string hint = hintOnThickPlanes (*cloud, detected.planes);
       if (!hint.empty())
         detected.hints.push_back (hint);

@@ -6,6 +6,7 @@
 
 #include <io/shifted_cloud.h>
 #include <nlohmann/json.hpp>
+#include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_extent.h>
@@ -60,6 +61,8 @@ struct Detected {
   UsedLengths used;
   /** \brief Under the names of their options. */
   Settings settings;
+  /** \brief What they were searched for with, of the engine on neighborhoods. */
+  std::optional<OrientedPointSamplingParameters> search;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::string up_note;
   /** \brief Another one that the planes are sure of, where none was given. */

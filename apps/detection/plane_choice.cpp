@@ -118,6 +118,15 @@ adviceOn (const PlaneChoice& choice, const Dropped& dropped)
 
 } // namespace
 
+bool
+PlaneChoice::namesKinds() const
+{
+  const std::vector<std::string> names = namesIn (only);
+  return std::any_of (names.begin(), names.end(), [] (const std::string& name) {
+    return !orientationCalled (name) && kindCalled (name);
+  });
+}
+
 std::string
 Dropped::reasons() const
 {

@@ -17,6 +17,10 @@ struct PlaneChoice {
   PlaneFilter filter;
   /** \brief For reports. */
   Settings given = Settings::object();
+
+  /** \brief Whether \ref only has a kind, as "wall", and not only how planes lie. */
+  bool
+  namesKinds () const;
 };
 
 struct Dropped {

@@ -208,6 +208,20 @@ planToGeoJson (const FloorPlan& plan,
   return featureCollection (features, crs);
 }
 
+std::string
+contentOf (const FloorPlan& plan)
+{
+  const auto counted = [] (std::size_t number, const std::string& noun) {
+    return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
+  };
+  double area = 0.0;
+  for (const PlanRoom& room : plan.rooms)
+    area += room.area;
+  return counted (plan.walls.size(), "wall") + ", " +
+         counted (plan.rooms.size(), "room") +
+         (plan.rooms.empty() ? "" : str (boost::format (", %.1f m2") % area));
+}
+
 void
 savePlan (const std::string& file,
           const FloorPlan& plan,

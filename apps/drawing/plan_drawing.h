@@ -9,6 +9,10 @@
 
 namespace pcl_ops::apps {
 
+/** \brief "12 walls, 3 rooms, 41.2 m2". */
+std::string
+contentOf (const FloorPlan& plan);
+
 /** \brief A plan with layers WALL, OPENING, ROOM and TEXT: parts of walls, their gaps,
  * outlines of rooms, area and height of each room. */
 Drawing

@@ -134,6 +134,23 @@ loadPoses (const std::string& file)
   return poses;
 }
 
+bool
+lookLikeCameraOfKitti (const std::string& file,
+                       const std::vector<Eigen::Isometry3d>& poses)
+{
+  std::istringstream lines (readTextFile (file, "a text file of poses"));
+  std::string line;
+  while (std::getline (lines, line) && isLeftOut (line))
+    ;
+  std::vector<double> numbers;
+  if (!readNumbers (line, numbers).empty() || numbers.size() != numbers_of_matrix)
+    return false;
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+    way += (poses[i].inverse() * poses[i + 1]).translation().cwiseAbs();
+  return way.z() >= way.x() && way.z() >= way.y();
+}
+
 Eigen::Isometry3d
 loadCalibration (const std::string& file)
 {

@@ -17,6 +17,13 @@ namespace pcl_ops::apps {
 std::vector<Eigen::Isometry3d>
 loadPoses (const std::string& file);
 
+/** \brief Whether poses look like those of KITTI's camera: each is written as 12
+ * numbers, and they move along their z, which is where that camera looks, and not along
+ * x, which is ahead of its lidar. */
+bool
+lookLikeCameraOfKitti (const std::string& file,
+                       const std::vector<Eigen::Isometry3d>& poses);
+
 /** \brief Reads where the lidar was in the frame of the camera that KITTI's poses are
  * of.
  * \throws WorkError if it cannot be read or has no line "Tr:" or "Tr_velo_to_cam:" */

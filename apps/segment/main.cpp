@@ -5,13 +5,16 @@
 #include <Eigen/Geometry>
 
 #include "report.h"
+#include "warnings.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <cli/text.h>
 #include <detection/common_up.h>
 #include <detection/known_sensor.h>
+#include <detection/warning_lines.h>
 #include <io/las_file.h>
+#include <io/output_file.h>
 #include <io/pose_file.h>
 #include <pcl_ops/plane_tracker.h>
 #include <pcl_ops/visibility.h>
@@ -179,6 +182,25 @@ likeliestCause (const ShiftedCloud& shifted, const Report& report)
   return on_degrees.empty() ? report.detected.advice : on_degrees;
 }
 
+/** \param[in] counts of the planes before any was left out */
+void
+drawPlan (const SegmentOptions& options,
+          const ShiftedCloud& shifted,
+          PlanCounts counts,
+          Report& report)
+{
+  const Detected& detected = report.detected;
+  report.plan = findFloorPlan (*shifted.cloud,
+                               detected.planes,
+                               detected.kinds,
+                               detected.up.cast<double>(),
+                               options.of_plan,
+                               shifted.shift);
+  counts.walls = report.plan->walls.size();
+  counts.wall_planes_kept = countOf (PlaneKind::Wall, detected);
+  putWarningOnPlan (counts, report.warnings);
+}
+
 /** \brief Reads a cloud, finds its planes and writes its outputs.
  * \param[in] give_ids where it is missing, planes are numbered by falling size
  * \param[in] lines what tells the stages; nullptr for none
@@ -211,6 +233,8 @@ segmentCloud (const SegmentOptions& options,
   turnToScanners (report.detected.planes, cloud.scans);
   if (!report.detected.advice.empty())
     report.detected.advice = likeliestCause (shifted, report);
+  if (!options.quiet || !task.outputs.planes.empty())
+    report.warnings = warningsOn (options, task, cloud, shifted, report.detected);
   if (options.regularize)
     regularize (report.detected);
   nameKinds (cloud, shifted, options.of_plan.meter, report.detected);
@@ -218,7 +242,12 @@ segmentCloud (const SegmentOptions& options,
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);
   };
+  PlanCounts counts;
+  counts.wall_planes_found = countOf (PlaneKind::Wall, report.detected);
+  counts.has_floor = countOf (PlaneKind::Floor, report.detected) > 0;
   report.dropped = keepChosen (options.choice, extent_of, report.detected);
+  if (!task.outputs.plan.empty())
+    drawPlan (options, shifted, counts, report);
   report.ids = numbersUpTo (planes.size());
   report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
@@ -231,7 +260,7 @@ segmentCloud (const SegmentOptions& options,
     std::transform (
         planes.begin(), planes.end(), std::back_inserter (report.extents), extent_of);
   begin ("writing");
-  saveOutputs (options, task.outputs, cloud, shifted, report);
+  report.written = saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;
 }
 
@@ -254,9 +283,16 @@ posesOf (const TrackOptions& options, std::size_t frames)
   return poses;
 }
 
+bool
+isScanOfKitti (const Task& task)
+{
+  return extensionOf (task.input) == ".bin";
+}
+
 struct Status {
   enum { Done, Failed, Interrupted } end;
-  std::string problem = {}, summary = {};
+  std::string problem = {}, summary = {}, input = {};
+  std::vector<ResultWarning> warnings = {};
 };
 
 /** \brief Segments clouds, options.jobs at a time. Goes on after one that fails; ends
@@ -278,6 +314,10 @@ public:
   {
     if (options.track.is_on && !batch.tasks.empty())
       poses_ = posesOf (options.track, batch.tasks.size());
+    in_common_frame_.track.has_camera_poses =
+        options.track.calibration.empty() && !options.track.poses.empty() &&
+        std::any_of (batch.tasks.begin(), batch.tasks.end(), isScanOfKitti) &&
+        lookLikeCameraOfKitti (options.track.poses, poses_);
   }
 
   /** \return the exit code, ExitCode::work_failed if any failed or was left */
@@ -301,6 +341,9 @@ public:
       }
     });
     progress_.erase();
+    if (!options_.quiet)
+      for (const std::string& line : doubts_.lines())
+        warn (line);
     return conclude();
   }
 
@@ -427,7 +470,9 @@ private:
       });
       return {Status::Done,
               report.damage.empty() ? "" : task.input + ": " + report.damage,
-              task.input + " -> " + task.outputs.cloud + ": " + summaryOf (report)};
+              task.input + " -> " + task.outputs.cloud + ": " + summaryOf (report),
+              task.input,
+              report.warnings};
     }
     catch (const Interrupted&) {
       return {Status::Interrupted};
@@ -453,6 +498,7 @@ private:
   print (const Status& status)
   {
     ++counts_.at (status.end);
+    doubts_.add (status.input, status.warnings);
     if (!status.problem.empty())
       progress_.note (errorLine (status.problem), std::cerr);
     if (status.end == Status::Done && !options_.quiet)
@@ -489,7 +535,20 @@ private:
   std::size_t finished_ = 0;
   bool is_given_up_ = false;
   std::array<std::size_t, 3> counts_{};
+  WarningLines doubts_;
 };
+
+/** \brief What files hold, and what is doubtful, on stderr. */
+void
+sayWhatIsDoubtful (const Report& report)
+{
+  for (const std::string& line : report.written)
+    warn (line);
+  WarningLines doubts;
+  doubts.add (report.input, report.warnings);
+  for (const std::string& line : doubts.lines())
+    warn (line);
+}
 
 int
 segmentOne (const SegmentOptions& options)
@@ -504,6 +563,8 @@ segmentOne (const SegmentOptions& options)
   lines.reset();
   if (!report.damage.empty())
     warn (report.input + ": " + report.damage);
+  if (!options.quiet)
+    sayWhatIsDoubtful (report);
   if (options.quiet || task.outputs.planes == standard_stream)
     return ExitCode::done;
   printTable (report, std::cout);

@@ -41,6 +41,9 @@ struct TrackOptions {
   std::string poses;
   /** \brief A calib.txt of KITTI: the poses are of its camera, clouds of its lidar. */
   std::string calibration;
+  /** \brief Whether \ref poses are used as those of a lidar though they look like those
+   * of KITTI's camera. */
+  bool has_camera_poses = false;
   PlaneMatchingParameters matching;
 };
 
@@ -59,6 +62,8 @@ struct SegmentOptions {
   bool pieces = false;
   PlanePiecesParameters of_pieces;
   FloorPlanParameters of_plan;
+  /** \brief Whether the length of a meter was given, 1 or not. */
+  bool has_meter = false;
   /** \brief Whether planes become exactly parallel, orthogonal and coplanar. */
   bool regularize = false;
   PlaneChoice choice;

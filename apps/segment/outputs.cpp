@@ -330,8 +330,15 @@ saveLabelled (const std::string& file,
   saveLabelledCloud (file, cloud, labels, distances, options.keep_color, of_points);
 }
 
-/** \brief Writes the points on no plane, without those that have no coordinates. */
-void
+std::string
+counted (std::size_t number, const std::string& noun)
+{
+  return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+/** \brief Writes the points on no plane, without those that have no coordinates.
+ * \return what the file holds */
+std::string
 saveRest (const std::string& file,
           const FileCloud& cloud,
           const ShiftedCloud& shifted,
@@ -342,13 +349,14 @@ saveRest (const std::string& file,
     if (labels[i] == 0 && pcl::isFinite ((*shifted.cloud)[i]))
       rest.push_back (i);
   saveCloud (file, pointsOf (cloud, rest));
+  return counted (rest.size(), "point") + " on no plane";
 }
 
 /** \brief Writes the points of each plane as plane_001_horizontal.pcd and so on, by
  * ids, and removes such files of earlier runs. Nothing changes there until all are
  * written.
- */
-void
+ * \return what the folder holds */
+std::string
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
                  const Report& report,
@@ -364,6 +372,7 @@ savePlaneClouds (const std::string& folder,
       saveCloud (written.path / name, pointsOf (cloud, planes[i].inliers));
     }
     exchangePlanes (folder, written.path);
+    return counted (planes.size(), "plane") + ", each in a file";
   }
   catch (const fs::filesystem_error& error) {
     throw OutputError (folder,
@@ -375,8 +384,9 @@ savePlaneClouds (const std::string& folder,
   }
 }
 
-/** \brief Writes outlines in the colors of the labeled cloud; none without area. */
-void
+/** \brief Writes outlines in the colors of the labeled cloud; none without area.
+ * \return what the file holds */
+std::string
 saveMesh (const std::string& file,
           const FileCloud& cloud,
           const Report& report,
@@ -384,10 +394,12 @@ saveMesh (const std::string& file,
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   PolyData mesh{false, is_double};
+  std::size_t outlines = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const Rings rings = report.extents[p].rings();
     if (rings.empty())
       continue;
+    ++outlines;
     const pcl::index_t first = mesh.points.size();
     for (pcl::Indices& face : facesOf (planes[p], report.extents[p].center, rings)) {
       for (pcl::index_t& corner : face)
@@ -399,9 +411,11 @@ saveMesh (const std::string& file,
     mesh.colors.resize (mesh.points.size(), colorOfLabel (report.ids[p]));
   }
   savePolyData (file, cloud, std::move (mesh));
+  return counted (outlines, "outline");
 }
 
-void
+/** \return what the file holds */
+std::string
 saveEdges (const std::string& file,
            const FileCloud& cloud,
            const ShiftedCloud& shifted,
@@ -419,25 +433,15 @@ saveEdges (const std::string& file,
   number (edges.corners);
   const std::string extension = extensionOf (file);
   if (extension == ".json")
-    return writeTextFile (file, toJson (edges));
-  if (extension == ".dxf")
-    return writeTextFile (file, toDxf (drawingOf (edges)));
-  if (extension == ".geojson" || extension == ".gpkg")
-    return writeTextFile (file, mapFor (file, edgesToGeoJson (edges, crs), "edges"));
-  savePolyData (file, cloud, toLines (edges));
-}
-
-FloorPlan
-floorPlanOf (const SegmentOptions& options,
-             const ShiftedCloud& shifted,
-             const Detected& detected)
-{
-  return findFloorPlan (*shifted.cloud,
-                        detected.planes,
-                        detected.kinds,
-                        detected.up.cast<double>(),
-                        options.of_plan,
-                        shifted.shift);
+    writeTextFile (file, toJson (edges));
+  else if (extension == ".dxf")
+    writeTextFile (file, toDxf (drawingOf (edges)));
+  else if (extension == ".geojson" || extension == ".gpkg")
+    writeTextFile (file, mapFor (file, edgesToGeoJson (edges, crs), "edges"));
+  else
+    savePolyData (file, cloud, toLines (edges));
+  return counted (edges.edges.size(), "edge") + ", " +
+         counted (edges.corners.size(), "corner");
 }
 
 } // namespace
@@ -450,7 +454,7 @@ isPlaneFile (const std::string& name)
   return std::regex_match (name, pattern);
 }
 
-void
+std::vector<std::string>
 saveOutputs (const SegmentOptions& options,
              const Outputs& outputs,
              const FileCloud& cloud,
@@ -459,6 +463,10 @@ saveOutputs (const SegmentOptions& options,
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size(), report.ids);
+  std::vector<std::string> written;
+  const auto note = [&] (const std::string& file, const std::string& content) {
+    written.push_back (file + ": " + content);
+  };
   if (!outputs.cloud.empty())
     saveLabelled (
         outputs.cloud, cloud, planes, labels, report.planesOfPieces(), options);
@@ -481,28 +489,34 @@ saveOutputs (const SegmentOptions& options,
                                   report.detected.up),
                     report.detected.up});
   if (!outputs.mesh.empty())
-    saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0));
+    note (outputs.mesh,
+          saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0)));
   if (!outputs.edges.empty())
-    saveEdges (outputs.edges, cloud, shifted, report, options.map.crs);
-  if (!outputs.plan.empty())
+    note (outputs.edges,
+          saveEdges (outputs.edges, cloud, shifted, report, options.map.crs));
+  if (!outputs.plan.empty()) {
     savePlan (outputs.plan,
-              floorPlanOf (options, shifted, report.detected),
+              report.plan.value(),
               report.ids,
               fs::path (report.input).filename().string(),
               options.map.crs,
               options.of_plan.meter);
+    note (outputs.plan, contentOf (*report.plan));
+  }
   if (!outputs.rest.empty())
-    saveRest (outputs.rest, cloud, shifted, labels);
+    note (outputs.rest, saveRest (outputs.rest, cloud, shifted, labels));
   if (!outputs.planes_dir.empty())
-    savePlaneClouds (outputs.planes_dir, cloud, report, options.fileFormat());
+    note (outputs.planes_dir,
+          savePlaneClouds (outputs.planes_dir, cloud, report, options.fileFormat()));
   // Last: a pipe gets its JSON when the files are there.
   if (outputs.planes.empty())
-    return;
+    return written;
   const std::string text = planesFor (outputs.planes, toJson (report), options.map);
   if (outputs.planes == standard_stream)
     std::cout << text;
   else
     writeTextFile (outputs.planes, text);
+  return written;
 }
 
 } // namespace pcl_ops::apps

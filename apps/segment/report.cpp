@@ -4,6 +4,7 @@
 
 #include <boost/format.hpp>
 
+#include <detection/warning_lines.h>
 #include <numbers/angles.h>
 #include <numbers/statistics.h>
 
@@ -179,6 +180,8 @@ toJson (const Report& report)
     json["warning"] = report.damage;
   if (!detected.advice.empty())
     json["advice"] = detected.advice;
+  if (!report.warnings.empty())
+    json["warnings"] = warningsToJson (report.warnings);
   if (detected.suggested_up)
     json["suggested_up"] = *detected.suggested_up;
   if (!report.dropped.by_option.empty())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "options.h"
+#include <pcl_ops/result_warnings.h>
 
 #include <iosfwd>
 
@@ -21,6 +22,12 @@ struct Report {
   Dropped dropped;
   /** \brief What makes the cloud look damaged; empty where nothing does. */
   std::string damage;
+  /** \brief What is doubtful about the planes and the plan. */
+  std::vector<ResultWarning> warnings;
+  /** \brief What files hold of which the table says nothing. */
+  std::vector<std::string> written;
+  /** \brief The floor plan, if one is asked for. */
+  std::optional<FloorPlan> plan;
   /** \brief One for each plane, if an output says where planes end; else none. */
   std::vector<PlaneExtent> extents;
 
@@ -53,8 +60,10 @@ bool
 isPlaneFile (const std::string& name);
 
 /** \brief Writes what was asked for of a cloud, each file or folder in one step.
+ * \return what files hold of which the table says nothing: "plan.dxf: 12 walls, 3 rooms,
+ * 41.2 m2"
  * \throws WorkError if one cannot be written */
-void
+std::vector<std::string>
 saveOutputs (const SegmentOptions& options,
              const Outputs& outputs,
              const FileCloud& cloud,

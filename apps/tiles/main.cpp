@@ -5,9 +5,11 @@
 #include "phases.h"
 #include "planes_json.h"
 #include "ranks.h"
+#include "survey_warnings.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
 #include <cli/progress.h>
+#include <detection/warning_lines.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
 #include <sys/stat.h>
@@ -372,6 +374,21 @@ outputIn (const Plan& plan, PlanesOutput output)
   return output;
 }
 
+/** \brief Times and counts on stdout, what is doubtful on stderr. */
+void
+say (const std::string& folder, const std::string& times, const PlanesSaid& planes)
+{
+  std::cout << times << folder << ": the labelled inputs and planes.json, "
+            << planes.counts << "\n"
+            << std::flush;
+  for (const std::string& line : planes.written)
+    warn (line);
+  WarningLines doubts;
+  doubts.add (folder, planes.warnings);
+  for (const std::string& line : doubts.lines())
+    warn (line);
+}
+
 /** \brief Does what the command line asks for, together with all other ranks. Phases
  * leave files; what is done by those that are there is not done again. */
 int
@@ -406,17 +423,18 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
       is_done ? "" : TileRun{plan, folder, options, ranks}.run() + "\n";
   if (!is_first)
     return ExitCode::done;
-  if (!is_done)
-    folder.finish();
-  folder.clean();
   const auto points = [&] (const VisitLabelled& visit) {
     forLabelledPoints (plan, folder, visit);
   };
-  const std::string planes = saveChosenPlanes (
+  if (!is_done)
+    folder.finish ([&] (const std::string& list) {
+      return withWarnings (plan, options.plan.meter.has_value(), list, points);
+    });
+  folder.clean();
+  const PlanesSaid planes = saveChosenPlanes (
       folder.output (planes_file), points, outputIn (plan, options.planes));
   if (speaks)
-    std::cout << times << options.output_dir
-              << ": the labelled inputs and planes.json, " << planes << "\n";
+    say (options.output_dir, times, planes);
   return ExitCode::done;
 }
 

@@ -157,7 +157,7 @@ RunFolder::clean() const
 }
 
 void
-RunFolder::finish() const
+RunFolder::finish (const std::function<std::string (const std::string&)>& amended) const
 {
   const std::string file = work (run_file::list);
   std::string list = readTextFile (file, "planes.json");
@@ -166,7 +166,7 @@ RunFolder::finish() const
     BinaryReader (file).fail();
   list.resize (end);
   // As a text: a stream that takes another one does not tell that the disk became full.
-  writeTextFile (output (planes_file), list);
+  writeTextFile (output (planes_file), amended (list));
   writeTextFile (work (run_file::end), "");
 }
 

@@ -7,6 +7,7 @@
 #include <io/las_file.h>
 
 #include <filesystem>
+#include <functional>
 #include <system_error>
 
 namespace pcl_ops::apps {
@@ -77,9 +78,10 @@ struct RunFolder {
   std::error_code
   clean () const;
 
-  /** \brief Writes planes.json and the end: all else is done. */
+  /** \brief Writes planes.json and the end: all else is done.
+   * \param[in] amended makes of the list of planes what is written */
   void
-  finish () const;
+  finish (const std::function<std::string (const std::string&)>& amended) const;
 };
 
 inline bool

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes_json.h"
 
+#include "survey_warnings.h"
 #include <cli/errors.h>
+#include <detection/warning_lines.h>
 #include <drawing/plan_drawing.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
@@ -10,6 +12,7 @@
 #include <page/plane_page.h>
 #include <picture/image.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <tuple>
@@ -155,7 +158,17 @@ saveView (const std::string& file,
                   sample.points});
 }
 
-void
+std::size_t
+countOfKind (PlaneKind kind, const Json& planes)
+{
+  return static_cast<std::size_t> (
+      std::count_if (planes.begin(), planes.end(), [&] (const Json& plane) {
+        return plane.value ("kind", std::string()) == toString (kind);
+      }));
+}
+
+/** \return the plan */
+FloorPlan
 saveFloorPlan (const PlanesOutput& output,
                const std::string& title,
                const Json& list,
@@ -179,6 +192,7 @@ saveFloorPlan (const PlanesOutput& output,
                                         output.of_plan,
                                         sample.shifted.shift);
   savePlan (output.floor_plan, plan, ids, title, output.map.crs, output.of_plan.meter);
+  return plan;
 }
 
 /** \brief The name of the folder that a file is in. */
@@ -222,27 +236,39 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   return jsonText (json);
 }
 
-std::string
+PlanesSaid
 saveChosenPlanes (const std::string& list_file,
                   const LabelledPoints& points,
                   const PlanesOutput& output)
 try {
   Json list = Json::parse (readTextFile (list_file, "planes.json"));
+  PlanesSaid said;
+  said.warnings = warningsIn (list);
+  said.counts = numberOf (list.at ("planes").size());
   if (output.files().empty())
-    return numberOf (list.at ("planes").size());
+    return said;
+  PlanCounts counts;
+  counts.wall_planes_found = countOfKind (PlaneKind::Wall, list.at ("planes"));
+  counts.has_floor = countOfKind (PlaneKind::Floor, list.at ("planes")) > 0;
   const Dropped dropped = choosePlanes (output.choice, list);
   if (!output.image.empty())
     saveImage (output.image, list.at ("planes"));
   if (!output.view.empty())
     saveView (output.view, folderOf (list_file), list, points);
-  if (!output.floor_plan.empty())
-    saveFloorPlan (output, folderOf (list_file), list, points);
+  if (!output.floor_plan.empty()) {
+    const FloorPlan plan = saveFloorPlan (output, folderOf (list_file), list, points);
+    counts.walls = plan.walls.size();
+    counts.wall_planes_kept = countOfKind (PlaneKind::Wall, list.at ("planes"));
+    said.written.push_back (output.floor_plan + ": " + contentOf (plan));
+    putWarningOnPlan (counts, said.warnings);
+  }
   if (!output.file.empty())
     writeTextFile (output.file, planesFor (output.file, list, output.map));
   const std::string reasons = dropped.reasons();
-  return numberOf (dropped.found) + "; " + output.files().front().second + ": " +
-         numberOf (list.at ("planes").size()) +
-         (reasons.empty() ? "" : ", dropped " + reasons);
+  said.counts = numberOf (dropped.found) + "; " + output.files().front().second + ": " +
+                numberOf (list.at ("planes").size()) +
+                (reasons.empty() ? "" : ", dropped " + reasons);
+  return said;
 }
 catch (const Json::exception&) {
   throw WorkError (list_file, "is no list of planes; remove it and run it again");

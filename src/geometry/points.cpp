@@ -100,15 +100,17 @@ hashAll (const float* x,
   }
 }
 
-// About so many of the points, without those that are not finite.
-Coordinates
-sampleByHash (const Coordinates& positions, std::size_t wanted, std::uint32_t used_bits)
+// Numbers of about so many of the points, without those that are not finite.
+Indices
+numbersByHash (const Coordinates& positions,
+               std::size_t wanted,
+               std::uint32_t used_bits)
 {
   constexpr std::size_t at_once = 1024;
   const auto share = static_cast<std::uint32_t> (positions.size() / wanted + 1);
   const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
   std::array<std::uint32_t, at_once> hashes;
-  Coordinates some;
+  Indices some;
   for (std::size_t begin = 0; begin < positions.size(); begin += at_once) {
     const std::size_t number = std::min (at_once, positions.size() - begin);
     const float* x = &positions.x[begin];
@@ -117,9 +119,15 @@ sampleByHash (const Coordinates& positions, std::size_t wanted, std::uint32_t us
     hashAll (x, y, z, number, used_bits, hashes.data());
     for (std::size_t i = 0; i < number; ++i)
       if (hashes[i] <= last_taken && isFinite (x[i], y[i], z[i]))
-        some.add (x[i], y[i], z[i]);
+        some.push_back (static_cast<std::uint32_t> (begin + i));
   }
   return some;
+}
+
+Coordinates
+sampleByHash (const Coordinates& positions, std::size_t wanted, std::uint32_t used_bits)
+{
+  return selected (positions, numbersByHash (positions, wanted, used_bits));
 }
 
 // Near the median, at a multiple of many times the deviation from it: nearly always the
@@ -336,6 +344,12 @@ Coordinates
 samplePoints (const Coordinates& positions, std::size_t wanted)
 {
   return sampleByHash (positions, wanted, leading_bits);
+}
+
+Indices
+sampleNumbers (const Coordinates& positions, std::size_t wanted)
+{
+  return numbersByHash (positions, wanted, all_bits);
 }
 
 double

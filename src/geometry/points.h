@@ -90,6 +90,11 @@ selected (const Coordinates& points, const Indices& numbers);
 Coordinates
 samplePoints (const Coordinates& positions, std::size_t wanted);
 
+/** \brief The numbers of about so many of the points, ascending, the same points whatever
+ * their order; none that are not finite. */
+Indices
+sampleNumbers (const Coordinates& positions, std::size_t wanted);
+
 /** \brief The median, or the upper of two middle ones; 0 for no values. Reorders. */
 double
 medianOf (std::vector<float>& values);

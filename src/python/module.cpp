@@ -12,12 +12,14 @@
 #include <pcl_ops/plane_pieces.h>
 #include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/plane_tracker.h>
+#include <pcl_ops/result_warnings.h>
 #include <pcl_ops/surface/concave_hull.h>
 #include <pcl_ops/visibility.h>
 #include <pybind11/numpy.h>
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 namespace pcl_ops::python {
@@ -388,6 +390,56 @@ plan (const PointRows& points,
   return py::make_tuple (walls, rooms, found.floor, found.height);
 }
 
+/** \brief The class ResultContext, with what is not given at once in the frame of the
+ * array. */
+void
+defineContext (py::module_& module)
+{
+  py::class_<ResultContext> (module, "ResultContext")
+      .def (py::init ([] {
+        ResultContext context;
+        context.names = ParameterNames::Python;
+        context.max_warnings = std::numeric_limits<std::size_t>::max();
+        return context;
+      }))
+      .def_readwrite ("viewpoint", &ResultContext::viewpoint)
+      .def_readwrite ("has_meter", &ResultContext::has_meter)
+      .def_readwrite ("uses_kinds", &ResultContext::uses_kinds)
+      .def_readwrite ("search", &ResultContext::search)
+      .def ("set_up",
+            [] (ResultContext& context, const Eigen::Vector3d& up, bool is_known) {
+              context.up = up;
+              context.up_knowledge =
+                  is_known ? UpKnowledge::Known : UpKnowledge::Assumed;
+            })
+      .def ("set_plan",
+            [] (ResultContext& context,
+                std::size_t walls,
+                std::size_t wall_planes,
+                bool has_floor) {
+              context.plan = PlanCounts{walls, wall_planes, wall_planes, has_floor};
+            });
+}
+
+/** \return code and text of what is doubtful, the most important first
+ * \param[in] points relative to \p origin */
+std::vector<std::pair<std::string, std::string>>
+warningsOn (const PointRows& points,
+            const Eigen::Vector3d& origin,
+            const PlaneSegments& planes,
+            ResultContext context)
+{
+  context.shift = origin;
+  if (context.viewpoint)
+    *context.viewpoint -= origin;
+  std::vector<std::pair<std::string, std::string>> all;
+  whileOthersRun ([&] {
+    for (ResultWarning& warning : resultWarnings (viewOf (points), planes, context))
+      all.emplace_back (std::move (warning.code), std::move (warning.text));
+  });
+  return all;
+}
+
 void
 defineTracker (py::module_& module)
 {
@@ -481,6 +533,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   defineParameters<FloorPlanParameters> (module, "floor_plan");
   defineSegment (module);
   defineTracker (module);
+  defineContext (module);
   module.def ("segment", &segment<Ops>);
   module.def ("segment", &segment<Fspf>);
   module.def ("segment", &segment<Kht>);
@@ -501,6 +554,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("up_axis", &upAxis);
   module.def ("edges", &edges);
   module.def ("plan", &plan);
+  module.def ("warnings", &warningsOn);
   module.def ("regularize", &regularize);
   module.def ("compare", &evaluate);
   module.def ("is_seen_from",

@@ -12,11 +12,12 @@ import sys
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 import pcl_ops
 from pcl_ops._arguments import points_array, single_precision
-from scene import room
+from scene import room, surface
 
 points = room()
 labels, planes = pcl_ops.segment(points)
@@ -83,6 +84,53 @@ class Arrays(unittest.TestCase):
         self.assertEqual(len(pcl_ops.merge_planes(of_both)[0]), 3)
         with self.assertRaisesRegex(ValueError, "different arrays"):
             pcl_ops.merge_planes(of_both + pcl_ops.segment(image[50:])[1])
+
+
+
+class Warnings(unittest.TestCase):
+    def doubts(self, call):
+        """Codes of what is warned of while it runs, and what it returns."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            result = call()
+        return [one.message.code for one in caught if one.category is pcl_ops.ResultWarning], result
+
+    def test_are_none_of_an_ordinary_room(self):
+        codes, (_, found) = self.doubts(lambda: pcl_ops.segment(points))
+        self.assertEqual((codes, list(found.warnings)), ([], []))
+
+    def test_say_that_an_array_looks_like_millimeters(self):
+        codes, (_, found) = self.doubts(lambda: pcl_ops.segment(1000 * points))
+        self.assertEqual(codes, ["millimeters"])
+        self.assertEqual([doubt.code for doubt in found.warnings], ["millimeters"])
+        self.assertRegex(str(found.warnings[0]), "give meter=1000 to plane_kinds and floor_plan")
+        again = pickle.loads(pickle.dumps(found.warnings[0]))
+        self.assertEqual((again.code, str(again)), ("millimeters", str(found.warnings[0])))
+
+    def test_say_that_points_were_not_seen_from_a_viewpoint(self):
+        boards = np.vstack([surface((-1, depth, 0), (2, 0, 0), (0, 0, 2), 4000)
+                            for depth in (1, 2, 3, 4)])
+        place = 5e5, 5e5 - 1, 5e5 + 1
+        codes, (_, found) = self.doubts(lambda: pcl_ops.segment(boards + 5e5, viewpoint=place))
+        self.assertEqual(codes, ["viewpoint"])
+        self.assertRegex(str(found.warnings[0]), r"not seen from viewpoint=\(500000,499999,500001\)")
+        self.assertEqual(self.doubts(lambda: pcl_ops.segment(boards))[0], [])
+
+    def test_say_that_kinds_need_a_known_up_once_they_are_asked_for(self):
+        ahead = points @ np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]], np.float32)
+        for asked in (lambda found: found.kind, pcl_ops.floor_plan,
+                      lambda found: pcl_ops.filter_planes(found, kind="wall")):
+            found = self.doubts(lambda: pcl_ops.segment(ahead))[1][1]
+            self.assertEqual(self.doubts(lambda: asked(found))[0][:1], ["unknown-up"])
+            self.assertEqual(self.doubts(lambda: found.kind)[0], [], "twice")
+        known = pcl_ops.segment(ahead, up=(0, -1, 0))[1]
+        self.assertEqual(self.doubts(lambda: known.kind)[0], [])
+
+    def test_say_why_a_plan_has_no_wall(self):
+        floor = surface((0, 0, 0), (4, 0, 0), (0, 3, 0), 12000)
+        codes, _ = self.doubts(lambda: pcl_ops.floor_plan(pcl_ops.segment(floor)[1]))
+        self.assertEqual(codes, ["empty-plan"])
+        self.assertEqual(self.doubts(lambda: pcl_ops.floor_plan(planes))[0], [])
 
 
 class Pieces(unittest.TestCase):
@@ -326,7 +374,7 @@ class Threads(unittest.TestCase):
         script = """
 import threading, time
 import pcl_ops
-from scene import room
+from scene import room, surface
 points = room()
 def work():
     while True:

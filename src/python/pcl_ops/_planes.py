@@ -3,6 +3,7 @@
 """Planes of one array, what is done with lists of them, and planes of one frame found again in
 others."""
 
+import warnings as python_warnings
 from typing import Any, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple
 from typing import Union, get_args
 
@@ -175,6 +176,24 @@ Planes = Sequence[Plane]
 Labels = NDArray[np.int32]
 
 
+class ResultWarning(UserWarning):
+    """What is doubtful about a result; its text says what to do about it."""
+
+    code: str
+    """A word that stays the same, such as "thick-planes"."""
+
+    def __init__(self, code: str, text: str) -> None:
+        super().__init__(text)
+        self.code = code
+
+    def __reduce__(self) -> Any:
+        return ResultWarning, (self.code, str(self))
+
+
+# As many as the programs print.
+MAX_WARNINGS = 3
+
+
 class FoundPlanes(List[Plane]):
     """Planes by falling number of points, and the lengths they were found with."""
 
@@ -187,10 +206,25 @@ class FoundPlanes(List[Plane]):
     """Against gravity: what orientations are named by."""
     up_confidence: Optional[float] = None
     """With up="auto", how sure the planes are of it, 0 to 1; None where they cannot tell."""
+    warnings: Sequence[ResultWarning] = ()
+    """What is doubtful about them, the most important first; each was given to
+    warnings.warn, too."""
+    _of_kinds: Optional[ResultWarning] = None
+
+    def _warn(self, warning: ResultWarning, stacklevel: int) -> None:
+        self.warnings = [*self.warnings, warning]
+        python_warnings.warn(warning, stacklevel=stacklevel)
+
+    def _warn_of_kinds(self, stacklevel: int) -> None:
+        """Once, that kinds need to know which way is up."""
+        warning, self._of_kinds = self._of_kinds, None
+        if warning:
+            self._warn(warning, stacklevel + 1)
 
     @property
     def kind(self) -> NDArray[np.str_]:
         """(len,): the kind of each; planes.kind == "wall" tells which are walls."""
+        self._warn_of_kinds(3)
         return np.array([plane.kind for plane in self], dtype="<U7")
 
     def as_dict(self) -> Dict[str, List[Any]]:
@@ -326,6 +360,8 @@ def filter_planes(
     named = listed
     if kind is not None:
         wanted = _kinds_of(kind)
+        if isinstance(planes, FoundPlanes):
+            planes._warn_of_kinds(3)
         named = [plane for plane in listed if plane.kind in wanted]
     kept, dropped = _pcl_ops.filter(named, with_given(_pcl_ops.filter_planes(), parameters))
     return [named[i] for i in kept], {"kind": len(listed) - len(named), **dropped}
@@ -466,6 +502,8 @@ def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) 
     meter: the length of a meter in the unit of the planes, 1000 of millimeters; all other
         lengths here, and the plan, are in meters.
     """
+    if isinstance(planes, FoundPlanes):
+        planes._warn_of_kinds(3)
     planes = plane_list("planes", planes)
     axis = place("up", up)
     if not axis.any():
@@ -475,6 +513,12 @@ def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) 
     kinds = [plane.kind for plane in planes] if meter == 1.0 else plane_kinds(planes, up, meter)
     single, origin = single_precision(_array_of(planes))
     walls, rooms, floor, height = _pcl_ops.plan(single, origin, planes, kinds, axis, given)
+    if not walls and planes:
+        context = _pcl_ops.ResultContext()
+        context.has_meter = meter != 1.0
+        context.set_plan(0, kinds.count("wall"), "floor" in kinds)
+        python_warnings.warn(
+            ResultWarning(*_pcl_ops.warnings(single, origin, [], context)[0]), stacklevel=2)
     return FloorPlan(
         [PlanWall(start, end, thickness, [PlanOpening(*one) for one in openings], tuple(numbers))
          for start, end, thickness, openings, numbers in walls],

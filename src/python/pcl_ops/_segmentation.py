@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The planes of an array, and how right they are."""
 
-import warnings
-from typing import Any, Dict, Literal, Optional, Tuple, Union, get_args
+from typing import Any, Dict, List, Literal, Optional, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +10,7 @@ from numpy.typing import NDArray
 from . import _pcl_ops
 from ._arguments import Points, Vector, named_parameters, parameters_of, place, plane_numbers
 from ._arguments import points_array, single_precision, with_given
-from ._planes import FoundPlanes, Labels, Plane, name_together
+from ._planes import MAX_WARNINGS, FoundPlanes, Labels, Plane, ResultWarning, name_together
 
 Method = Literal["ops", "fspf", "kht"]
 Preset = Literal["default", "paper"]
@@ -64,8 +63,9 @@ def segment(
     planes of the plane each point is on, -1 on none; and a list of Plane by falling number
     of points, in the frame of the array, which has what was used, too.
 
-    Raises ValueError or TypeError, which name the argument at fault. Warns where no up is
-    given and the planes suggest another one than z, or where they cannot tell "auto".
+    Raises ValueError or TypeError, which name the argument at fault. Warns by ResultWarning of
+    what is doubtful, also where no up is given and the planes suggest another one than z, or
+    where they cannot tell "auto"; planes.warnings has the same.
     """
     by_default = _preset(method, preset)
     sensor = place("viewpoint", viewpoint)
@@ -73,13 +73,18 @@ def segment(
     single, origin = single_precision(array)
     seen = single, origin, sensor
     found_up = None
+    on_up = None
+    is_up_known = "up" in parameters
     if _is_auto(parameters.get("up")):
         found_up = _up_of_default(seen, parameters)
+        on_up = None if found_up else ResultWarning(
+            "unknown-up", "up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)")
         parameters["up"] = (0.0, 0.0, 1.0) if found_up is None else found_up[0]
     given = with_given(by_default, parameters)
     segments, voxel_size, distance_threshold = _pcl_ops.segment(*seen, given)
     if "up" not in parameters and (method, preset) == ("ops", "default"):
-        _hint_at_up(seen, segments, given)
+        on_up = _hint_at_up(seen, segments, given)
+    doubts = _doubts(seen, segments, given, is_up_known)
     lies_on = [None] * len(segments)
     if pieces:
         segments, lies_on = _pcl_ops.pieces(
@@ -91,6 +96,12 @@ def segment(
     planes.up = parameters_of(given)["up"][0]
     planes.up_confidence = found_up and found_up[1]
     name_together(planes, planes.up, sensor)
+    # That kinds need to know up is told where somebody asks for them.
+    planes._of_kinds = None if on_up else next(
+        (doubt for doubt in doubts if doubt.code == "unknown-up"), None)
+    told = [doubt for doubt in doubts if doubt.code != "unknown-up"]
+    for doubt in ([on_up] if on_up else []) + told[:MAX_WARNINGS]:
+        planes._warn(doubt, 3)
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
         labels[plane.inliers] = number
@@ -117,22 +128,35 @@ def _up_of_default(
 ) -> Optional[Tuple[NDArray[np.float64], float]]:
     """By the planes of the default preset, on which the confidence was measured."""
     known = {name: parameters[name] for name in ("seed", "threads") if name in parameters}
-    found = _up_of(seen, _pcl_ops.segment(*seen, with_given(_pcl_ops.ops(), known))[0])
-    if found is None:
-        warnings.warn("up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)",
-                      stacklevel=3)
-    return found
+    return _up_of(seen, _pcl_ops.segment(*seen, with_given(_pcl_ops.ops(), known))[0])
 
 
-def _hint_at_up(seen: _Seen, segments: Any, used: Any) -> None:
+def _hint_at_up(seen: _Seen, segments: Any, used: Any) -> Optional[ResultWarning]:
     """Names another axis than the one used where the planes are sure of it."""
     found = _up_of(seen, segments)
     known = parameters_of(used)
     # Planes have the same names upside down.
-    if found and abs(found[0] @ known["up"][0]) < np.cos(known["angle_tolerance"][0]):
-        x, y, z = np.round(found[0], 2) + 0.0  # the sum turns -0 into 0
-        warnings.warn(f"planes suggest that up is {x:.2f}, {y:.2f}, {z:.2f}: give up=\"auto\", "
-                      "or up=(0, 0, 1) where z is", stacklevel=3)
+    if not found or abs(found[0] @ known["up"][0]) >= np.cos(known["angle_tolerance"][0]):
+        return None
+    x, y, z = np.round(found[0], 2) + 0.0  # the sum turns -0 into 0
+    return ResultWarning(
+        "suggested-up", f"planes suggest that up is {x:.2f}, {y:.2f}, {z:.2f}: give up=\"auto\", "
+        "or up=(0, 0, 1) where z is")
+
+
+def _doubts(seen: _Seen, segments: Any, used: Any, is_up_known: bool) -> List[ResultWarning]:
+    """What the programs say, the most important first."""
+    single, origin, sensor = seen
+    known = parameters_of(used)
+    context = _pcl_ops.ResultContext()
+    if sensor.any():
+        context.viewpoint = sensor
+    context.uses_kinds = True
+    context.set_up(np.asarray(known["up"][0], np.float64), is_up_known)
+    if "sampling" in known and known["sampling"][0] in ("automatic", "neighborhoods") and (
+            known["surfels_voxel_size"][0] is None):
+        context.search = used
+    return [ResultWarning(*doubt) for doubt in _pcl_ops.warnings(single, origin, segments, context)]
 
 
 def parameters(method: Method = "ops", preset: Preset = "default") -> Dict[str, Any]:

@@ -86,6 +86,17 @@ roughWall ()
   return recipe;
 }
 
+/** \brief The bytes of a scan of KITTI: x, y, z, intensity. */
+std::string
+scanOfKitti (const InputCloud& cloud)
+{
+  std::string bytes;
+  for (const pcl::PointXYZI& point : cloud)
+    for (const float number : {point.x, point.y, point.z, point.intensity})
+      bytes.append (reinterpret_cast<const char*> (&number), sizeof (number));
+  return bytes;
+}
+
 /** \brief A folder with the clouds of answers.tsv. */
 class SegmentAnswers : public AnswersFolder {
 protected:
@@ -119,6 +130,12 @@ protected:
     pcl::io::savePLYFileASCII (folder_ / "ascii.ply", cloud);
     pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
     folder_.write ("in.las", lasBytes (floorAndWallInLas()));
+    LasRecipe in_feet = floorAndWallInLas();
+    in_feet.vlrs.push_back (lasVlr ("LASF_Projection",
+                                    2112,
+                                    "PROJCS[\"a\",GEOGCS[\"b\",UNIT[\"degree\",0.017]],"
+                                    "UNIT[\"US survey foot\",0.3048]]"));
+    folder_.write ("feet.las", lasBytes (in_feet));
     folder_.write ("rough.las", lasBytes (roughWall()));
     if (pcl_ops::apps::hasLaszip()) {
       std::ofstream stream (folder_ / "in.laz", std::ios::binary);
@@ -170,6 +187,10 @@ protected:
     save ("floors.pcd", floors);
     save ("tables.pcd", twoTables());
     save ("two_floors.pcd", twoFloors());
+    InputCloud boards;
+    for (const float depth : {1.0f, 2.0f, 3.0f, 4.0f})
+      addGrid (boards, {-1, depth, 0}, 0.5f * x, 100, 0.5f * z, 100);
+    save ("boards.pcd", boards, Vector3f (0, -1, 1));
     save ("large.pcd", moved (floorAndWall(), 1000 * Eigen::Matrix3f::Identity()));
     InputCloud blind = floorAndWall(), damaged = blind, rough = blind;
     for (pcl::PointXYZI& point : blind)
@@ -209,6 +230,9 @@ protected:
     const InputCloud larger = withColumns (70);
     const Eigen::Matrix3f none = Eigen::Matrix3f::Identity();
     std::filesystem::create_directory (folder_ / "track");
+    std::filesystem::create_directory (folder_ / "drive");
+    for (const char* name : {"drive/a.bin", "drive/b.bin"})
+      folder_.write (name, scanOfKitti (floorAndWall (100)));
     save ("track/a.pcd", withColumns (40));
     save ("track/b.pcd", larger);
     save ("track/c.pcd", moved (larger, none, {-1, 0, 0}));

@@ -108,7 +108,8 @@ TEST (Phases, RefuseAFileOfTheirsInWhichABitChanged)
       {".planes", [&] { floor.join(); }},
       {".numbers", [&] { labelInput (floor.plan, floor.run, 0); }},
       {".labels", [&] { labelInput (floor.plan, floor.run, 0); }},
-      {".json", [&] { floor.run.finish(); }}};
+      {".json",
+       [&] { floor.run.finish ([] (const std::string& list) { return list; }); }}};
   for (const auto& [extension, read] : readers) {
     const std::string file = extension == ".json" ? floor.run.work (run_file::list)
                                                   : floor.filesWith (extension).at (0);

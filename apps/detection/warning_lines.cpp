@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "warning_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl_ops::apps {
+
+void
+WarningLines::add (const std::string& input, const std::vector<ResultWarning>& warnings)
+{
+  for (const ResultWarning& warning : warnings) {
+    auto line = std::find_if (lines_.begin(), lines_.end(), [&] (const Line& known) {
+      return known.warning.code == warning.code;
+    });
+    if (line == lines_.end())
+      line = lines_.insert (line, {warning, input});
+    ++line->inputs;
+  }
+}
+
+std::vector<std::string>
+WarningLines::lines() const
+{
+  std::vector<Line> by_inputs = lines_;
+  std::stable_sort (
+      by_inputs.begin(), by_inputs.end(), [] (const Line& one, const Line& other) {
+        return one.inputs > other.inputs;
+      });
+  by_inputs.resize (std::min (by_inputs.size(), ResultContext().max_warnings));
+  std::vector<std::string> lines;
+  for (const Line& line : by_inputs) {
+    const std::size_t others = line.inputs - 1;
+    lines.push_back (line.first_input +
+                     (others == 0   ? ""
+                      : others == 1 ? " and 1 other"
+                                    : " and " + std::to_string (others) + " others") +
+                     ": " + line.warning.text);
+  }
+  return lines;
+}
+
+void
+putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings)
+{
+  ResultContext context;
+  context.plan = counts;
+  std::vector<ResultWarning> all = resultWarnings ({}, {}, context);
+  if (all.empty())
+    return;
+  for (const ResultWarning& warning : warnings)
+    if (warning.code == "millimeters" || warning.code == "feet" ||
+        warning.code == "degrees") {
+      std::string& text = all.front().text;
+      text = text.substr (0, text.find (": ") + 2) + warning.text;
+    }
+    else
+      all.push_back (warning);
+  all.resize (std::min (all.size(), context.max_warnings));
+  warnings = std::move (all);
+}
+
+nlohmann::ordered_json
+warningsToJson (const std::vector<ResultWarning>& warnings)
+{
+  auto array = nlohmann::ordered_json::array();
+  for (const ResultWarning& warning : warnings)
+    array.push_back ({{"code", warning.code}, {"text", warning.text}});
+  return array;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "warnings.h"
+
+#include <io/las_unit.h>
+
+#include <algorithm>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief How sure the up axis is that was used. */
+UpKnowledge
+knowledgeOfUp (const DetectorOptions& detector,
+               const FileCloud& cloud,
+               const Detected& detected)
+{
+  if (detector.finds_up || detector.sequence_has_up)
+    return detected.settings.at ("up_confidence").is_null() ? UpKnowledge::NotFound
+                                                            : UpKnowledge::Known;
+  // z is up in the reference systems of surveys.
+  const bool is_said = detector.up || detector.up_is_camera || cloud.is_survey;
+  return is_said ? UpKnowledge::Known : UpKnowledge::Assumed;
+}
+
+CoordinateUnit
+unitOf (const FileCloud& cloud, const ShiftedCloud& shifted)
+{
+  const LasUnit unit = cloud.las ? unitOf (*cloud.las) : LasUnit::Unknown;
+  if (unit == LasUnit::Degree || !adviceOnDegrees (shifted).empty())
+    return CoordinateUnit::Degree;
+  return unit == LasUnit::Meter  ? CoordinateUnit::Meter
+         : unit == LasUnit::Foot ? CoordinateUnit::Foot
+                                 : CoordinateUnit::Unknown;
+}
+
+} // namespace
+
+std::vector<ResultWarning>
+warningsOn (const SegmentOptions& options,
+            const Task& task,
+            const FileCloud& cloud,
+            const ShiftedCloud& shifted,
+            const Detected& detected)
+{
+  ResultContext context;
+  context.shift = shifted.shift;
+  context.unit = unitOf (cloud, shifted);
+  context.has_meter = options.has_meter;
+  if (!cloud.origin.head<3>().isZero (0.0F))
+    context.viewpoint = shifted.cloud->sensor_origin_.head<3>().cast<double>();
+  context.up_knowledge = knowledgeOfUp (options.detector, cloud, detected);
+  context.up = detected.up.cast<double>();
+  context.suggested_up = detected.suggested_up;
+  context.uses_kinds = !task.outputs.plan.empty() || options.choice.namesKinds();
+  context.has_camera_poses = options.track.has_camera_poses;
+  context.search = detected.search;
+  return resultWarnings (*shifted.cloud, detected.planes, context);
+}
+
+std::size_t
+countOf (PlaneKind kind, const Detected& detected)
+{
+  return static_cast<std::size_t> (
+      std::count (detected.kinds.begin(), detected.kinds.end(), kind));
+}
+
+} // namespace pcl_ops::apps

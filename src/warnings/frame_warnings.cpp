@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "warnings/frame_warnings.h"
+
+#include "warnings/constants.h"
+#include <pcl_ops/orientation.h>
+#include <pcl_ops/visibility.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <locale>
+#include <sstream>
+#include <string>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+/** \brief "0,0,1", with so many digits. */
+std::string
+vectorText (const Eigen::Vector3d& vector, int digits)
+{
+  std::ostringstream text;
+  text.imbue (std::locale::classic());
+  text.precision (digits);
+  text << vector.x() + 0.0 << ',' << vector.y() + 0.0 << ',' << vector.z() + 0.0;
+  return text.str();
+}
+
+/** \brief The parameter, and whose it is. */
+std::string
+meterOf (const std::string& length, const ParameterText& text)
+{
+  return text.of ("meter", length) +
+         (text.isPython() ? " to plane_kinds and floor_plan" : "");
+}
+
+/** \brief How far a sample reaches along an axis without stray points. */
+double
+extentWithoutStrays (std::vector<float> values)
+{
+  const auto strays = static_cast<std::ptrdiff_t> (warning_constants.stray_share *
+                                                   static_cast<double> (values.size()));
+  std::sort (values.begin(), values.end());
+  return double (*(values.end() - 1 - strays)) - double (*(values.begin() + strays));
+}
+
+/** \brief Whether a plane is level, has points enough, and next to nothing is below. */
+bool
+isFloorAlong (const Eigen::Vector3d& up,
+              const PlaneSegment& plane,
+              const LabelledSample& sample)
+{
+  const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+  if (!fit ||
+      plane.moments.count <
+          warning_constants.min_floor_share * static_cast<double> (sample.finite) ||
+      slopeOf (fit->plane.normal, up) > warning_constants.max_floor_slope)
+    return false;
+  constexpr double rms_below = 3.0;
+  const double sign = fit->plane.normal.dot (up) > 0.0 ? 1.0 : -1.0;
+  const double lowest = -rms_below * std::sqrt (std::max (0.0, fit->variances[0]));
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < sample.labels.size(); ++i)
+    below += sign * fit->plane.distance (sample[i]) < lowest ? 1 : 0;
+  return static_cast<double> (below) <= warning_constants.max_share_below_floor *
+                                            static_cast<double> (sample.labels.size());
+}
+
+} // namespace
+
+std::optional<ResultWarning>
+warnOfEmptyPlan (const ResultContext& context,
+                 const std::optional<ResultWarning>& on_unit,
+                 const ParameterText& text)
+{
+  const std::optional<PlanCounts>& plan = context.plan;
+  if (!plan || plan->walls > 0)
+    return std::nullopt;
+  const std::string walls = std::to_string (plan->wall_planes_found);
+  std::string reason;
+  if (on_unit)
+    reason = on_unit->text;
+  else if (plan->wall_planes_found == 0)
+    reason = std::string ("no plane is a wall") +
+             (plan->has_floor ? "" : " and none a floor") + "; give " +
+             text.of ("up", "") + ", or " + text.of ("meter", "") +
+             " for a cloud that is not in meters";
+  else if (plan->wall_planes_kept == 0)
+    reason = "filters drop all " + walls + " planes that are walls; leave them out";
+  else
+    reason = "none of the " + walls +
+             " planes that are walls is where it is cut; give another " +
+             text.of (text.isPython() ? "cut-height" : "plan-height", "");
+  return ResultWarning{"empty-plan", "the floor plan has 0 walls: " + reason};
+}
+
+std::optional<ResultWarning>
+warnOfPoses (const ResultContext& context, const ParameterText& text)
+{
+  if (!context.has_camera_poses)
+    return std::nullopt;
+  return ResultWarning{"camera-poses",
+                       "the poses move along z as those of KITTI's camera do, and are "
+                       "used as the lidar's; give " +
+                           text.of ("calib", "calib.txt") + " of the same sequence"};
+}
+
+std::optional<ResultWarning>
+warnOfUnit (const LabelledSample& sample,
+            const ResultContext& context,
+            const ParameterText& text)
+{
+  if (context.unit == CoordinateUnit::Degree)
+    return ResultWarning{"degrees",
+                         "x and y are degrees, which are no lengths; project the cloud "
+                         "to meters, as UTM does"};
+  if (context.has_meter || context.unit == CoordinateUnit::Meter)
+    return std::nullopt;
+  if (context.unit == CoordinateUnit::Foot)
+    return ResultWarning{
+        "feet",
+        "the reference system of the file is in feet, kinds and floor plans are made "
+        "by rules in meters; give " +
+            meterOf ("3.2808", text)};
+  if (sample.labels.empty())
+    return std::nullopt;
+  const double extents[] = {extentWithoutStrays (sample.points.x),
+                            extentWithoutStrays (sample.points.y),
+                            extentWithoutStrays (sample.points.z)};
+  if (*std::min_element (std::begin (extents), std::end (extents)) <
+      warning_constants.min_extent_of_millimeters)
+    return std::nullopt;
+  return ResultWarning{
+      "millimeters",
+      "the cloud is " + roundedLength (extents[0]) + " x " +
+          roundedLength (extents[1]) + " x " + roundedLength (extents[2]) +
+          " wide, which looks like millimeters; give " + meterOf ("1000", text)};
+}
+
+std::optional<ResultWarning>
+warnOfViewpoint (const CloudView& cloud,
+                 const ResultContext& context,
+                 const ParameterText& text)
+{
+  if (!context.viewpoint || isSeenFrom (*context.viewpoint, cloud))
+    return std::nullopt;
+  constexpr int digits = 10; // UTM to the millimeter
+  const std::string place = vectorText (*context.viewpoint + context.shift, digits);
+  return ResultWarning{
+      "viewpoint",
+      text.isPython()
+          ? "the points were not seen from viewpoint=(" + place +
+                "), which normals are turned to; give the place of the sensor, or "
+                "leave it out"
+          : "the cloud was not seen from its VIEWPOINT " + place +
+                ", which normals are turned to; write the place of the sensor into "
+                "the file, or 0 0 0 if it is not known"};
+}
+
+std::optional<ResultWarning>
+warnOfUp (const LabelledSample& sample,
+          const std::vector<PlaneSegment>& planes,
+          const ResultContext& context,
+          const ParameterText& text)
+{
+  if (!context.uses_kinds || context.up_knowledge == UpKnowledge::Known ||
+      planes.empty())
+    return std::nullopt;
+  const std::string used = vectorText (context.up, 3);
+  const std::string given =
+      text.isPython() ? text.of ("up", "(x, y, z)") : text.of ("up", "x,y,z");
+  if (context.up_knowledge == UpKnowledge::NotFound)
+    return ResultWarning{"unknown-up",
+                         "the planes cannot tell which way is up, and kinds of planes "
+                         "are those of " +
+                             used + "; give " + given};
+  const auto is_floor = [&] (const PlaneSegment& plane) {
+    return isFloorAlong (context.up, plane, sample);
+  };
+  if (!context.suggested_up && std::any_of (planes.begin(), planes.end(), is_floor))
+    return std::nullopt;
+  return ResultWarning{"unknown-up",
+                       "kinds of planes need to know which way is up, and " + used +
+                           (context.suggested_up
+                                ? " is not what the planes suggest"
+                                : " has no plane below all others as a floor") +
+                           "; give " + text.ofWord ("up", "auto") + " or " + given};
+}
+
+} // namespace pcl_ops::internal

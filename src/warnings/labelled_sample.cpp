@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "warnings/labelled_sample.h"
+
+#include "warnings/constants.h"
+
+#include <stdexcept>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+Labels
+labelsOfPoints (std::size_t points, const std::vector<PlaneSegment>& planes)
+{
+  Labels labels (points, no_plane);
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    for (const pcl::index_t index : planes[p].inliers) {
+      if (index < 0 || static_cast<std::size_t> (index) >= points)
+        throw std::invalid_argument ("an inlier is no point of the cloud");
+      labels[static_cast<std::size_t> (index)] = static_cast<std::int32_t> (p);
+    }
+  return labels;
+}
+
+} // namespace
+
+LabelledSample
+sampleWithLabels (const CloudView& cloud,
+                  const std::vector<PlaneSegment>& planes,
+                  const Eigen::Vector3d& shift)
+{
+  const Labels labels = labelsOfPoints (cloud.size, planes);
+  const Points points = finitePoints (cloud, 1);
+  const Indices numbers = sampleNumbers (points, warning_constants.sampled_points);
+  LabelledSample sample;
+  sample.points = selected (points, numbers);
+  sample.origin = points.origin + shift;
+  sample.finite = points.size();
+  for (const PlaneSegment& plane : planes)
+    sample.on_planes += plane.inliers.size();
+  for (const std::uint32_t number : numbers)
+    sample.labels.push_back (
+        labels[static_cast<std::size_t> (points.indexOf (number))]);
+  return sample;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "geometry/points.h"
+#include <pcl_ops/plane.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Some points of a cloud with their planes, the same whatever their order. */
+struct LabelledSample {
+  /** \brief Relative to \ref origin. */
+  Coordinates points;
+  Labels labels;
+  /** \brief Zero of the points in the frame of the planes. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /** \brief How many points of the cloud are finite, and how many are on planes. */
+  std::size_t finite = 0;
+  std::size_t on_planes = 0;
+
+  Eigen::Vector3d
+  operator[] (std::size_t i) const
+  {
+    return points[i] + origin;
+  }
+
+  double
+  shareOnNone () const
+  {
+    return finite > on_planes
+               ? static_cast<double> (finite - on_planes) / static_cast<double> (finite)
+               : 0.0;
+  }
+};
+
+/** \param[in] shift zero of the cloud's frame in that of the planes
+ * \throw std::invalid_argument if an inlier is no point of the cloud */
+LabelledSample
+sampleWithLabels (const CloudView& cloud,
+                  const std::vector<PlaneSegment>& planes,
+                  const Eigen::Vector3d& shift);
+
+} // namespace pcl_ops::internal

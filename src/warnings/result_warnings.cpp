@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "warnings/frame_warnings.h"
+#include "warnings/plane_warnings.h"
+#include "warnings/unassigned_points.h"
+#include <pcl_ops/result_warnings.h>
+
+#include <utility>
+
+namespace pcl_ops {
+
+std::vector<ResultWarning>
+resultWarnings (const CloudView& cloud,
+                const std::vector<PlaneSegment>& planes,
+                const ResultContext& context)
+{
+  using namespace internal;
+  const ParameterText text{context.names};
+  const LabelledSample sample = sampleWithLabels (cloud, planes, context.shift);
+  std::vector<ResultWarning> warnings;
+  const auto add = [&] (std::optional<ResultWarning> warning) {
+    if (warning && warnings.size() < context.max_warnings)
+      warnings.push_back (*std::move (warning));
+  };
+  // What makes a whole output wrong or empty comes first.
+  const std::optional<ResultWarning> on_unit = warnOfUnit (sample, context, text);
+  const std::optional<ResultWarning> on_plan = warnOfEmptyPlan (context, on_unit, text);
+  add (on_plan ? on_plan : on_unit);
+  add (warnOfPoses (context, text));
+  add (warnOfUp (sample, planes, context, text));
+  add (warnOfViewpoint (cloud, context, text));
+  add (warnOfLevels (planes, context.search.has_value(), text));
+  add (warnOfThickPlanes (planes, text));
+  if (context.search)
+    add (warnOfUnassignedPoints (cloud, sample, planes, *context.search, text));
+  add (warnOfMixedLabels (sample, planes, text));
+  return warnings;
+}
+
+} // namespace pcl_ops

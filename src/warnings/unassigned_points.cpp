@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "warnings/unassigned_points.h"
+
+#include "warnings/constants.h"
+#include <pcl_ops/detect_planes.h>
+
+#include <algorithm>
+#include <string>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using OpsParameters = OrientedPointSamplingParameters;
+
+/** \brief A search with another value of one parameter, and how to ask for it. */
+struct OtherSearch {
+  OpsParameters parameters;
+  std::string advice;
+};
+
+/** \brief Searches without a value that the user gave and that leaves points out. */
+std::vector<OtherSearch>
+searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
+{
+  const OpsParameters usual;
+  std::vector<OtherSearch> searches;
+  if (given.distance_threshold) {
+    searches.push_back ({given, "leave out " + text.of ("threshold", "")});
+    searches.back().parameters.distance_threshold.reset();
+  }
+  if (given.min_points > usual.min_points) {
+    searches.push_back ({given, "leave out " + text.of ("min-points", "")});
+    searches.back().parameters.min_points = usual.min_points;
+  }
+  if (given.min_samples > usual.min_samples) {
+    searches.push_back ({given, "leave out " + text.of ("min-inliers", "")});
+    searches.back().parameters.min_samples = usual.min_samples;
+  }
+  return searches;
+}
+
+/** \brief Share of the points on planes that are no scraps.
+ * \param[in] points those of the cloud that are finite */
+double
+shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
+{
+  const double all = static_cast<double> (points);
+  double on_planes = 0.0;
+  for (const PlaneSegment& plane : planes)
+    if (plane.moments.count >= warning_constants.min_plane_share * all)
+      on_planes += plane.moments.count;
+  return on_planes / all;
+}
+
+/** \brief The nearest points on no plane of one of them, x, y, z of each. */
+std::vector<float>
+surroundings (const Points& points, const Indices& unassigned, std::uint32_t center)
+{
+  Indices nearest = unassigned;
+  const auto is_nearer = [&, middle = points[center]] (std::uint32_t one,
+                                                       std::uint32_t other) {
+    return (points[one] - middle).squaredNorm() <
+           (points[other] - middle).squaredNorm();
+  };
+  const std::size_t number =
+      std::min (nearest.size(), warning_constants.points_of_place);
+  std::nth_element (nearest.begin(),
+                    nearest.begin() + static_cast<std::ptrdiff_t> (number - 1),
+                    nearest.end(),
+                    is_nearer);
+  nearest.resize (number);
+  std::sort (nearest.begin(), nearest.end());
+  std::vector<float> positions;
+  for (const std::uint32_t i : nearest)
+    positions.insert (positions.end(), {points.x[i], points.y[i], points.z[i]});
+  return positions;
+}
+
+/** \brief Whether points on no plane lie on planes where they are by themselves, as the
+ * sides of a thin wall do and trees do not: a second search is worth its time. */
+bool
+areFlatPlaces (const CloudView& cloud,
+               const std::vector<PlaneSegment>& planes,
+               const OpsParameters& parameters)
+{
+  const Points points = finitePoints (cloud, parameters.threads);
+  std::vector<char> is_on_plane (cloud.size, 0);
+  for (const PlaneSegment& plane : planes)
+    for (const pcl::index_t index : plane.inliers)
+      is_on_plane[static_cast<std::size_t> (index)] = 1;
+  Indices unassigned;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (is_on_plane[static_cast<std::size_t> (points.indexOf (i))] == 0)
+      unassigned.push_back (static_cast<std::uint32_t> (i));
+  const std::size_t tried = warning_constants.tried_places;
+  const Indices centers = sampleNumbers (selected (points, unassigned), tried);
+  for (std::size_t k = 0; k < std::min (centers.size(), tried); ++k) {
+    const std::vector<float> part =
+        surroundings (points, unassigned, unassigned[centers[k]]);
+    const CloudView view (part.data(), 0, 3 * sizeof (float), part.size() / 3);
+    if (shareOnPlanes (detectPlanes (view, parameters), view.size) <
+        warning_constants.min_share_of_place)
+      return false;
+  }
+  return !centers.empty();
+}
+
+} // namespace
+
+std::optional<ResultWarning>
+warnOfUnassignedPoints (const CloudView& cloud,
+                        const LabelledSample& sample,
+                        const std::vector<PlaneSegment>& planes,
+                        const OpsParameters& search,
+                        const ParameterText& text)
+{
+  if (sample.shareOnNone() < warning_constants.none_share ||
+      sample.finite > warning_constants.max_searched_again)
+    return std::nullopt;
+  std::vector<OtherSearch> searches = searchesWithDefaults (search, text);
+  if (search.sampling_rate < warning_constants.high_sampling_rate) {
+    OtherSearch finer{search, "give " + text.of ("sampling-rate", "0.3")};
+    finer.parameters.sampling_rate = warning_constants.high_sampling_rate;
+    if (areFlatPlaces (cloud, planes, finer.parameters))
+      searches.push_back (finer);
+  }
+  const double before = shareOnPlanes (planes, sample.finite);
+  for (const OtherSearch& other : searches) {
+    const double share =
+        shareOnPlanes (detectPlanes (cloud, other.parameters), sample.finite);
+    if (share >= before + warning_constants.gained_share)
+      return ResultWarning{"unassigned-points",
+                           perCentOf (sample.shareOnNone()) +
+                               " of the points are on no plane; for " +
+                               perCentOf (share) + " on planes " + other.advice};
+  }
+  return std::nullopt;
+}
+
+} // namespace pcl_ops::internal

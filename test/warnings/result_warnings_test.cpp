@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/detect_planes.h>
+#include <pcl_ops/result_warnings.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace pcl_ops;
+
+namespace {
+
+/** \brief Points of surfaces with the planes that a detector finds in these. */
+struct LabelledPlaneScene {
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  std::vector<PlaneSegment> planes;
+  RandomGenerator generator = RandomGenerator (seedOfTest());
+
+  /** \brief Adds a surface with so many points, a plane of its own unless it is none.
+   */
+  LabelledPlaneScene&
+  add (const Surface& surface, std::size_t points, double noise, bool is_plane = true)
+  {
+    PlaneSegment plane;
+    plane.centroid = plane.moments.origin = surface.center();
+    plane.normal = surface.normal();
+    for (std::size_t i = 0; i < points; ++i) {
+      const Eigen::Vector3d point = drawPointOf (surface, noise, generator);
+      const Eigen::Vector3d offset = point - plane.centroid;
+      plane.moments.add (offset.x(), offset.y(), offset.z());
+      plane.inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+      cloud.push_back (toPoint (point));
+    }
+    plane.noise = noise;
+    plane.orientation =
+        orientationOf (plane.normal, Eigen::Vector3d::UnitZ(), paper_angle_tolerance);
+    if (is_plane)
+      planes.push_back (plane);
+    return *this;
+  }
+
+  std::vector<ResultWarning>
+  warnings (const ResultContext& context = ResultContext()) const
+  {
+    return resultWarnings (cloud, planes, context);
+  }
+
+  /** \brief "thick-planes unit" */
+  std::string
+  codes (const ResultContext& context = ResultContext()) const
+  {
+    std::string codes;
+    for (const ResultWarning& warning : warnings (context))
+      codes += (codes.empty() ? "" : " ") + warning.code;
+    return codes;
+  }
+};
+
+const Surface floor_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
+const Surface wall_of_room = {{0, 3, 0}, {4, 0, 0}, {0, 0, 2.5}};
+
+LabelledPlaneScene
+roomOfTwoPlanes ()
+{
+  return LabelledPlaneScene()
+      .add (floor_of_room, 3000, 2_mm)
+      .add (wall_of_room, 2500, 2_mm);
+}
+
+} // namespace
+
+TEST (ResultWarnings, AreNoneOfAnOrdinaryRoom)
+{
+  EXPECT_EQ (roomOfTwoPlanes().codes(), "");
+}
+
+TEST (ResultWarnings, AreNoneOfNoPoints)
+{
+  EXPECT_TRUE (resultWarnings ({}, {}).empty());
+}
+
+TEST (ResultWarnings, SayThatPlanesAreThickerThanThreeNoises)
+{
+  LabelledPlaneScene hill;
+  hill.add ({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, 3000, 1.0);
+  hill.planes[0].noise = 0.06;
+  ASSERT_EQ (hill.codes(), "thick-planes");
+  const std::string text = hill.warnings()[0].text;
+  EXPECT_NE (text.find ("100 % of the points on planes"), std::string::npos) << text;
+  EXPECT_NE (text.find ("; for thinner planes give --threshold 0.18"),
+             std::string::npos)
+      << text;
+}
+
+TEST (ResultWarnings, NameParametersAsPythonDoes)
+{
+  LabelledPlaneScene hill;
+  hill.add ({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, 3000, 1.0);
+  hill.planes[0].noise = 0.06;
+  ResultContext context;
+  context.names = ParameterNames::Python;
+  ASSERT_EQ (hill.codes (context), "thick-planes");
+  const std::string text = hill.warnings (context)[0].text;
+  EXPECT_NE (text.find ("give distance_threshold=0.18"), std::string::npos) << text;
+}
+
+TEST (ResultWarnings, SayThatPlanesOfNoRmsLieOneBehindAnother)
+{
+  LabelledPlaneScene levels;
+  for (const double depth : {3.0, 3.03, 3.06})
+    levels.add ({{0, 0, depth}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
+  ASSERT_EQ (levels.codes(), "exact-levels");
+  const std::string text = levels.warnings()[0].text;
+  EXPECT_NE (text.find ("3 planes have an rms of 0"), std::string::npos) << text;
+  EXPECT_NE (text.find ("use --method ops without --voxel-size"), std::string::npos)
+      << text;
+  ResultContext of_default;
+  of_default.search = OrientedPointSamplingParameters();
+  const std::string by_default = levels.warnings (of_default)[0].text;
+  EXPECT_NE (by_default.find ("give --voxel-size 0.15"), std::string::npos)
+      << by_default;
+}
+
+TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
+{
+  EXPECT_EQ (LabelledPlaneScene()
+                 .add (floor_of_room, 3000, 0.0)
+                 .add (wall_of_room, 2500, 0.0)
+                 .codes(),
+             "");
+}
+
+TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
+{
+  EXPECT_EQ (LabelledPlaneScene()
+                 .add ({{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
+                 .add ({{0, 0.2, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
+                 .codes(),
+             "");
+}
+
+TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
+{
+  LabelledPlaneScene stairs;
+  for (const int step : {0, 1, 2})
+    stairs.add ({{0, 0.3 * step, 0.17 * step}, {2, 0, 0}, {0, 0.3, 0}}, 1500, 0.0);
+  EXPECT_EQ (stairs.codes(), "");
+}
+
+TEST (ResultWarnings, SayThatLabelsAreMixedPointByPoint)
+{
+  LabelledPlaneScene wall;
+  wall.add (wall_of_room, 2500, 5_mm);
+  Surface again = wall_of_room;
+  again.corner.y() += 2_mm;
+  wall.add (again, 2500, 5_mm);
+  ASSERT_EQ (wall.codes(), "mixed-labels");
+  const std::string text = wall.warnings()[0].text;
+  EXPECT_NE (text.find ("planes 1 and 2; for one plane give --merge-distance 0.00"),
+             std::string::npos)
+      << text;
+}
+
+TEST (ResultWarnings, AreNoneOfPlanesThatMeet)
+{
+  LabelledPlaneScene room = roomOfTwoPlanes();
+  room.add ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 2000, 2_mm);
+  EXPECT_EQ (room.codes(), "");
+}
+
+namespace {
+
+/** \brief A wall of 10 cm whose sides have few points, in a room of which a floor and a
+ * wall are found. */
+LabelledPlaneScene
+roomWithThinWall ()
+{
+  LabelledPlaneScene room = roomOfTwoPlanes();
+  room.add ({{1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm, false);
+  room.add ({{1.1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm, false);
+  return room;
+}
+
+} // namespace
+
+TEST (ResultWarnings, SayWhichSamplingRatePutsPointsOnPlanes)
+{
+  ResultContext context;
+  EXPECT_EQ (roomWithThinWall().codes (context), "") << "a search that is not known";
+  context.search = OrientedPointSamplingParameters();
+  ASSERT_EQ (roomWithThinWall().codes (context), "unassigned-points");
+  const std::string text = roomWithThinWall().warnings (context)[0].text;
+  EXPECT_NE (text.find ("52 % of the points are on no plane"), std::string::npos)
+      << text;
+  EXPECT_NE (text.find (" give --sampling-rate 0.3"), std::string::npos) << text;
+}
+
+TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
+{
+  LabelledPlaneScene room = roomOfTwoPlanes();
+  room.add ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 5000, 2_mm, false);
+  ResultContext context;
+  context.search = OrientedPointSamplingParameters();
+  context.search->min_points = 1'000'000;
+  ASSERT_EQ (room.codes (context), "unassigned-points");
+  const std::string text = room.warnings (context)[0].text;
+  EXPECT_NE (text.find ("on planes leave out --min-points"), std::string::npos) << text;
+}
+
+TEST (ResultWarnings, AreNoneOfPointsOnNoPlaneThatNoValuePutsOnOne)
+{
+  LabelledPlaneScene tree = roomOfTwoPlanes();
+  for (int i = 0; i < 10; ++i)
+    tree.add ({{1, 1, 0.2 * i}, {1, 0.1, 0}, {-0.1, 1, 0}}, 600, 20_cm, false);
+  ResultContext context;
+  context.search = OrientedPointSamplingParameters();
+  EXPECT_EQ (tree.codes (context), "");
+}
+
+TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
+{
+  LabelledPlaneScene room;
+  room.add ({{0, 0, 0}, {4000, 0, 0}, {0, 3000, 0}}, 3000, 2.0);
+  room.add ({{0, 3000, 0}, {4000, 0, 0}, {0, 0, 2500}}, 2500, 2.0);
+  ASSERT_EQ (room.codes(), "millimeters");
+  const std::string text = room.warnings()[0].text;
+  EXPECT_NE (text.find ("3900 x 2900 x 2400 wide"), std::string::npos) << text;
+  EXPECT_NE (text.find ("; give --meter 1000"), std::string::npos) << text;
+  ResultContext context;
+  context.has_meter = true;
+  EXPECT_EQ (room.codes (context), "");
+}
+
+TEST (ResultWarnings, AreNoneOfASurveyOfAKilometer)
+{
+  EXPECT_EQ (LabelledPlaneScene()
+                 .add ({{0, 0, 0}, {2000, 0, 0}, {0, 3000, 300}}, 5000, 0.05)
+                 .codes(),
+             "");
+}
+
+TEST (ResultWarnings, SayThatAReferenceSystemIsInFeetOrDegrees)
+{
+  ResultContext context;
+  context.unit = CoordinateUnit::Foot;
+  ASSERT_EQ (roomOfTwoPlanes().codes (context), "feet");
+  const std::string text = roomOfTwoPlanes().warnings (context)[0].text;
+  EXPECT_NE (text.find ("; give --meter 3.2808"), std::string::npos) << text;
+  context.has_meter = true;
+  EXPECT_EQ (roomOfTwoPlanes().codes (context), "");
+  context.unit = CoordinateUnit::Degree;
+  EXPECT_EQ (roomOfTwoPlanes().codes (context), "degrees") << "no meter mends these";
+}
+
+TEST (ResultWarnings, SayThatPosesAreOfACamera)
+{
+  ResultContext context;
+  context.has_camera_poses = true;
+  ASSERT_EQ (roomOfTwoPlanes().codes (context), "camera-poses");
+  const std::string text = roomOfTwoPlanes().warnings (context)[0].text;
+  EXPECT_NE (text.find ("; give --calib calib.txt"), std::string::npos) << text;
+}
+
+TEST (ResultWarnings, SayThatACloudWasNotSeenFromItsViewpoint)
+{
+  // A board before the wall hides a part of it from the true place only.
+  LabelledPlaneScene boards;
+  for (const double depth : {1.0, 2.0, 3.0, 4.0})
+    boards.add ({{-1, depth, 0}, {2, 0, 0}, {0, 0, 2}}, 4000, 2_mm);
+  ResultContext context;
+  EXPECT_EQ (boards.codes (context), "") << "a place that nobody named";
+  context.viewpoint = Eigen::Vector3d (0, -1, 1);
+  ASSERT_EQ (boards.codes (context), "viewpoint");
+  const std::string text = boards.warnings (context)[0].text;
+  EXPECT_NE (text.find ("VIEWPOINT 0,-1,1"), std::string::npos) << text;
+  EXPECT_NE (text.find ("or 0 0 0 if it is not known"), std::string::npos) << text;
+  context.viewpoint = Eigen::Vector3d (2, 1, 1);
+  EXPECT_EQ (roomOfTwoPlanes().codes (context), "") << "a place in the room";
+}
+
+TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
+{
+  // In the frame of a camera: y points down, z ahead.
+  LabelledPlaneScene seen;
+  seen.add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 3000, 2_mm);
+  seen.add ({{-2, 1, 4}, {4, 0, 0}, {0, -2.5, 0}}, 3000, 2_mm);
+  ResultContext context;
+  context.up_knowledge = UpKnowledge::Assumed;
+  EXPECT_EQ (seen.codes (context), "") << "kinds that nobody asked for";
+  context.uses_kinds = true;
+  ASSERT_EQ (seen.codes (context), "unknown-up");
+  const std::string text = seen.warnings (context)[0].text;
+  EXPECT_NE (text.find ("0,0,1 has no plane below all others"), std::string::npos)
+      << text;
+  EXPECT_NE (text.find ("; give --up auto or --up x,y,z"), std::string::npos) << text;
+  EXPECT_EQ (roomOfTwoPlanes().codes (context), "") << "z as it mostly is";
+  context.suggested_up = Eigen::Vector3d (0, -1, 0);
+  EXPECT_EQ (roomOfTwoPlanes().codes (context), "unknown-up");
+  context.up_knowledge = UpKnowledge::NotFound;
+  EXPECT_EQ (roomOfTwoPlanes().codes (context), "unknown-up");
+  context.up_knowledge = UpKnowledge::Known;
+  EXPECT_EQ (seen.codes (context), "");
+}
+
+TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
+{
+  const auto text_of = [] (const PlanCounts& counts, const LabelledPlaneScene& scene) {
+    ResultContext context;
+    context.plan = counts;
+    const std::vector<ResultWarning> warnings = scene.warnings (context);
+    return warnings.empty() ? "" : warnings[0].code + ": " + warnings[0].text;
+  };
+  const auto starts = [&] (const PlanCounts& counts, const std::string& begin) {
+    const std::string text = text_of (counts, roomOfTwoPlanes());
+    EXPECT_EQ (text.substr (0, begin.size()), begin);
+  };
+  starts (
+      {0, 0, 0, false},
+      "empty-plan: the floor plan has 0 walls: no plane is a wall and none a floor; "
+      "give --up");
+  starts ({0, 0, 0, true},
+          "empty-plan: the floor plan has 0 walls: no plane is a wall; give --up");
+  starts ({0, 12, 0, true},
+          "empty-plan: the floor plan has 0 walls: filters drop all 12 planes that are "
+          "walls; leave them out");
+  starts (
+      {0, 12, 12, true},
+      "empty-plan: the floor plan has 0 walls: none of the 12 planes that are walls "
+      "is where it is cut; give another --plan-height");
+  EXPECT_EQ (text_of ({3, 12, 12, true}, roomOfTwoPlanes()), "");
+  LabelledPlaneScene room;
+  room.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 2.0);
+  EXPECT_NE (text_of ({0, 0, 0, true}, room).find ("looks like millimeters"),
+             std::string::npos);
+}
+
+TEST (ResultWarnings, AreTheThreeMostImportant)
+{
+  LabelledPlaneScene room;
+  room.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 200.0);
+  room.planes[0].noise = 2.0;
+  ResultContext context;
+  context.has_camera_poses = true;
+  context.up_knowledge = UpKnowledge::NotFound;
+  context.uses_kinds = true;
+  EXPECT_EQ (room.codes (context), "millimeters camera-poses unknown-up");
+  context.max_warnings = 10;
+  EXPECT_EQ (room.codes (context), "millimeters camera-poses unknown-up thick-planes");
+}
+
+TEST (ResultWarnings, DoNotDependOnTheOrderOfThePoints)
+{
+  LabelledPlaneScene wall;
+  wall.add (wall_of_room, 2500, 5_mm).add (wall_of_room, 2500, 5_mm);
+  LabelledPlaneScene reversed = wall;
+  std::reverse (reversed.cloud.begin(), reversed.cloud.end());
+  for (PlaneSegment& plane : reversed.planes) {
+    for (pcl::index_t& index : plane.inliers)
+      index = static_cast<pcl::index_t> (wall.cloud.size()) - 1 - index;
+    std::reverse (plane.inliers.begin(), plane.inliers.end());
+  }
+  ASSERT_EQ (wall.warnings().size(), 1U);
+  EXPECT_EQ (wall.warnings()[0].text, reversed.warnings()[0].text);
+}
+
+TEST (ResultWarnings, RefuseInliersOfAnotherCloud)
+{
+  LabelledPlaneScene room = roomOfTwoPlanes();
+  room.planes[0].inliers.back() = 1'000'000;
+  EXPECT_THROW (room.warnings(), std::invalid_argument);
+}
