@@ -43,6 +43,8 @@ struct PlaceConstants {
   double growth_quantile = 0.25;
   /** \brief Scatter over width of what is exact, as CAD models are. */
   double max_exact = 0.002;
+  /** \brief What exact supports and regions may differ by, as a share of that. */
+  double share_of_exact = 0.1;
   /** \brief Noise of a place in units of what is usual where points are as dense, and
    * that in units of what is usual in the cloud. */
   double min_over_usual = 0.7;

@@ -187,7 +187,6 @@ noiseOfPlaces (const Places& places, unsigned threads)
 ChosenSupports
 chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
 {
-  constexpr double tenth = 0.1; // of what is exact
   ChosenSupports chosen;
   chosen.normal.resize (places.size());
   chosen.scatter.resize (places.size());
@@ -197,9 +196,9 @@ chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
     std::size_t level = places.supports.size() - 1;
     for (; level > 0; --level) {
       const Support& support = places.supports[level][i];
-      const double limit =
-          std::max<double> (place_constants.max_noises_of_support * noise.of_place[i],
-                            tenth * place_constants.max_exact * support.width);
+      const double limit = std::max<double> (
+          place_constants.max_noises_of_support * noise.of_place[i],
+          place_constants.share_of_exact * place_constants.max_exact * support.width);
       if (support.scatter * noise.growth[level] <= limit)
         break;
     }

@@ -211,8 +211,11 @@ nearnessOverGap (const Region& own,
   constexpr double like = 1.5; // the noise of both
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
+  // What is exact has no noise.
+  const double exact = place_constants.share_of_exact * place_constants.max_exact;
   const double reach = noises * std::min (std::max (own.noise, other.noise),
-                                          like * std::min (own.noise, other.noise));
+                                          like * std::min (own.noise, other.noise)) +
+                       exact * own.width();
   if (std::abs (other.fit.plane.distance (own.fit.centroid)) > reach)
     return 0.0;
   const double gap = (own.fit.centroid - other.fit.centroid).norm();

@@ -164,12 +164,6 @@ struct Method {
 
 const Method methods[] = {
     {"ops", [] (const auto& v) { return planesBy (Ops(), v); }, 99_percent},
-    {"ops on leaves",
-     [] (const auto& v) { return planesBy (neighborhoodsOn (v.cloud), v); },
-     99_percent},
-    {"ops on neighborhoods",
-     [] (const auto& v) { return planesBy (neighborhoodsOn (v.cloud), v); },
-     99_percent},
     {"ops on voxels",
      [] (const auto& v) { return planesBy (voxelsOn (v.cloud), v); },
      99_percent},

@@ -134,27 +134,15 @@ struct PublishedOps : Ops {
   PublishedOps() : Ops (paperOn (nullptr)) {}
 };
 
-/** \brief On leaves of an octree. */
-struct OpsOnNeighborhoods : Ops {
-  OpsOnNeighborhoods() : Ops (neighborhoodsOn (nullptr)) {}
-};
-
-/** \brief On the nearest points of each point. */
-struct OpsOnNeighborhoods : Ops {
-  OpsOnNeighborhoods() : Ops (neighborhoodsOn (nullptr)) {}
-};
-
 struct OpsOnVoxels : Ops {
   OpsOnVoxels() : Ops (voxelsOn (nullptr)) {}
 };
 
 using Detectors = ::testing::Types<Ops,
-                                   OpsOnNeighborhoods,
                                    PublishedOps,
                                    pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
                                    pcl_ops::KernelHoughTransform<pcl::PointXYZ>,
-                                   OpsOnVoxels,
-                                   OpsOnNeighborhoods>;
+                                   OpsOnVoxels>;
 TYPED_TEST_SUITE (PlaneDetector, Detectors);
 
 TYPED_TEST (PlaneDetector, FindsNothingWhereThereIsNoPlaneAndCallsThatSuccess)
@@ -530,7 +518,6 @@ TYPED_TEST (PlaneDetector, MergesWhatIsOnePlaneUnlessMergingIsOff)
 TEST (OpsOf, ASamplingRateThatDrawsNoPointFindsNone)
 {
   for (Ops ops : {opsOn (room().build().cloud),
-                  neighborhoodsOn (room().build().cloud),
                   voxelsOn (room().build().cloud),
                   paperOn (room().build().cloud)}) {
     ops.setSamplingRate (1e-9);
@@ -542,7 +529,7 @@ TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 {
   // A third of the points is. The final fit moves a plane a little.
   const auto cloud = room().noise (1_cm).spacing (2_cm).build().cloud;
-  for (Ops ops : {opsOn (cloud), neighborhoodsOn (cloud), voxelsOn (cloud)}) {
+  for (Ops ops : {opsOn (cloud), voxelsOn (cloud)}) {
     ops.setDistanceThreshold (1_cm);
     const auto planes = planesOf (ops);
     ASSERT_GE (planes.size(), 3u);
@@ -569,11 +556,9 @@ TEST (OpsOf, CoordinatesOfAThousandKilometersFindsWhatIsThere)
   const auto small = room().movedBy (place).spacing (2_cm).build();
   const std::tuple<Ops, LabelledScene, std::size_t> rows[] = {
       {opsOn (hall.cloud), hall, 3},
-      {neighborhoodsOn (hall.cloud), hall, 3},
       {voxelsOn (hall.cloud), hall, 3},
       {paperOn (hall.cloud), hall, 3},
       {opsOn (small.cloud), small, 0},
-      {neighborhoodsOn (small.cloud), small, 0},
       {voxelsOn (small.cloud), small, 0},
       {paperOn (small.cloud), small, 3}};
   for (auto [ops, scene, min_planes] : rows) {

@@ -202,8 +202,8 @@ protected:
     InputCloud zeros = floorAndWall();
     zeros.resize (zeros.size() + 100, pcl::PointXYZI());
     save ("zeros.pcd", zeros);
-    for (int i = 0; i < points_of_plane; i += 2)
-      rough[i].z = 0.004f;
+    for (int i = 0; i < points_of_plane; ++i)
+      rough[i].z = 0.002f * static_cast<float> (i % 3);
     save ("rough.pcd", rough);
   }
 
