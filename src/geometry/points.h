@@ -90,8 +90,8 @@ selected (const Coordinates& points, const Indices& numbers);
 Coordinates
 samplePoints (const Coordinates& positions, std::size_t wanted);
 
-/** \brief The numbers of about so many of the points, ascending, the same points whatever
- * their order; none that are not finite. */
+/** \brief The numbers of about so many of the points, ascending, the same points
+ * whatever their order; none that are not finite. */
 Indices
 sampleNumbers (const Coordinates& positions, std::size_t wanted);
 
