@@ -50,12 +50,6 @@ neighborhoodsOn (const Cloud::ConstPtr& cloud)
 }
 
 inline Ops
-neighborhoodsOn (const Cloud::ConstPtr& cloud)
-{
-  return sampledOn (pcl_ops::Sampling::Neighborhoods, cloud);
-}
-
-inline Ops
 voxelsOn (const Cloud::ConstPtr& cloud)
 {
   return sampledOn (pcl_ops::Sampling::Surfels, cloud);

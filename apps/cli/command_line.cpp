@@ -5,6 +5,8 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/format.hpp>
 
+#include "similar_name.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -150,6 +152,20 @@ refuseAmbiguous (const std::string& start, const std::vector<const Option*>& can
                     "is ambiguous; write " + boost::join (names, " or ") + " in full");
 }
 
+[[noreturn]] void
+refuseUnknown (const std::string& name, const std::vector<OptionGroup>& groups)
+{
+  std::vector<std::string> names;
+  for (const OptionGroup& group : groups)
+    for (const Option& option : group.options)
+      names.push_back (option.name);
+  const std::string similar = similarName (name, names);
+  throw UsageError (
+      "--" + name,
+      "is no option of this program; " +
+          (similar.empty() ? "see --help" : "did you mean --" + similar + "?"));
+}
+
 /** \brief The option with a name, or the only one whose name begins with it. */
 const Option&
 find (const std::vector<OptionGroup>& groups, const std::string& start)
@@ -163,7 +179,7 @@ find (const std::vector<OptionGroup>& groups, const std::string& start)
         candidates.push_back (&option);
     }
   if (candidates.empty() || start.empty())
-    throw UsageError ("--" + start, "is no option of this program; see --help");
+    refuseUnknown (start, groups);
   if (candidates.size() > 1)
     refuseAmbiguous (start, candidates);
   return *candidates.front();

@@ -4,6 +4,7 @@
 
 #include <cli/errors.h>
 #include <cli/program.h>
+#include <cli/similar_name.h>
 
 #include <algorithm>
 #include <iomanip>
@@ -35,6 +36,19 @@ printHelp (const std::vector<Command>& commands)
                "  --help                       print this and exit, after COMMAND what "
                "it takes\n"
                "  --version                    print the version and exit\n";
+}
+
+[[noreturn]] void
+refuseUnknown (const std::string& name, const std::vector<Command>& commands)
+{
+  std::vector<std::string> names;
+  for (const Command& command : commands)
+    names.push_back (command.name);
+  const std::string similar = similarName (name, names);
+  throw UsageError (name,
+                    "is no command; " + (similar.empty()
+                                             ? "see --help"
+                                             : "did you mean " + similar + "?"));
 }
 
 } // namespace
@@ -79,7 +93,7 @@ runCommand (const std::vector<Command>& commands, int argc, const char* const* a
         return one.name == name;
       });
   if (command == commands.end())
-    throw UsageError (name, "is no command; see --help");
+    refuseUnknown (name, commands);
   return command->run (argc - 1, argv + 1);
 }
 

@@ -47,7 +47,7 @@ function prepareGroups() {
   const usual = known[known.length >> 1] || radius / 200;
   return groups.reduce((first, group, i) => {
     const [red, green, blue] = [1, 3, 5].map(at => i < planes.length ? parseInt(planes[i].color.slice(at, at + 2), 16) / 255 : 0.5);
-    Object.assign(group, {first, isOn: true, fromMiddle: add(group.origin, middle, -1), color: [red, green, blue],
+    Object.assign(group, {first, isOn: true, isListed: true, fromMiddle: add(group.origin, middle, -1), color: [red, green, blue],
       normal: i < planes.length ? planes[i].normal : [0, 0, 0], spacing: Math.min(spacing[i] || usual, 4 * usual)});
     return first + group.shown;
   }, 0);
@@ -160,7 +160,7 @@ function prepareDrawing() {
 function isSeen(i, {eye}) {
   if (i === planes.length)
     return element('rest').checked;
-  return groups[i].isOn && (element('backs').checked ||
+  return groups[i].isOn && groups[i].isListed && (element('backs').checked ||
     dot(planes[i].normal, add(add(eye, middle), planes[i].centroid, -1)) > 0);
 }
 
@@ -187,7 +187,7 @@ function drawLines(frame, ink) {
   set('scale', [1, 1, 1]);
   set('normal', [0, 0, 0]);
   for (const {layer, group, first, count} of lines.parts)
-    if (element(layer).checked && (!group || group.isOn)) {
+    if (element(layer).checked && (!group || group.isOn && group.isListed)) {
       set('color', layer === 'normals' ? group.color : ink.match(/\d+/g).slice(0, 3).map(x => x / 255));
       gl.drawArrays(gl.LINES, first, count);
     }
@@ -224,7 +224,7 @@ function redrawMoving() {
 
 // ---- over the points: scale bar, axes, the point that was clicked
 
-let chosen = null; // relative to the middle
+let chosen = null, before = null; // the last point and the one before, relative to the middle
 
 function drawMarks(frame, ratio, ink) {
   const {clientWidth: width, clientHeight: height} = canvas, focal = lens * height / 2;
@@ -247,12 +247,18 @@ function drawMarks(frame, ratio, ink) {
     line([[width - 55, height - 55], tip]);
     marks.fillText(name, tip[0] + 2, tip[1] - 2);
   }
-  const ray = add(chosen || frame.eye, frame.eye, -1), depth = -dot(frame.back, ray);
-  if (depth > 0) {
+  const onScreen = point => {
+    const ray = add(point, frame.eye, -1), depth = -dot(frame.back, ray), scale = focal / depth;
+    return depth > 0 ? [width / 2 + scale * dot(frame.right, ray), height / 2 - scale * dot(frame.above, ray)] : null;
+  };
+  const shown = [before, chosen].map(point => point && onScreen(point)).filter(place => place);
+  for (const [x, y] of shown) {
     marks.beginPath();
-    marks.arc(width / 2 + focal * dot(frame.right, ray) / depth, height / 2 - focal * dot(frame.above, ray) / depth, 7, 0, 7);
+    marks.arc(x, y, 7, 0, 7);
     marks.stroke();
   }
+  if (shown.length === 2)
+    line(shown);
 }
 
 // ---- a click on a point
@@ -287,26 +293,51 @@ function nameOf(plane) {
   return plane.kind && plane.kind !== 'other' ? plane.kind : plane.orientation;
 }
 
-function answer({i, point}) {
-  const plane = planes[i], place = add(point, middle), at = place.map(x => x.toFixed(decimals)).join(', ');
-  if (!plane)
-    return 'no plane, at ' + at;
-  // Places are known to half a step of their lattice.
-  const distance = dot(plane.normal, add(place, plane.centroid, -1));
-  const error = dot(plane.normal.map(Math.abs), groups[i].step) / 2;
-  return `plane ${plane.id}, ${nameOf(plane)}, at ${at}, distance to the plane ${short(distance, 3)} \u00b1 ${short(error, 1)}`;
+function factsOf(i) {
+  const {id, area, rms, slope} = planes[i];
+  return `plane ${id}, ${nameOf(planes[i])}: ${groups[i].all} points, area ${short(area, 3)}, rms ${short(rms, 2)}, ` +
+    `slope ${slope.toFixed(1)}`;
 }
 
-function choose(found) {
-  chosen = found && found.point;
-  element('answer').textContent = found ? answer(found) : '';
+function answer({i, point}) {
+  const plane = planes[i], place = add(point, middle);
+  let text = `${plane ? factsOf(i) : 'no plane'}; at ${place.map(x => x.toFixed(decimals)).join(', ')}`;
+  if (plane) {
+    // Places are known to half a step of their lattice.
+    const distance = dot(plane.normal, add(place, plane.centroid, -1));
+    const error = dot(plane.normal.map(Math.abs), groups[i].step) / 2;
+    text += `, distance to the plane ${short(distance, 3)} \u00b1 ${short(error, 1)}`;
+  }
+  if (before)
+    text += `; ${Math.hypot(...add(point, before, -1)).toFixed(decimals)} from the point before`;
+  return text;
+}
+
+// In the list; none where it is no plane.
+function mark(i) {
   for (const row of document.querySelectorAll('tr.chosen'))
     row.classList.remove('chosen');
-  if (found && planes[found.i]) {
-    element('rows').children[found.i].classList.add('chosen');
-    element('rows').children[found.i].scrollIntoView({block: 'nearest'});
+  if (planes[i]) {
+    element('rows').children[i].classList.add('chosen');
+    element('rows').children[i].scrollIntoView({block: 'nearest'});
   }
   redraw();
+}
+
+// A point, or nothing.
+function choose(found) {
+  before = found && chosen;
+  chosen = found && found.point;
+  element('answer').textContent = found ? answer(found) : '';
+  mark(found ? found.i : planes.length);
+}
+
+function choosePlane(i) {
+  const {centroid, normal, area} = planes[i];
+  before = chosen = null;
+  element('answer').textContent = factsOf(i);
+  mark(i);
+  look(add(centroid, middle, -1), normal, Math.max(2 * Math.sqrt(area), radius / 50));
 }
 
 // ---- mouse, pen and fingers
@@ -378,14 +409,42 @@ function rowOf(plane, i) {
   row.insertCell().append(swatch, `${plane.id} ${nameOf(plane)}`);
   for (const text of [groups[i].all, short(plane.area, 3), short(plane.rms, 2), plane.slope.toFixed(1)])
     row.insertCell().append(text);
-  row.onclick = () => look(add(plane.centroid, middle, -1), plane.normal, Math.max(2 * Math.sqrt(plane.area), radius / 50));
+  row.onclick = () => choosePlane(i);
   return row;
 }
 
+// Of the planes that are listed.
 function showAll(isOn) {
-  groups.forEach(group => { group.isOn = isOn; });
-  element('rows').querySelectorAll('input').forEach(box => { box.checked = isOn; });
+  groups.forEach((group, i) => {
+    if (!group.isListed)
+      return;
+    group.isOn = isOn;
+    if (planes[i])
+      element('rows').children[i].querySelector('input').checked = isOn;
+  });
   redraw();
+}
+
+// Lists and shows the planes of a kind whose number is given, or whose name begins so.
+function filterPlanes() {
+  const words = element('find').value.trim().toLowerCase(), kind = element('kind').value;
+  planes.forEach((plane, i) => {
+    const isNamed = String(plane.id) === words || nameOf(plane).startsWith(words);
+    groups[i].isListed = isNamed && (!kind || nameOf(plane) === kind);
+    element('rows').children[i].hidden = !groups[i].isListed;
+  });
+  const listed = planes.filter((plane, i) => groups[i].isListed).length;
+  element('found').textContent = listed < planes.length ? `${listed} of ${planes.length}` : '';
+  redraw();
+}
+
+function fillFilter() {
+  const counts = new Map();
+  for (const plane of planes)
+    counts.set(nameOf(plane), (counts.get(nameOf(plane)) || 0) + 1);
+  const names = [...counts.keys()].sort();
+  element('kind').append(new Option('all kinds', ''), ...names.map(name => new Option(`${name} (${counts.get(name)})`, name)));
+  element('filter').oninput = filterPlanes;
 }
 
 function fillPanel() {
@@ -395,6 +454,7 @@ function fillPanel() {
     : `${shownPoints} of ${all} points are shown: an even sample, with points of each plane.`}` +
     ' Lengths are in the unit of the cloud (m), slopes in degrees.';
   element('rows').append(...planes.map(rowOf));
+  fillFilter();
   element('backs').checked = description.backs;
   element('all').onclick = () => showAll(true);
   element('none').onclick = () => showAll(false);

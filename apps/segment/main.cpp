@@ -11,6 +11,7 @@
 #include <cli/progress.h>
 #include <cli/text.h>
 #include <detection/common_up.h>
+#include <detection/known_sensor.h>
 #include <detection/warning_lines.h>
 #include <io/las_file.h>
 #include <io/output_file.h>
@@ -154,12 +155,18 @@ regularize (Detected& detected)
 /** \brief Says what planes are, by their convex outlines, which are kept.
  * \param[in] meter its length in the unit of the cloud */
 void
-nameKinds (const ShiftedCloud& shifted, double meter, Detected& detected)
+nameKinds (const FileCloud& cloud,
+           const ShiftedCloud& shifted,
+           double meter,
+           Detected& detected)
 {
   for (const PlaneSegment& plane : detected.planes)
     detected.extents.push_back (extentInFile (shifted, plane, "convex"));
-  detected.kinds =
-      planeKinds (detected.planes, detected.extents, detected.up.cast<double>(), meter);
+  detected.kinds = planeKinds (detected.planes,
+                               detected.extents,
+                               detected.up.cast<double>(),
+                               meter,
+                               knownSensor (cloud, shifted));
   if (meter != 1.0)
     detected.settings["meter"] = meter;
 }
@@ -230,7 +237,7 @@ segmentCloud (const SegmentOptions& options,
     report.warnings = warningsOn (options, task, cloud, shifted, report.detected);
   if (options.regularize)
     regularize (report.detected);
-  nameKinds (shifted, options.of_plan.meter, report.detected);
+  nameKinds (cloud, shifted, options.of_plan.meter, report.detected);
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);

@@ -9,6 +9,7 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
+#include <detection/known_sensor.h>
 #include <detection/plane_list.h>
 #include <io/output_file.h>
 #include <page/plane_page.h>
@@ -254,7 +255,9 @@ private:
 };
 
 void
-savePage (const ViewOptions& options, const ShiftedCloud& shifted)
+savePage (const ViewOptions& options,
+          const ShiftedCloud& shifted,
+          const std::optional<Eigen::Vector3d>& sensor)
 {
   const FoundPlanes found = findPlanes (options.state, shifted.cloud);
   std::vector<PlaneSegment> planes = found.detected.planes;
@@ -278,7 +281,8 @@ savePage (const ViewOptions& options, const ShiftedCloud& shifted)
                                 planeKinds (planes,
                                             extents,
                                             found.detected.up.cast<double>(),
-                                            options.meter),
+                                            options.meter,
+                                            sensor),
                                 ids,
                                 found.detected.up),
                   found.detected.up});
@@ -287,7 +291,8 @@ savePage (const ViewOptions& options, const ShiftedCloud& shifted)
 void
 view (const ViewOptions& options)
 {
-  const ShiftedCloud shifted = shiftedCloudOf (loadCloud (options.input));
+  std::optional<FileCloud> cloud = loadCloud (options.input);
+  const ShiftedCloud shifted = shiftedCloudOf (*cloud);
   if (const std::string damage = damageOf (shifted); !damage.empty())
     warn (options.input + ": " + damage);
   pcl::Indices finite;
@@ -299,7 +304,8 @@ view (const ViewOptions& options)
                      "has no point with finite coordinates, so there is nothing to "
                      "show; give another cloud");
   if (!options.page.empty())
-    return savePage (options, shifted);
+    return savePage (options, shifted, knownSensor (*cloud, shifted));
+  cloud.reset();
   checkDisplay();
   Window window (options, shifted, std::move (finite));
   options.screenshot.empty() ? window.run() : window.savePicture();

@@ -8,6 +8,7 @@
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl_ops {
@@ -41,19 +42,26 @@ toString (PlaneKind kind);
  * height the ceiling, one just above a ceiling the floor of the next story. Everything
  * else is named by its place in its story. A plane whose normal points down is taken as
  * seen from below; one whose normal points up may be seen from above or, in clouds of
- * no known sensor, from anywhere.
+ * no known sensor, from anywhere. Where the viewpoint is given, what lies below it is
+ * no ceiling, and the sensor may lean: where its ground is level but for 12 degrees,
+ * and hardly anything else is more level, the ground tells which way is up.
  * \param[in] planes all of a cloud, with their orientations and their normals towards
  * the sensor
  * \param[in] extents where each ends, as \ref planeExtent says
  * \param[in] up against gravity, any length but 0
  * \param[in] meter the length of a meter in the unit of the planes
+ * \param[in] viewpoint where the sensor was, in the frame of the planes; nothing where
+ * it is not known, or where there were several; one that is 500 times as far away as
+ * the planes reach says nothing, either
  * \return one for each plane
  * \throw std::invalid_argument if there is not one extent for each plane, up or meter are
- * no direction and no length, or a plane or its extent is not finite in meters */
+ * no direction and no length, or a plane, its extent in meters or the viewpoint is not
+ * finite */
 PCL_OPS_EXPORT std::vector<PlaneKind>
 planeKinds (const std::vector<PlaneSegment>& planes,
             const std::vector<PlaneExtent>& extents,
             const Eigen::Vector3d& up,
-            double meter = 1.0);
+            double meter = 1.0,
+            const std::optional<Eigen::Vector3d>& viewpoint = {});
 
 } // namespace pcl_ops

@@ -12,6 +12,8 @@ constexpr double same_level = 0.15;
 constexpr double step = 0.3;
 /** \brief Under a lower ceiling one cannot stand. */
 constexpr double headroom = 1.9;
+/** \brief More than the tables of a room have together: the ground [m^2]. */
+constexpr double smallest_ground = 50.0;
 /** \brief Between a ceiling and the floor above it. */
 constexpr double thickest_deck = 0.8;
 /** \brief How far below the ceiling its lower parts and the tops of walls may be. */

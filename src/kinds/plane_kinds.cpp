@@ -3,12 +3,14 @@
 #include <Eigen/Geometry>
 
 #include "geometry/angles.h"
+#include "kinds/continuation.h"
 #include "kinds/heights.h"
 #include "kinds/stories.h"
 #include <pcl_ops/plane_kinds.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace pcl_ops {
@@ -16,6 +18,14 @@ namespace {
 
 using namespace internal;
 using Eigen::Vector3d;
+
+using Viewpoint = std::optional<Vector3d>;
+
+/** \brief How a sensor saw a plane. */
+struct Sight {
+  bool is_below = false;
+  double solid_angle = 0.0; // [sr], of a plane that is small for its distance
+};
 
 /** \brief A plane as the rules see it, in meters. */
 struct PlaneShape {
@@ -27,6 +37,7 @@ struct PlaneShape {
   /** \brief Heights of the middle and of the lowest and highest corner. */
   double middle, low, high;
   bool faces_down;
+  Sight sight;
 
   /** \brief Of a vertical plane: its level side. */
   double
@@ -37,11 +48,57 @@ struct PlaneShape {
   }
 };
 
+Sight
+sightOf (const PlaneSegment& plane,
+         const PlaneExtent& extent,
+         const Vector3d& up,
+         double meter,
+         const Viewpoint& sensor)
+{
+  constexpr double min_sine = 0.02; // of the angle at which a surface is seen
+  constexpr double min_drop = 0.1;  // of what was seen at a lower one [m]
+  if (!sensor)
+    return {};
+  const Vector3d to_sensor = (*sensor - plane.centroid) / meter;
+  const double distance = to_sensor.norm();
+  const double height =
+      (plane.normal.dot (up) < 0.0 ? -1.0 : 1.0) * plane.normal.dot (to_sensor);
+  const bool is_edge_on = std::abs (height) <= min_sine * distance;
+  Sight sight{is_edge_on ? to_sensor.dot (up) > min_drop : height > 0.0};
+  if (!is_edge_on)
+    sight.solid_angle =
+        extent.area / (meter * meter) * std::abs (height) / std::pow (distance, 3);
+  return sight;
+}
+
+struct Scene {
+  std::vector<PlaneShape> shapes;
+  /** \brief Unit vector that their heights are along. */
+  Vector3d up;
+};
+
+/** \brief Nothing where a sensor is farther away than any sees, as zero is from a map.
+ */
+Viewpoint
+nearSensor (const Viewpoint& sensor, const std::vector<PlaneExtent>& extents)
+{
+  constexpr double max_distance_by_reach = 500.0; // as turnUnseenUp has it
+  double reach = 0.0;
+  for (const PlaneExtent& extent : extents)
+    reach = std::max (reach,
+                      (extent.center - extents.front().center).norm() + extent.length);
+  const bool is_far =
+      !sensor || extents.empty() ||
+      (*sensor - extents.front().center).norm() > max_distance_by_reach * reach;
+  return is_far ? std::nullopt : sensor;
+}
+
 PlaneShape
 shapeOf (const PlaneSegment& plane,
          const PlaneExtent& extent,
          const Vector3d& up,
-         double meter)
+         double meter,
+         const Viewpoint& sensor)
 {
   PlaneShape shape{plane.orientation,
                    plane.normal,
@@ -55,7 +112,8 @@ shapeOf (const PlaneSegment& plane,
                    plane.centroid.dot (up) / meter,
                    0.0,
                    0.0,
-                   plane.normal.dot (up) < 0.0};
+                   plane.normal.dot (up) < 0.0,
+                   sightOf (plane, extent, up, meter, sensor)};
   shape.low = shape.high = shape.middle;
   for (const Vector3d& corner : extent.hull) {
     const double height = corner.dot (up) / meter;
@@ -76,6 +134,48 @@ checkIsFinite (const PlaneShape& shape)
     throw std::invalid_argument ("planes and their extents must be finite in meters");
 }
 
+std::vector<PlaneShape>
+shapesOf (const std::vector<PlaneSegment>& planes,
+          const std::vector<PlaneExtent>& extents,
+          const Vector3d& up,
+          double meter,
+          const Viewpoint& sensor)
+{
+  std::vector<PlaneShape> shapes;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    shapes.push_back (shapeOf (planes[i], extents[i], up, meter, sensor));
+    checkIsFinite (shapes.back());
+  }
+  return shapes;
+}
+
+/** \brief The ground under a sensor that leans: what it saw most of below it, level but
+ * for some degrees, where it saw hardly anything that is more level. */
+const PlaneShape*
+leaningGround (const std::vector<PlaneShape>& shapes)
+{
+  constexpr double smallest = 4.0;      // [m^2]
+  constexpr double smallest_seen = 0.1; // [sr], a hundredth of what is around
+  constexpr double min_lean = 3.0 * pi / 180.0;
+  constexpr double max_lean = 12.0 * pi / 180.0; // a car on a kerb, a lidar on a stick
+  constexpr double smallest_level = 0.2;         // of what was seen of the ground
+  const PlaneShape* ground = nullptr;
+  double most_seen = smallest_seen;
+  for (const PlaneShape& shape : shapes)
+    if (shape.sight.is_below && shape.slope <= max_lean && shape.area >= smallest &&
+        shape.sight.solid_angle > most_seen) {
+      most_seen = shape.sight.solid_angle;
+      ground = &shape;
+    }
+  if (ground == nullptr || ground->slope < min_lean)
+    return nullptr;
+  const auto is_level = [&] (const PlaneShape& shape) {
+    return shape.slope <= 0.5 * ground->slope &&
+           shape.sight.solid_angle >= smallest_level * most_seen;
+  };
+  return std::any_of (shapes.begin(), shapes.end(), is_level) ? nullptr : ground;
+}
+
 std::vector<Story>
 storiesOf (const std::vector<PlaneShape>& shapes)
 {
@@ -84,7 +184,8 @@ storiesOf (const std::vector<PlaneShape>& shapes)
   double lowest = shapes.empty() ? 0.0 : shapes.front().low;
   for (const PlaneShape& shape : shapes) {
     if (shape.orientation == Orientation::Horizontal)
-      level.push_back ({shape.middle, shape.area, shape.faces_down});
+      level.push_back (
+          {shape.middle, shape.area, shape.faces_down, shape.sight.is_below});
     // A road falls by more than a step, and lies no deeper for it.
     const double bottom =
         shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
@@ -169,7 +270,7 @@ isCeiling (const PlaneShape& shape, const Story& story)
   constexpr double smallest_high = 0.1;
   constexpr double high = 2.3; // above cupboards [m^2], [m]
   const double rise = shape.middle - story.floor;
-  if (rise < headroom)
+  if (rise < headroom || shape.sight.is_below)
     return false;
   if (!story.ceiling)
     return shape.faces_down &&
@@ -235,6 +336,8 @@ levelKind (const PlaneShape& shape,
     return PlaneKind::Table;
   if (rise < step || shape.area < smallest_slab)
     return PlaneKind::Other;
+  if (shape.sight.is_below && shape.area >= smallest_ground && rise < headroom)
+    return PlaneKind::Floor; // the ground beyond a kerb or a slope
   const bool is_outdoors = rise >= headroom && !story.ceiling && !shape.faces_down;
   return is_outdoors ? PlaneKind::Roof : PlaneKind::Slab;
 }
@@ -257,10 +360,49 @@ kindOf (const PlaneShape& shape,
 /** \brief Whether a plane has a relief of its own, as a hillside has: it is no part of
  * a building. */
 bool
-hasRelief (const PlaneSegment& plane)
+hasRelief (const PlaneSegment& plane, double meter)
 {
   constexpr double max_noises = 3.0;
-  return plane.noise && plane.rms() > max_noises * *plane.noise;
+  constexpr double max_rms = 0.35; // of a roof with its chimneys [m]
+  const double rms = plane.rms();
+  return rms > max_rms * meter || (plane.noise && rms > max_noises * *plane.noise);
+}
+
+/** \brief One for each plane, in a frame whose z is up; walls without an outline. */
+std::vector<PlaneFromAbove>
+planesFromAbove (const Scene& scene,
+                 const std::vector<PlaneExtent>& extents,
+                 double meter)
+{
+  constexpr double min_cosine = 0.5; // 60 degrees
+  const auto turn = Eigen::Quaterniond::FromTwoVectors (scene.up, Vector3d::UnitZ());
+  std::vector<PlaneFromAbove> planes;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    const PlaneShape& shape = scene.shapes[i];
+    const Vector3d normal = turn * shape.normal;
+    PlaneFromAbove& plane = planes.emplace_back();
+    plane.normal = normal.z() < 0.0 ? -normal : normal;
+    plane.center = turn * shape.center;
+    plane.area = shape.area;
+    if (plane.normal.z() >= min_cosine)
+      for (const Vector3d& corner : extents[i].hull)
+        plane.hull.push_back (turn * corner / meter);
+  }
+  return planes;
+}
+
+/** \brief Has hillsides be no roofs. Walls keep their names: in depth images they bend
+ * by as much; of 20 rooms .17 of the walls were left. */
+void
+denyHills (const std::vector<PlaneSegment>& planes,
+           const std::vector<PlaneFromAbove>& from_above,
+           double meter,
+           std::vector<PlaneKind>& kinds)
+{
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (kinds[i] == PlaneKind::Roof &&
+        (hasRelief (planes[i], meter) || isContinued (from_above[i], from_above)))
+      kinds[i] = PlaneKind::Other;
 }
 
 /** \brief Whether a vertical plane is a part of another one, in its plane. */
@@ -283,6 +425,43 @@ nameParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
       if (shapes[i].orientation == Orientation::Vertical &&
           before[j] == PlaneKind::Wall && continues (shapes[i], shapes[j]))
         kinds[i] = PlaneKind::Wall;
+}
+
+void
+checkArguments (const std::vector<PlaneSegment>& planes,
+                const std::vector<PlaneExtent>& extents,
+                const Vector3d& up,
+                double meter,
+                const Viewpoint& viewpoint)
+{
+  if (planes.size() != extents.size())
+    throw std::invalid_argument ("each plane has to have its extent");
+  if (!up.allFinite() || up.isZero (0.0))
+    throw std::invalid_argument ("the up axis must be a direction");
+  if (!(meter > 0.0 && std::isfinite (meter)))
+    throw std::invalid_argument ("a meter must be a length above 0");
+  if (viewpoint && !viewpoint->allFinite())
+    throw std::invalid_argument ("the viewpoint must be finite");
+}
+
+/** \brief Over the ground where a sensor leans. \param[in] up unit vector */
+Scene
+uprightScene (const std::vector<PlaneSegment>& planes,
+              const std::vector<PlaneExtent>& extents,
+              const Vector3d& up,
+              double meter,
+              const Viewpoint& sensor)
+{
+  Scene scene{shapesOf (planes, extents, up, meter, sensor), up};
+  const PlaneShape* const ground = leaningGround (scene.shapes);
+  if (ground == nullptr)
+    return scene;
+  const Vector3d upright =
+      ground->normal.dot (up) < 0.0 ? -ground->normal : ground->normal;
+  scene = {shapesOf (planes, extents, upright, meter, sensor), upright};
+  for (PlaneShape& shape : scene.shapes)
+    shape.orientation = orientationOf (shape.normal, upright, paper_angle_tolerance);
+  return scene;
 }
 
 } // namespace
@@ -315,29 +494,19 @@ std::vector<PlaneKind>
 planeKinds (const std::vector<PlaneSegment>& planes,
             const std::vector<PlaneExtent>& extents,
             const Eigen::Vector3d& up,
-            double meter)
+            double meter,
+            const std::optional<Eigen::Vector3d>& viewpoint)
 {
-  if (planes.size() != extents.size())
-    throw std::invalid_argument ("each plane has to have its extent");
-  if (!up.allFinite() || up.isZero (0.0))
-    throw std::invalid_argument ("the up axis must be a direction");
-  if (!(meter > 0.0 && std::isfinite (meter)))
-    throw std::invalid_argument ("a meter must be a length above 0");
-  const Vector3d axis = up.stableNormalized();
-  std::vector<PlaneShape> shapes;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    shapes.push_back (shapeOf (planes[i], extents[i], axis, meter));
-    checkIsFinite (shapes.back());
-  }
+  checkArguments (planes, extents, up, meter, viewpoint);
+  const Scene scene = uprightScene (
+      planes, extents, up.stableNormalized(), meter, nearSensor (viewpoint, extents));
+  const std::vector<PlaneShape>& shapes = scene.shapes;
   const std::vector<Story> stories = storiesOf (shapes);
   std::vector<PlaneKind> kinds;
   for (const PlaneShape& shape : shapes)
     kinds.push_back (kindOf (shape, shapes, stories));
   nameParts (shapes, kinds);
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    // Walls in depth images bend by as much: of 20 rooms .17 of the walls were named.
-    if (kinds[i] == PlaneKind::Roof && hasRelief (planes[i]))
-      kinds[i] = PlaneKind::Other;
+  denyHills (planes, planesFromAbove (scene, extents, meter), meter, kinds);
   return kinds;
 }
 

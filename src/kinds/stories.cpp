@@ -36,16 +36,16 @@ addUpperLevel (const Level& level, const Level* next, std::vector<Story>& storie
   // A ceiling covers its room, a flat roof but a small part of the ground.
   constexpr double share_of_floor = 1.0 / 3.0;
   Story& story = stories.back();
-  const bool is_deck = next != nullptr && !next->faces_down &&
-                       next->height - level.height <= thickest_deck;
-  if (story.ceiling)
-    stories.push_back ({level.height, {}, level.area});
-  else if (is_deck)
+  const bool is_top = next == nullptr;
+  const bool is_deck =
+      !is_top && !next->faces_down && next->height - level.height <= thickest_deck;
+  const bool is_overhead = !level.is_below_sensor && (is_top || is_deck);
+  if (is_top && !story.ceiling && level.area < share_of_floor * story.area)
+    return;
+  if (is_overhead && !story.ceiling)
     story.ceiling = level.height;
-  else if (next != nullptr)
+  else
     stories.push_back ({level.height, {}, level.area});
-  else if (level.area >= share_of_floor * story.area)
-    story.ceiling = level.height;
 }
 
 } // namespace
@@ -63,15 +63,18 @@ levelsOf (std::vector<LevelPlane> planes)
     double area = 0.0;
     double moment = 0.0;
     double area_from_below = 0.0;
+    double area_below_sensor = 0.0;
     while (next < planes.size() &&
            planes[next].height - planes[first].height <= same_level) {
       area += planes[next].area;
       moment += planes[next].area * planes[next].height;
       area_from_below += planes[next].faces_down ? planes[next].area : 0.0;
+      area_below_sensor += planes[next].is_below_sensor ? planes[next].area : 0.0;
       ++next;
     }
     const double height = area > 0.0 ? moment / area : planes[first].height;
-    levels.push_back ({height, area, area_from_below > 0.5 * area});
+    levels.push_back (
+        {height, area, area_from_below > 0.5 * area, area_below_sensor > 0.5 * area});
   }
   return levels;
 }
@@ -79,17 +82,17 @@ levelsOf (std::vector<LevelPlane> planes)
 std::vector<Story>
 storiesOf (const std::vector<Level>& levels, double lowest)
 {
-  // More than the tables of a room have together: the ground, although the foot of a
-  // wall or a ditch is deeper [m^2].
-  constexpr double smallest_ground = 50.0;
   const std::vector<Level> large = largeOnes (levels);
   std::vector<Story> stories = {{lowest}};
   for (std::size_t i = 0; i < large.size(); ++i) {
     const Level& level = large[i];
     Story& story = stories.back();
     const double rise = level.height - story.floor;
-    const double most = level.area >= smallest_ground ? headroom : step;
-    if (i == 0 && !level.faces_down && rise < most)
+    // Although the foot of a wall or a ditch is deeper.
+    const bool is_ground = level.area >= smallest_ground;
+    const bool is_near =
+        rise < (is_ground ? headroom : step) || (is_ground && level.is_below_sensor);
+    if (i == 0 && !level.faces_down && is_near)
       story = {level.height, {}, level.area};
     else if (rise < headroom)
       continue;

@@ -11,12 +11,15 @@ namespace pcl_ops::internal {
 struct LevelPlane {
   double height, area;
   bool faces_down;
+  /** \brief Seen from above for certain, which no ceiling is. */
+  bool is_below_sensor = false;
 };
 
 /** \brief Level planes at one height, within a hand. */
 struct Level {
   double height, area;
   bool faces_down;
+  bool is_below_sensor = false;
 };
 
 /** \brief Heights of what is stood on and of what is overhead. */
@@ -34,7 +37,7 @@ levelsOf (std::vector<LevelPlane> planes);
 /** \brief Stories from the lowest up, at least one: a level of less than a fifth of the
  * largest one's area, or of less than a square meter, makes none. The lowest level is
  * the first floor if it is a step above the lowest plane, or less, or as large as no
- * furniture is.
+ * furniture is. What lies below the sensor is no ceiling.
  * \param[in] levels ascending [m]
  * \param[in] lowest of all planes, of level ones their middle: the floor of the first
  * story where none was seen */

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "geometry/principal_axes.h"
+#include "places/all_nearest.h"
 #include "places/constants.h"
 #include "places/depth_levels.h"
 #include "places/point_tree.h"
@@ -17,30 +18,10 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Writes the nearest of the points at some positions of the tree.
-void
-findNearest (const PointTree& tree, std::size_t begin, std::size_t end, Places& places)
+std::size_t
+armsOf (const Places& places)
 {
-  NearestPoints found;
-  const std::size_t wanted = places.neighbors + 1;
-  // What is left out by rounding is left out for no point.
-  constexpr float rounding = 1.0F + 1e-5F;
-  float reach = std::numeric_limits<float>::infinity();
-  for (std::size_t p = begin; p < end; ++p) {
-    // The nearest of the point before are no farther away than that.
-    if (p > begin)
-      reach += std::sqrt (tree.squaredDistance (p, p - 1));
-    found.start (wanted, reach * reach * rounding);
-    tree.find (p, found);
-    reach = std::sqrt (found.bound());
-    const std::uint32_t place = tree.order()[p];
-    std::uint32_t* next = places.nearest.data() + place * places.neighbors;
-    std::uint32_t* const last = next + places.neighbors;
-    for (std::size_t i = 0; i < found.size() && next != last; ++i)
-      if (found[i] != place)
-        *next++ = found[i];
-    std::fill (next, last, place);
-  }
+  return std::min<std::size_t> (place_constants.arms, places.neighbors);
 }
 
 /** \brief Sums of points about the zero of the local frame. */
@@ -149,27 +130,69 @@ firstArms (const Places& places, std::size_t arms_of_place)
   return arms;
 }
 
+/** \brief Where the arms of a place end, side by side: to look them up one by one took
+ * a quarter of the time of the whole detection. */
+struct ArmEnds {
+  static constexpr std::size_t size = place_constants.arms;
+  std::array<float, size> x, y, z;
+};
+
+std::vector<ArmEnds>
+endsOf (const Coordinates& points,
+        const Indices& arms,
+        std::size_t arms_of_place,
+        unsigned threads)
+{
+  std::vector<ArmEnds> ends (points.size());
+  forEach (threads, points.size(), [&] (std::size_t i) {
+    for (std::size_t q = 0; q < ArmEnds::size; ++q) {
+      const std::uint32_t end =
+          arms[i * arms_of_place + std::min (q, arms_of_place - 1)];
+      ends[i].x[q] = points.x[end];
+      ends[i].y[q] = points.y[end];
+      ends[i].z[q] = points.z[end];
+    }
+  });
+  return ends;
+}
+
+// The number of the end that is farthest from a point.
+std::size_t
+farthestOf (const ArmEnds& ends, float x, float y, float z)
+{
+  std::array<float, ArmEnds::size> squared;
+  for (std::size_t q = 0; q < ArmEnds::size; ++q) {
+    const float dx = ends.x[q] - x;
+    const float dy = ends.y[q] - y;
+    const float dz = ends.z[q] - z;
+    squared[q] = dx * dx + dy * dy + dz * dz;
+  }
+  // In pairs: one after the other each would wait for the one before.
+  std::array<float, ArmEnds::size> largest = squared;
+  for (std::size_t half = ArmEnds::size / 2; half > 0; half /= 2)
+    for (std::size_t q = 0; q < half; ++q)
+      largest[q] = std::max (largest[q], largest[q + half]);
+  std::size_t farthest = 0;
+  for (std::size_t q = ArmEnds::size; q-- > 0;)
+    farthest = squared[q] == largest[0] ? q : farthest;
+  return farthest;
+}
+
 // In place of each arm the one of its arms that is farthest from the place.
 Indices
-longerArms (const Places& places,
+longerArms (const Coordinates& points,
             const Indices& arms,
             std::size_t arms_of_place,
             unsigned threads)
 {
+  const std::vector<ArmEnds> ends = endsOf (points, arms, arms_of_place, threads);
   Indices longer (arms.size());
-  forEach (threads, places.size(), [&] (std::size_t i) {
+  forEach (threads, points.size(), [&] (std::size_t i) {
     for (std::size_t k = i * arms_of_place; k < (i + 1) * arms_of_place; ++k) {
-      longer[k] = arms[k];
-      double farthest = 0.0;
-      for (std::size_t q = 0; q < arms_of_place; ++q) {
-        const std::uint32_t end = arms[arms[k] * arms_of_place + q];
-        const double distance =
-            (places.position[end] - places.position[i]).squaredNorm();
-        if (distance > farthest) {
-          farthest = distance;
-          longer[k] = end;
-        }
-      }
+      const std::size_t arm = arms[k];
+      const std::size_t end =
+          farthestOf (ends[arm], points.x[i], points.y[i], points.z[i]);
+      longer[k] = arms[arm * arms_of_place + end];
     }
   });
   return longer;
@@ -209,17 +232,19 @@ flattened (const Coordinates& points, const DepthLevels& levels)
 }
 
 void
-addSupports (const DepthLevels& levels, unsigned threads, Places& places)
+addSupports (const Coordinates& points,
+             const DepthLevels& levels,
+             unsigned threads,
+             Places& places)
 {
-  const std::size_t arms_of_place =
-      std::min<std::size_t> (place_constants.arms, places.neighbors);
+  const std::size_t arms_of_place = armsOf (places);
   places.points_of_level = pointsOfLevels (places);
   Sums sums = sumsOfNearest (places, threads);
   addSteps (places, levels, threads, sums);
   Indices arms = firstArms (places, arms_of_place);
   for (std::size_t level = 0; level < places.points_of_level.size(); ++level) {
     if (level > 1)
-      arms = longerArms (places, arms, arms_of_place, threads);
+      arms = longerArms (points, arms, arms_of_place, threads);
     if (level > 0)
       sums = addArms (sums, arms, arms_of_place, threads);
     places.supports.push_back (
@@ -249,22 +274,17 @@ neighborsOfCloud (std::size_t points, double factor)
 Places
 describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threads)
 {
-  constexpr std::size_t at_once = 4096;
   Places places;
   places.neighbors = neighbors - 1;
   places.position.resize (points.size());
-  places.nearest.resize (points.size() * places.neighbors);
   for (std::size_t i = 0; i < points.size(); ++i)
     places.position[i] = points[i];
   PointTree tree (points);
   const DepthLevels levels = findDepthLevels (points, tree);
   if (!levels.step.empty())
     tree = PointTree (flattened (points, levels));
-  parallelFor (
-      threads, points.size(), at_once, [&] (std::size_t begin, std::size_t end) {
-        findNearest (tree, begin, end, places);
-      });
-  addSupports (levels, threads, places);
+  places.nearest = findAllNearest (tree, places.neighbors, threads);
+  addSupports (points, levels, threads, places);
   places.density.resize (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     constexpr float least_area = 1e-30F;

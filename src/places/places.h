@@ -43,7 +43,7 @@ struct Places {
     return position.size();
   }
 
-  /** \brief The first of the nearest of a place. */
+  /** \brief The first of the nearest ones of a place. */
   const std::uint32_t*
   nearestOf (std::size_t place) const
   {

@@ -3,6 +3,7 @@
 #include "places/point_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace pcl_ops::internal {
@@ -15,6 +16,28 @@ const std::vector<float>&
 axisOf (const Coordinates& points, int axis)
 {
   return axis == 0 ? points.x : axis == 1 ? points.y : points.z;
+}
+
+float
+squaredDiagonal (const PointTree::Node& node)
+{
+  float sum = 0.0F;
+  for (int axis = 0; axis < 3; ++axis)
+    sum += (node.high[axis] - node.low[axis]) * (node.high[axis] - node.low[axis]);
+  return sum;
+}
+
+float
+squaredDistanceOfBoxes (const PointTree::Node& first, const PointTree::Node& second)
+{
+  float sum = 0.0F;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float apart = std::max ({first.low[axis] - second.high[axis],
+                                   second.low[axis] - first.high[axis],
+                                   0.0F});
+    sum += apart * apart;
+  }
+  return sum;
 }
 
 } // namespace
@@ -114,6 +137,58 @@ PointTree::find (std::size_t position, NearestPoints& nearest) const
       std::swap (near, far);
     open[number_open++] = far;
     open[number_open++] = near;
+  }
+}
+
+std::vector<PointTree::Leaf>
+PointTree::leaves (std::size_t points) const
+{
+  // What is left out by rounding is left out for no point.
+  constexpr float rounding = 1.0F + 1e-5F;
+  std::vector<Leaf> leaves;
+  std::vector<std::pair<std::uint32_t, float>> open;
+  if (!nodes_.empty())
+    open.emplace_back (0, std::numeric_limits<float>::infinity());
+  while (!open.empty()) {
+    auto [number, reach] = open.back();
+    open.pop_back();
+    const Node& node = nodes_[number];
+    if (node.end - node.begin >= points)
+      reach = std::sqrt (squaredDiagonal (node)) * rounding;
+    if (node.second_child == 0) {
+      leaves.push_back ({&node, reach});
+      continue;
+    }
+    open.emplace_back (node.second_child, reach);
+    open.emplace_back (number + 1, reach);
+  }
+  return leaves;
+}
+
+void
+PointTree::findLeavesAround (
+    const Node& node,
+    float distance,
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>& ranges) const
+{
+  constexpr std::size_t max_depth = 64;
+  std::array<std::uint32_t, max_depth> open;
+  std::size_t number_open = 0;
+  ranges.clear();
+  open[number_open++] = 0;
+  while (number_open > 0) {
+    const std::uint32_t number = open[--number_open];
+    const Node& next = nodes_[number];
+    if (squaredDistanceOfBoxes (node, next) > distance * distance)
+      continue;
+    if (next.second_child != 0) {
+      open[number_open++] = next.second_child;
+      open[number_open++] = number + 1;
+    }
+    else if (!ranges.empty() && ranges.back().second == next.begin)
+      ranges.back().second = next.end;
+    else
+      ranges.emplace_back (next.begin, next.end);
   }
 }
 

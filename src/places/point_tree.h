@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -18,14 +19,13 @@ class NearestPoints {
 public:
   static constexpr std::size_t max_size = 128;
 
-  /** \param[in] wanted up to \ref max_size
-   * \param[in] bound squared distance [m^2]; none farther away is wanted */
+  /** \param[in] wanted up to \ref max_size */
   void
-  start (std::size_t wanted, float bound = std::numeric_limits<float>::infinity())
+  start (std::size_t wanted)
   {
     wanted_ = wanted;
     size_ = 0;
-    bound_ = bound;
+    bound_ = std::numeric_limits<float>::infinity();
   }
 
   void
@@ -99,16 +99,41 @@ public:
   void
   find (std::size_t position, NearestPoints& nearest) const;
 
-  /** \brief The squared distance of the points at two positions [m^2]. */
-  float
-  squaredDistance (std::size_t first, std::size_t second) const;
+  /** \brief The points at all positions, local frame. */
+  const Coordinates&
+  sorted () const
+  {
+    return sorted_;
+  }
 
-private:
+  /** \brief Points that follow each other in \ref order. */
   struct Node {
-    std::array<float, 3> low, high;
+    std::array<float, 3> low, high; // of their box
     std::uint32_t begin, end;
     std::uint32_t second_child; // 0: a leaf; the first child follows its parent
   };
+
+  /** \brief A leaf, and how far away its points have a number of others at most. */
+  struct Leaf {
+    const Node* node;
+    float reach;
+  };
+
+  /** \brief The leaves in their order.
+   * \param[in] points within the reach of each, as far as there are so many */
+  std::vector<Leaf>
+  leaves (std::size_t points) const;
+
+  /** \brief The positions of leaves whose boxes are within a distance [m] of the box of
+   * a node: pairs of begin and end, ascending. */
+  void
+  findLeavesAround (const Node& node,
+                    float distance,
+                    std::vector<std::pair<std::uint32_t, std::uint32_t>>& ranges) const;
+
+private:
+  float
+  squaredDistance (std::size_t first, std::size_t second) const;
 
   std::uint32_t
   divide (const Coordinates& points, std::uint32_t begin, std::uint32_t end);

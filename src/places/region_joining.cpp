@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pcl_ops::internal {
 
@@ -47,6 +48,15 @@ unite (const Labels& pick, Regions& regions)
   return true;
 }
 
+// A surface that bends is thicker than its noise, and so is its border.
+double
+thicknessOf (const Region& region)
+{
+  const double noise = std::max (region.scatter, region.noise);
+  const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
+  return std::clamp (rms, noise, place_constants.max_rms_of_join * noise);
+}
+
 /** \brief Places of a region beside another one. */
 struct Contact {
   std::int32_t own;
@@ -82,8 +92,7 @@ addContacts (const Places& places,
                      isOther))
       continue;
     const Region& region = regions.list[other];
-    const double reach =
-        2.0 * place_constants.noises_of_join * std::max (region.scatter, region.noise);
+    const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region);
     const double distance = region.fit.plane.distance (places.position[place]);
     contacts.push_back ({own, other, 1, std::abs (distance) < reach ? 1 : 0});
   }
@@ -127,15 +136,39 @@ bordersOf (const Places& places, const Regions& regions, Indices& border)
 bool
 liesOn (const Region& own, const Region& other)
 {
-  constexpr double points_of_normal = 24.0;
-  if (own.moments.count >= points_of_normal &&
-      std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) <
-          std::cos (place_constants.join_angle))
-    return false;
-  const double noise = std::max ({own.scatter, other.scatter, own.noise, other.noise});
+  const double noise = std::max (thicknessOf (own), thicknessOf (other));
   const double reach = place_constants.noises_of_join * noise +
                        place_constants.bend_of_width * own.width();
   return detail::meanSquaredDistance (own.moments, other.fit.plane) <= reach * reach;
+}
+
+// Whether two regions bend little for their width, as a cambered road does: its halves
+// lean away from each other by more than their noise.
+bool
+areNearlyFlat (const Region& own, const Region& other)
+{
+  Moments both = other.moments;
+  both.addAligned (own.moments);
+  const std::optional<PlaneFit> fit = fitPlane (both);
+  if (!fit)
+    return false;
+  const double noise = std::max ({own.scatter, other.scatter, own.noise, other.noise});
+  const double width = std::sqrt (squared_width_of_variance * fit->variances[1]);
+  const double limit = std::min (place_constants.noises_of_bend * noise,
+                                 place_constants.join_bend_of_width * width);
+  return fit->variances[0] <= limit * limit;
+}
+
+bool
+areOnePlane (const Region& own, const Region& other)
+{
+  constexpr double points_of_normal = 24.0;
+  if (own.moments.count < points_of_normal)
+    return liesOn (own, other);
+  const bool is_parallel =
+      std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) >=
+      std::cos (place_constants.join_angle);
+  return is_parallel && (liesOn (own, other) || areNearlyFlat (own, other));
 }
 
 // What each region goes into, if anything.
@@ -159,7 +192,7 @@ pickTouching (const Borders& borders, const Regions& regions)
     const int all = border + (is_mutual ? back->places : 0);
     if (fits < place_constants.min_fitting_border * all ||
         fitting < place_constants.min_share_of_border * borders.border_places[own] ||
-        fits <= best[own] || !liesOn (regions.list[own], regions.list[other]))
+        fits <= best[own] || !areOnePlane (regions.list[own], regions.list[other]))
       continue;
     best[own] = fits;
     pick[own] = other;

@@ -70,14 +70,11 @@ public:
       box.extend (corner);
       middle += corner / static_cast<double> (cell.corners.size());
     }
-    // Samples in proportion to the cell, so that slivers have some, too.
-    constexpr int min_samples = 3;
+    // Samples in proportion to the cell; of a sliver that none is in, its middle.
     constexpr int max_samples = 60;
     const Vector2d wanted = (box.sizes() / edge_).array().ceil();
-    const int columns =
-        std::clamp (static_cast<int> (wanted.x()), min_samples, max_samples);
-    const int rows =
-        std::clamp (static_cast<int> (wanted.y()), min_samples, max_samples);
+    const int columns = std::clamp (static_cast<int> (wanted.x()), 1, max_samples);
+    const int rows = std::clamp (static_cast<int> (wanted.y()), 1, max_samples);
     int all = 0;
     int covered = 0;
     const auto ask = [&] (const Vector2d& place) {

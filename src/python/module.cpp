@@ -270,7 +270,10 @@ filter (const py::list& planes, const PlaneFilter& filter)
 /** \brief By what Python's Plane knows of the outline of each, in the same frame.
  * \return their names */
 std::vector<std::string>
-kinds (const py::list& planes, const Eigen::Vector3d& up, double meter)
+kinds (const py::list& planes,
+       const Eigen::Vector3d& up,
+       double meter,
+       const std::optional<Eigen::Vector3d>& viewpoint)
 {
   const auto segments = planes.cast<PlaneSegments>();
   std::vector<PlaneExtent> extents;
@@ -286,7 +289,7 @@ kinds (const py::list& planes, const Eigen::Vector3d& up, double meter)
     extents.push_back (extentOf ({hull}, points, frame));
   }
   std::vector<std::string> names;
-  for (const PlaneKind kind : planeKinds (segments, extents, up, meter))
+  for (const PlaneKind kind : planeKinds (segments, extents, up, meter, viewpoint))
     names.emplace_back (toString (kind));
   return names;
 }

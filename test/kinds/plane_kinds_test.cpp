@@ -1,82 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene.h"
-#include <pcl_ops/orientation.h>
-#include <pcl_ops/plane_kinds.h>
+#include "kinds/rectangles.h"
 
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 using Eigen::Vector3d;
 using namespace pcl_ops;
 
 namespace {
-
-/** \brief Rectangles as planes that a sensor saw, z up. */
-struct Rectangles {
-  Vector3d sensor = {2.0, 1.5, 1.2};
-  std::vector<PlaneSegment> planes = {};
-  std::vector<PlaneExtent> extents = {};
-
-  Rectangles&
-  add (const Vector3d& corner, const Vector3d& first, const Vector3d& second)
-  {
-    const Surface surface{corner, first, second};
-    PlaneSegment plane;
-    plane.centroid = surface.center();
-    plane.normal = surface.normal();
-    if (plane.normal.dot (sensor - plane.centroid) < 0.0)
-      plane.normal = -plane.normal;
-    plane.orientation =
-        orientationOf (plane.normal, Vector3d::UnitZ(), paper_angle_tolerance);
-    PlaneExtent extent;
-    extent.hull = {corner, corner + first, corner + first + second, corner + second};
-    extent.center = surface.center();
-    const bool is_first_longer = first.norm() >= second.norm();
-    extent.long_axis = (is_first_longer ? first : second).normalized();
-    extent.short_axis = (is_first_longer ? second : first).normalized();
-    extent.length = std::max (first.norm(), second.norm());
-    extent.width = std::min (first.norm(), second.norm());
-    extent.area = surface.area();
-    planes.push_back (plane);
-    extents.push_back (extent);
-    return *this;
-  }
-
-  Rectangles&
-  level (double height, double width, double depth, double x = 0.0, double y = 0.0)
-  {
-    return add ({x, y, height}, {width, 0, 0}, {0, depth, 0});
-  }
-
-  std::vector<std::string>
-  kinds () const
-  {
-    std::vector<std::string> names;
-    for (const PlaneKind kind : planeKinds (planes, extents, Vector3d::UnitZ()))
-      names.emplace_back (toString (kind));
-    return names;
-  }
-
-  std::string
-  lastKind () const
-  {
-    return kinds().back();
-  }
-};
-
-/** \brief A room of 4 m x 3 m x 2.5 m seen from within: floor, ceiling, four walls. */
-Rectangles
-shell ()
-{
-  Rectangles shell;
-  shell.level (0.0, 4_m, 3_m).level (2.5, 4_m, 3_m);
-  for (const double y : {0.0, 3.0})
-    shell.add ({0, y, 0}, {4, 0, 0}, {0, 0, 2.5});
-  for (const double x : {0.0, 4.0})
-    shell.add ({x, 0, 0}, {0, 3, 0}, {0, 0, 2.5});
-  return shell;
-}
 
 using Names = std::vector<std::string>;
 
@@ -206,11 +140,63 @@ TEST (PlaneKinds, OfAHillsideIsOther)
         1000.0, slope.centroid, rms * rms * slope.normal * slope.normal.transpose());
   };
   has_rms (0.5);
-  EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
-  slope.noise = 0.1;
-  EXPECT_EQ (survey.lastKind(), "other") << "its rms is five noises";
+  EXPECT_EQ (survey.lastKind(), "other") << "of half a meter, whatever the noise";
   has_rms (0.2);
+  EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
+  slope.noise = 0.05;
+  EXPECT_EQ (survey.lastKind(), "other") << "its rms is four noises";
+  slope.noise = 0.1;
   EXPECT_EQ (survey.lastKind(), "roof") << "its rms is two noises";
+}
+
+TEST (PlaneKinds, OfASlopeThatGoesOnAtItsEndsIsOther)
+{
+  // A valley of 40 m, and a hillside of 20 degrees in three strips above one another.
+  const auto strip = [] (Rectangles& hills, double from) {
+    hills.add ({0, from, 0.36 * from}, {40, 0, 0}, {0, 9, 0.36 * 9});
+  };
+  Rectangles hills;
+  hills.sensor = {0, 0, 1e3};
+  hills.level (0.0, 40_m, 40_m, 0.0, -40.0);
+  for (const double from : {0.0, 10.0, 20.0})
+    strip (hills, from);
+  EXPECT_EQ (hills.kinds()[2], "other");
+  Rectangles roof;
+  roof.sensor = {0, 0, 1e3};
+  roof.level (0.0, 40_m, 40_m, 0.0, -40.0);
+  strip (roof, 10.0);
+  EXPECT_EQ (roof.kinds()[1], "roof") << "alone";
+}
+
+TEST (PlaneKinds, OfTwoSidesOfAGableAreRoofs)
+{
+  for (const double rise : {0.5, 4.0}) { // of 7 and of 45 degrees
+    Rectangles house;
+    house.sensor = {0, 0, 1e3};
+    house.level (0.0, 40_m, 40_m, -15.0, -15.0);
+    house.add ({0, 0, 3}, {10, 0, 0}, {0, 4, rise});
+    house.add ({0, 8, 3}, {10, 0, 0}, {0, -4, rise});
+    EXPECT_EQ (house.kinds(), (Names{"floor", "roof", "roof"})) << rise;
+  }
+}
+
+TEST (PlaneKinds, OfARoofWithoutItsGroundIsARoof)
+{
+  Rectangles roof;
+  roof.sensor = {0, 0, 1e3};
+  roof.level (0.0, 2_m, 2_m, 30.0, 0.0); // a place of the ground elsewhere
+  roof.add ({0, 0, 5}, {10, 0, 0}, {0, 4, 2});
+  roof.add ({0, 8, 5}, {10, 0, 0}, {0, -4, 2});
+  EXPECT_EQ (roof.kinds(), (Names{"floor", "roof", "roof"}));
+}
+
+TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
+{
+  Rectangles terraces; // steps of a field, each lower by half a meter
+  terraces.sensor = {0, 0, 1e3};
+  for (const double step : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
+    terraces.level (0.5 * step, 30_m, 10_m, 0.0, 10.0 * step);
+  EXPECT_EQ (terraces.kinds()[5], "other");
 }
 
 TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
@@ -252,6 +238,93 @@ TEST (PlaneKinds, OfAGalleryIsASlab)
   EXPECT_EQ (hall.kinds(), (Names{"floor", "slab", "ceiling"}));
 }
 
+TEST (PlaneKinds, OfWhatLiesBelowTheSensorAreNoCeilings)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.level (-4.0, 4_m, 4_m).level (-2.0, 20_m, 20_m, 5.0, 5.0); // a pit, the street
+  EXPECT_EQ (street.kinds().back(), "ceiling") << "the sensor may have been below it";
+  EXPECT_EQ (street.kindsFromSensor().back(), "floor");
+}
+
+TEST (PlaneKinds, OfAMapDoNotHangOnASensorThatIsNowhereNear)
+{
+  Rectangles map;
+  map.sensor = {0, 0, 1e6};
+  map.level (0.0, 8_m, 8_m).level (3.0, 8_m, 8_m);
+  EXPECT_EQ (map.kindsFromSensor(), (Names{"floor", "ceiling"}));
+}
+
+TEST (PlaneKinds, OfATerraceBelowTheSensorAreAFloorAndItsWall)
+{
+  Rectangles terrace;
+  terrace.sensor = {5, 5, 6};
+  terrace.level (0.0, 20_m, 10_m).level (4.0, 10_m, 10_m);
+  terrace.add ({0, 10, 4}, {10, 0, 0}, {0, 0, 3});
+  EXPECT_EQ (terrace.kindsFromSensor(), (Names{"floor", "floor", "wall"}));
+}
+
+TEST (PlaneKinds, OfAFlatRoofFarBelowTheSensorIsARoof)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 30};
+  house.level (0.0, 20_m, 20_m).level (5.0, 10_m, 10_m);
+  EXPECT_EQ (house.kindsFromSensor(), (Names{"floor", "roof"}));
+}
+
+TEST (PlaneKinds, OfARoomAreTheSameWhereTheSensorIsKnown)
+{
+  EXPECT_EQ (shell().kindsFromSensor(), shell().kinds());
+  Rectangles image = shell();
+  image.sensor = {2, 1.5, 2.5}; // in the plane of the ceiling, which it does not see
+  EXPECT_EQ (image.kindsFromSensor(), shell().kinds());
+}
+
+TEST (PlaneKinds, OfPartsOfTheGroundAtTwoHeightsAreFloors)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 2};
+  street.level (0.0, 10_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
+  EXPECT_EQ (street.kinds(), (Names{"floor", "slab"}));
+  EXPECT_EQ (street.kindsFromSensor(), (Names{"floor", "floor"}));
+}
+
+TEST (PlaneKinds, OfARoomAreTheSameForASensorThatLeans)
+{
+  const Names upright = {"floor", "ceiling", "wall", "wall", "wall", "wall", "table"};
+  Rectangles room = shell();
+  room.level (0.72, 1.4, 0.8, 1.0, 1.0);
+  for (const double degrees : {5.0, 8.0, 11.0}) {
+    // The sensor's own axis, which it takes for up.
+    const Eigen::AngleAxisd lean (degrees * M_PI / 180.0, Vector3d::UnitX());
+    const Vector3d up = lean * Vector3d::UnitZ();
+    for (PlaneSegment& plane : room.planes)
+      plane.orientation = orientationOf (plane.normal, up, paper_angle_tolerance);
+    EXPECT_EQ (room.kindsFromSensor (up), upright) << degrees;
+    if (degrees > 7.0) {
+      EXPECT_NE (room.kinds (std::nullopt, up).front(), "floor")
+          << "of an unknown sensor nobody knows that it leans";
+    }
+  }
+}
+
+TEST (PlaneKinds, OfWallsAreWallsThoughSomeGroundFarAwaySlopes)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.add ({-3, 4, -1}, {6, 0, 0}, {0, 0.3, 3});  // leans by 6 degrees
+  street.add ({40, -3, -4}, {8, 0, 1.2}, {0, 6, 0}); // 48 m2, 8 degrees
+  EXPECT_EQ (street.kindsFromSensor().front(), "wall");
+}
+
+TEST (PlaneKinds, OfASlopeBesideALevelFloorIsARampThoughItIsTheLarger)
+{
+  Rectangles garage;
+  garage.level (0.0, 4_m, 5_m).add ({4, 0, 0}, {10, 0, 1.4}, {0, 5, 0});
+  garage.sensor = {2, 2, 2};
+  EXPECT_EQ (garage.kindsFromSensor(), (Names{"floor", "ramp"}));
+}
+
 TEST (PlaneKinds, OfNoPlanesAreNone)
 {
   EXPECT_TRUE (planeKinds ({}, {}, Vector3d::UnitZ()).empty());
@@ -265,6 +338,8 @@ TEST (PlaneKinds, RefuseWhatHasNoMeaning)
   EXPECT_THROW (planeKinds (room.planes, room.extents, {0, 0, 0}),
                 std::invalid_argument);
   EXPECT_THROW (planeKinds (room.planes, room.extents, up, 0.0), std::invalid_argument);
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up, 1.0, Vector3d (0, NAN, 0)),
+                std::invalid_argument);
 }
 
 TEST (PlaneKinds, RefusePlanesWithoutAHeight)

@@ -58,6 +58,12 @@ TEST (VoxelChoice, TakesSmallVoxelsOfManyPointsWithoutNoise)
   EXPECT_LT (exact.voxel_size, 0.6 * noisy.voxel_size);
 }
 
+TEST (VoxelChoice, TakesVoxelsOfSeventyTimesTheNoise)
+{
+  // Half of the points 1.4 mm above the floor and half below; there are enough of them.
+  EXPECT_NEAR (gridOfFloors (0.0028, many, few_voxels).voxel_size, 10_cm, 1_cm);
+}
+
 TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
 {
   // Of exact planes and of those with hardly any noise, which would do with 36 mm.

@@ -87,13 +87,3 @@ TEST (PointTree, FindsFewerWhereThereAreFewer)
 {
   EXPECT_EQ (nearestOf (PointTree (drawnPoints (5)), 2, 20).size(), 5u);
 }
-
-TEST (NearestPoints, AreNoFartherThanTheirBound)
-{
-  NearestPoints nearest;
-  nearest.start (3, 2.0f);
-  nearest.offer (3.0f, 7);
-  nearest.offer (1.0f, 8);
-  ASSERT_EQ (nearest.size(), 1u);
-  EXPECT_EQ (nearest[0], 8u);
-}

@@ -74,7 +74,7 @@ class Stubs(unittest.TestCase):
         self.assertEqual(ast.unparse(up.annotation), "Union[Vector, Literal['auto', 'camera']]")
         for name, kind in {
             "threads": "int", "up": "Vector", "distance_threshold": "Optional[float]",
-            "sampling": "Literal['points', 'surfels', 'leaves', 'neighborhoods', 'automatic']",
+            "sampling": "Literal['points', 'surfels', 'neighborhoods', 'automatic']",
             "merging_enabled": "bool",
             "orientation": "Optional[Literal['horizontal', 'vertical', 'other']]",
         }.items():

@@ -7,6 +7,10 @@ import copy
 import json
 import pathlib
 import pickle
+import shutil
+import sqlite3
+import struct
+import subprocess
 import tempfile
 import unittest
 import warnings
@@ -48,7 +52,7 @@ class Planes(unittest.TestCase):
             self.assertTrue((ratio > least).all() and (ratio < most).all(), ratio)
 
     def test_come_with_the_lengths_that_were_used(self):
-        self.assertGreater(planes.voxel_size, 0.0)
+        self.assertIsNone(planes.voxel_size)  # neighborhoods have none
         self.assertGreater(planes.distance_threshold, max(plane.rms for plane in planes))
         given = pcl_ops.segment(
             points, surfels_voxel_size=0.1, distance_threshold=0.001)[1]
@@ -102,6 +106,14 @@ class Planes(unittest.TestCase):
         self.assertEqual(columns["area"], [plane.area for plane in planes])
         self.assertEqual(list(columns), list(row))
         self.assertEqual(pcl_ops.FoundPlanes().as_dict(), {name: [] for name in row})
+
+    def test_are_no_ceilings_below_the_sensor(self):
+        street = surface((0, 0, -2), (9, 0, 0), (0, 9, 0), 20000)
+        pit = surface((0, -5, -4.5), (4, 0, 0), (0, 4, 0), 4000)
+        found = pcl_ops.segment(np.vstack([street, pit]))[1]
+        self.assertEqual(found[0].kind, "floor")
+        self.assertEqual(pcl_ops.plane_kinds(found, viewpoint=(0, 0, 0))[0], "floor")
+        self.assertEqual(pcl_ops.plane_kinds(found)[0], "ceiling", "from where is not known")
 
     def test_have_kinds_by_all_planes_of_the_cloud(self):
         self.assertEqual([plane.kind for plane in planes], ["floor", "wall", "wall"])
@@ -478,6 +490,45 @@ class WrittenPlanes(unittest.TestCase):
         np.testing.assert_allclose(written[0]["coefficients"], floor.coefficients)
         self.assertEqual(len(written[0]["hull"]), len(floor.hull))
 
-    def test_are_no_geopackage_and_the_message_says_what_makes_one(self):
-        with self.assertRaisesRegex(ValueError, "pcl_ops_segment --planes"):
-            pcl_ops.write_planes("planes.gpkg", planes)
+    def test_are_a_layer_of_a_geopackage(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/planes.gpkg"
+            pcl_ops.write_planes(file, planes, crs="EPSG:25832")
+            database = sqlite3.connect(file)
+            self.assertEqual(database.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
+            self.assertEqual(database.execute("PRAGMA application_id").fetchone(), (int.from_bytes(b"GPKG", "big"),))
+            rows = database.execute("SELECT id, kind, points, geom FROM planes").fetchall()
+            box = database.execute("SELECT min_x, min_y, max_x, max_y, srs_id FROM gpkg_contents").fetchone()
+            database.close()
+        self.assertEqual([row[:3] for row in rows],
+                         [(i + 1, plane.kind, len(plane.inliers)) for i, plane in enumerate(planes)])
+        np.testing.assert_allclose(box, [0, 0, 4, 3, 25832], atol=0.02)
+        self.assert_is_outline(rows[0][3], floor)
+
+    def assert_is_outline(self, blob, plane):
+        size = 40  # of what is before the geometry: mark, system and box
+        self.assertEqual(blob[:4], b"GP\0\3")
+        order, kind, rings, corners = struct.unpack_from("<B3I", blob, size)
+        self.assertEqual((order, kind, rings, corners), (1, 1003, 1, len(plane.hull) + 1))
+        ring = np.frombuffer(blob, "<f8", 3 * corners, size + 13).reshape(-1, 3)
+        np.testing.assert_allclose(ring[0], ring[-1])
+        for corner in ring:
+            self.assertLess(np.linalg.norm(plane.hull - corner, axis=1).min(), 0.001)
+
+    @unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not here")
+    def test_are_in_the_tables_that_the_program_writes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pcl_ops.write(f"{folder}/room.pcd", points)
+            done = subprocess.run(["pcl_ops_segment", f"{folder}/room.pcd", "--planes", f"{folder}/program.gpkg",
+                                   "--quiet"], stderr=subprocess.PIPE, text=True)
+            if "SQLite" in done.stderr:
+                self.skipTest("the program was built without SQLite")
+            pcl_ops.write_planes(f"{folder}/python.gpkg", planes)
+            tables = []
+            for name in ("program", "python"):
+                database = sqlite3.connect(f"{folder}/{name}.gpkg")
+                tables.append([(table, database.execute(f'PRAGMA table_info("{table}")').fetchall())
+                               for table, in database.execute(
+                                   "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name")])
+                database.close()
+        self.assertEqual(tables[0], tables[1])

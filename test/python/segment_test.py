@@ -259,7 +259,7 @@ table = [
     (segment(sampling_rate=np.nan), ValueError, "sampling_rate: the sampling rate must be"),
     (segment(sampling_rate=None), TypeError, "sampling_rate: has to be float, not None"),
     (segment(sampling_rate="ä" * 100), TypeError, "sampling_rate: has to be float, not 'äää"),
-    (segment(sampling="point"), ValueError, "sampling: has to be Literal['points', 'surfels', 'leaves', 'neighborhoods', 'automatic'], not 'point'"),
+    (segment(sampling="point"), ValueError, "sampling: has to be Literal['points', 'surfels', 'neighborhoods', 'automatic'], not 'point'"),
     (segment(sampling="points"), ValueError, "sampling: the distance threshold must be"),
     (segment(distance_threshold="x"), TypeError, "distance_threshold: has to be Optional[float]"),
     (segment(k=30, probability=1), ValueError, "probability: "),

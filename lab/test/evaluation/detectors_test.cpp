@@ -77,25 +77,16 @@ TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
   }
 }
 
-TEST (Detectors, OpsHasMostOfTheRoadOfALidarScanInOnePlaneByAThreshold)
+TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
 {
-  // In pieces, as without a threshold, it is no floor to planeKinds: it bends by more
-  // than its noise.
+  // In pieces it is no floor to planeKinds.
   constexpr std::uint32_t road = 40; // of SemanticKITTI
   const auto file = fs::path (PCL_OPS_DATA_DIR) / "real/lidar64_semkitti_00_000000.pcd";
   if (!fs::exists (file))
     GTEST_SKIP() << "no " << file;
   const EvaluationCloud cloud = dataSetOf ("clouds:" + file.string()).at (0).load();
-  pcl_ops::OrientedPointSamplingParameters parameters;
-  parameters.distance_threshold = 0.15;
-  PlaneLabels labels (cloud.cloud->size(), 0);
-  std::uint32_t number = 0;
-  for (const pcl_ops::PlaneSegment& plane :
-       pcl_ops::detectPlanes (*cloud.cloud, parameters)) {
-    ++number;
-    for (const pcl::index_t i : plane.inliers)
-      labels[i] = number;
-  }
+  const PlaneLabels labels =
+      selectConfigurations ("ops").at (0).run (cloud.cloud, {}).labels;
   std::map<std::uint32_t, std::size_t> points_of_plane;
   std::size_t points = 0;
   for (std::size_t i = 0; i < labels.size(); ++i)
@@ -111,10 +102,9 @@ TEST (Detectors, OpsHasMostOfTheRoadOfALidarScanInOnePlaneByAThreshold)
   EXPECT_GT (most, points / 2);
 }
 
-TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanEightNoises)
+TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanTwelveNoises)
 {
-  // Grounds of lidar scans become thicker where leaves and points go to likelier
-  // planes.
+  // Hills are joined of pieces each of which is thin.
   for (const std::string name : {"lidar/nuscenes_20.pcd",
                                  "lidar/kitti_77.pcd",
                                  "wild/airborne_isprs_fsite8.pcd"}) {
@@ -126,7 +116,7 @@ TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanEightNoises)
         *cloud.cloud, pcl_ops::OrientedPointSamplingParameters());
     EXPECT_GE (planes.size(), 10u);
     for (const pcl_ops::PlaneSegment& plane : planes)
-      EXPECT_LE (plane.rms(), 8.0 * plane.noise.value_or (0.0) * (1.0 + 1e-6)) << name;
+      EXPECT_LE (plane.rms(), 12.0 * plane.noise.value_or (0.0) * (1.0 + 1e-6)) << name;
   }
 }
 

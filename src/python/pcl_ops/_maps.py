@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._arguments import Vector
+from ._geopackage import geopackage_of
 from ._planes import TABLE_COLUMNS, Planes, plane_list
 
 Rings = List[NDArray[np.float64]]
@@ -27,10 +28,10 @@ def write_planes(
 ) -> None:
     """Write planes with their outlines, as --planes of the programs does.
 
-    path: .geojson, a map for QGIS and others, .csv, a table with the outline as the column
-        wkt, or .json, the list that pcl_ops_evaluate planes and others read.
+    path: .geojson or .gpkg, maps for QGIS and others, .csv, a table with the outline as the
+        column wkt, or .json, the list that pcl_ops_evaluate planes and others read.
     planes: list of Plane.
-    crs: of a .geojson, the reference system of the coordinates, as "EPSG:25832"; without it
+    crs: of a map, the reference system of the coordinates, as "EPSG:25832"; without it
         programs take them for degrees.
     hull: the outlines, and the column area by them; "concave" with holes.
     up: vector against gravity, of slope, aspect and height; None: the one that segment was
@@ -57,31 +58,30 @@ def write_planes(
             row["area"] = area
     outlines = [_seen_from_above(rings) for rings in outlines]
     extension = os.path.splitext(name)[1].lower()
-    if crs is not None and extension != ".geojson":
-        raise ValueError(f"crs: is about a .geojson, not {name}")
+    if crs is not None and extension not in (".geojson", ".gpkg"):
+        raise ValueError(f"crs: is about a .geojson or a .gpkg, not {name}")
     if extension == ".geojson":
         text = _geojson(rows, outlines, crs)
+    elif extension == ".gpkg":
+        return _replace_file(name, geopackage_of(_geojson(rows, outlines, crs), "planes"))
     elif extension == ".csv":
         text = _csv(rows, outlines)
     elif extension == ".json":
         text = _json(rows, outlines, listed)
-    elif extension == ".gpkg":
-        raise ValueError(f"{name}: GeoPackages are written by pcl_ops_segment --planes; give a "
-                         ".geojson, which ogr2ogr makes one of")
     else:
-        raise ValueError(f"{name}: has an unknown extension; give .geojson, .csv or .json")
-    _replace_file(name, text)
+        raise ValueError(f"{name}: has an unknown extension; give .geojson, .gpkg, .csv or .json")
+    _replace_file(name, text.encode())
 
 
-def _replace_file(name: str, text: str) -> None:
+def _replace_file(name: str, content: bytes) -> None:
     """Under another name until it is complete: a failure leaves an existing file as it is."""
     target = os.path.realpath(name)
     folder, base = os.path.split(target)
     # One for each call: threads may write one file.
     descriptor, unfinished = tempfile.mkstemp(".part", base + ".", folder)
     try:
-        with open(descriptor, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
+        with open(descriptor, "wb") as file:
+            file.write(content)
         os.chmod(unfinished, _mode_of(target))
         os.replace(unfinished, target)
     except BaseException:

@@ -86,8 +86,9 @@ class Plane(_pcl_ops.Segment):
         """What it is in a building, by plane_kinds of the planes it was found with and their
         up, which name them all when one is first asked."""
         if self._kind is None:
-            planes, up = self._named_with
-            for plane, kind in zip(planes, plane_kinds(planes, up)):
+            planes, up, viewpoint = self._named_with
+            sensor = _place_that_saw(self._points, viewpoint)
+            for plane, kind in zip(planes, plane_kinds(planes, up, viewpoint=sensor)):
                 plane._kind = kind
         return self._kind
 
@@ -143,8 +144,9 @@ class Plane(_pcl_ops.Segment):
         self._known_extent = None
         self._lies_on: Optional[int] = None
         self._kind: Optional[Kind] = None
-        # The planes it is named among, and up.
-        self._named_with: Tuple[List["Plane"], Vector] = [self], (0.0, 0.0, 1.0)
+        # The planes it is named among, up, and where the sensor is said to have been.
+        self._named_with: Tuple[List["Plane"], Vector, Optional[Vector]] = (
+            [self], (0.0, 0.0, 1.0), None)
 
     def __repr__(self) -> str:
         known = f", {self._kind}" if self._kind else ""
@@ -264,20 +266,32 @@ def plane_list(name: str, planes: Any) -> List[Plane]:
     return listed
 
 
-def name_together(planes: List[Plane], up: Vector) -> None:
+def name_together(planes: List[Plane], up: Vector, viewpoint: Optional[Vector] = None) -> None:
     """Has the kind of each told by all of them."""
     for plane in planes:
-        plane._kind, plane._named_with = None, (planes, up)
+        plane._kind, plane._named_with = None, (planes, up, viewpoint)
+
+
+def _place_that_saw(points: NDArray[Any], viewpoint: Optional[Vector]) -> Optional[Vector]:
+    """The viewpoint, where the array may have been seen from it."""
+    if viewpoint is None:
+        return None
+    single, origin = single_precision(points)
+    is_seen = _pcl_ops.is_seen_from(single, place("viewpoint", viewpoint) - origin)
+    return viewpoint if is_seen else None
 
 
 def plane_kinds(
-    planes: Planes, up: Vector = (0.0, 0.0, 1.0), meter: float = 1.0
+    planes: Planes, up: Vector = (0.0, 0.0, 1.0), meter: float = 1.0,
+    viewpoint: Optional[Vector] = None,
 ) -> List[Kind]:
     """What planes are in a building, by their heights, sizes, slopes and what is around them.
 
     planes: all Plane of a cloud, with normals towards the sensor.
     up: vector against gravity.
     meter: the length of a meter in the unit of the planes.
+    viewpoint: where the sensor was, if that is known: what lies below it is no ceiling, and the
+        ground tells which way is up where the sensor leans.
 
     Returns for each "floor", "ceiling", "wall", "slab", "roof", "ramp", "table" or "other".
     """
@@ -287,7 +301,8 @@ def plane_kinds(
         raise ValueError("up: has no direction")
     if not (isinstance(meter, (int, float)) and 0.0 < meter < np.inf):
         raise ValueError(f"meter: has to be a length above 0, not {meter!r:.80}")
-    return _pcl_ops.kinds(listed, axis, meter)
+    sensor = None if viewpoint is None else place("viewpoint", viewpoint)
+    return _pcl_ops.kinds(listed, axis, meter, sensor)
 
 
 @named_parameters("merge_planes")
@@ -313,7 +328,8 @@ def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels
     segments, merged_into = _pcl_ops.merge(
         planes, with_given(_pcl_ops.merge_planes(), parameters))
     merged = [Plane(one, points) for one in segments]
-    name_together(merged, parameters.get("up", (0.0, 0.0, 1.0)))
+    viewpoint = planes[0]._named_with[2] if planes else None
+    name_together(merged, parameters.get("up", (0.0, 0.0, 1.0)), viewpoint)
     return merged, np.array(merged_into, np.int32)
 
 
@@ -397,7 +413,7 @@ def regularize_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], L
     for one, plane in zip(regularized, planes):
         one._lies_on = plane._lies_on
     if planes:
-        name_together(regularized, planes[0]._named_with[1])
+        name_together(regularized, *planes[0]._named_with[1:])
     return regularized, [PlaneMove(*move) for move in moves]
 
 

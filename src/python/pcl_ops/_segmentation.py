@@ -95,7 +95,7 @@ def segment(
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
     planes.up = parameters_of(given)["up"][0]
     planes.up_confidence = found_up and found_up[1]
-    name_together(planes, planes.up)
+    name_together(planes, planes.up, sensor)
     # That kinds need to know up is told where somebody asks for them.
     planes._of_kinds = None if on_up else next(
         (doubt for doubt in doubts if doubt.code == "unknown-up"), None)

@@ -57,6 +57,18 @@ TEST (CommandLine, TakesOneDashTwoDashesEqualsAndTheStartOfAName)
   }
 }
 
+TEST (CommandLine, AsksWhetherASimilarOptionIsMeant)
+{
+  const auto answer = [] (const char* mistyped) {
+    return Detector ({"in.pcd", mistyped}).complaint;
+  };
+  const std::string begin = "is no option of this program; ";
+  EXPECT_EQ (answer ("--queit"), "--queit: " + begin + "did you mean --quiet?");
+  EXPECT_EQ (answer ("-thresholds=1"),
+             "--thresholds: " + begin + "did you mean --threshold?");
+  EXPECT_EQ (answer ("--color"), "--color: " + begin + "see --help");
+}
+
 TEST (CommandLine, StoresEachValueOfAnOptionThatMayBeRepeated)
 {
   std::string all;

@@ -4,41 +4,17 @@
 
 #include <io/shifted_cloud.h>
 #include <pcl_ops/visibility.h>
+#include <support/lidar_scans.h>
 
-#include <filesystem>
-
-namespace fs = std::filesystem;
 using Eigen::Vector3d;
 using namespace pcl_ops;
 
-namespace {
-
-/** \brief All lidar scans of the data, which are in the frames of their sensors. */
-std::vector<fs::path>
-lidarScans ()
-{
-  std::vector<fs::path> scans;
-  for (const std::string folder : {"lidar", "real", "wild"})
-    if (fs::exists (fs::path (PCL_OPS_DATA_DIR) / folder))
-      for (const auto& entry :
-           fs::directory_iterator (fs::path (PCL_OPS_DATA_DIR) / folder)) {
-        const fs::path& file = entry.path();
-        const bool is_cloud = file.extension() == ".pcd" || file.extension() == ".xyz";
-        if (is_cloud &&
-            (folder == "lidar" || file.filename().string().rfind ("lidar", 0) == 0))
-          scans.push_back (file);
-      }
-  return scans;
-}
-
-} // namespace
-
 TEST (SeenFrom, IsTrueOfLidarScansFromTheSensorAndFalseFromPlacesBesideIt)
 {
-  const std::vector<fs::path> scans = lidarScans();
+  const auto scans = lidarScansIn (PCL_OPS_DATA_DIR);
   if (scans.empty())
     GTEST_SKIP() << "no lidar scans in " << PCL_OPS_DATA_DIR;
-  for (const fs::path& file : scans) {
+  for (const auto& file : scans) {
     const auto cloud =
         apps::shiftedCloudOf (apps::loadCloud (file.string()), 0.0).cloud;
     const CloudView view (*cloud);

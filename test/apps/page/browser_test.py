@@ -241,15 +241,81 @@ class Browser(Page):
               const box = element('points').getBoundingClientRect();
               press(box.left + box.width / 2, box.top + box.height / 2);
               return [element('answer').textContent, add(point, middle)];""")
-            found = re.fullmatch(r"plane (\d+), (\w+), at (\S+), (\S+), (\S+), distance to the plane (\S+) ± (\S+)",
-                                 answer)
+            facts, answer = answer.split("; ")
+            self.assert_are_facts(facts, plane)
+            found = re.fullmatch(r"at (\S+), (\S+), (\S+), distance to the plane (\S+) ± (\S+)", answer)
             self.assertTrue(found, answer)
-            self.assertEqual((int(found[1]), found[2]), (plane["id"], name_of(plane)))
-            shown = [float(found[i]) for i in (3, 4, 5)]
+            shown = [float(found[i]) for i in (1, 2, 3)]
             self.assertLess(max(abs(a - b) for a, b in zip(shown, place)), 0.01)
             distance = sum(n * (p - c) for n, p, c in zip(plane["normal"], shown, plane["centroid"]))
-            self.assertAlmostEqual(float(found[6]), distance, delta=0.001)
-            self.assertLess(float(found[7]), 0.001)
+            self.assertAlmostEqual(float(found[4]), distance, delta=0.001)
+            self.assertLess(float(found[5]), 0.001)
+
+    def assert_are_facts(self, text, plane):
+        found = re.fullmatch(r"plane (\d+), (\w+): (\d+) points, area (\S+), rms (\S+), slope (\S+)", text)
+        self.assertTrue(found, text)
+        self.assertEqual((int(found[1]), found[2], int(found[3])), (plane["id"], name_of(plane), plane["points"]))
+        self.assertAlmostEqual(float(found[4]), plane["area"], delta=0.01 * plane["area"])
+        self.assertAlmostEqual(float(found[5]), plane["rms"], delta=0.1 * plane["rms"])
+        self.assertAlmostEqual(float(found[6]), plane["slope"], delta=0.06)
+
+    def test_a_click_on_a_row_marks_it_and_says_what_the_plane_is(self):
+        marked, answer, target = self.result_of("""
+          element('rows').children[1].click();
+          return [[...document.querySelectorAll('tr.chosen')].map(row => row.rowIndex), element('answer').textContent,
+                  add(camera.target, middle)];""")
+        self.assertEqual(marked, [2])  # below the row of titles
+        self.assert_are_facts(answer, self.planes[1])
+        self.assertLess(max(abs(a - b) for a, b in zip(target, self.planes[1]["centroid"])), 1e-6)
+
+    def test_a_click_on_a_point_marks_the_row_of_its_plane(self):
+        marked = self.result_of("""
+          const rows = () => [...document.querySelectorAll('tr.chosen')].map(row => row.rowIndex), marked = [];
+          for (const i of [2, planes.length]) { choose({i, point: [0, 0, 0]}); marked.push(rows()); }
+          return marked;""")
+        self.assertEqual(marked, [[3], []])
+
+    def test_a_second_click_says_how_far_it_is_from_the_first(self):
+        answers = self.result_of("""
+          const answers = [], say = found => { choose(found); answers.push(element('answer').textContent); };
+          say({i: planes.length, point: [1, 0, 0]});
+          say({i: planes.length, point: [1, 3, 4]});
+          say(null);
+          say({i: planes.length, point: [1, 0, 0]});
+          return answers;""")
+        self.assertRegex(answers[1], r"; 5\.0+ from the point before$")
+        for answer in answers[0], answers[2], answers[3]:
+            self.assertNotIn("before", answer)
+
+    def test_lists_and_shows_planes_of_a_kind_or_a_name_alone(self):
+        counts, listed, texts = self.result_of("""
+          const counts = [], listed = [], texts = [];
+          const look = (find, kind) => {
+            Object.assign(element('find'), {value: find});
+            Object.assign(element('kind'), {value: kind});
+            element('filter').dispatchEvent(new Event('input'));
+            counts.push(drawnPixels());
+            listed.push([...element('rows').children].filter(row => !row.hidden).map(row => row.rowIndex));
+            texts.push(element('found').textContent);
+          };
+          element('rest').click();
+          look('', ''); look('', 'wall'); look('2', ''); look('Wa', ''); look('nothing', '');
+          return [counts, listed, texts];""")
+        walls = [one["id"] for one in self.planes if one["kind"] == "wall"]
+        everything = [one["id"] for one in self.planes]
+        self.assertEqual(listed, [everything, walls, [2], walls, []])
+        self.assertGreater(counts[0], counts[1])
+        self.assertGreater(counts[1], 0)
+        self.assertEqual((counts[3], counts[4]), (counts[1], 0))
+        self.assertEqual(texts[:2], ["", f"{len(walls)} of {len(everything)}"])
+
+    def test_no_planes_switches_off_those_that_are_listed(self):
+        on = self.result_of("""
+          element('kind').value = 'wall';
+          element('filter').dispatchEvent(new Event('input'));
+          element('none').click();
+          return planes.map((plane, i) => groups[i].isOn);""")
+        self.assertEqual(on, [one["kind"] != "wall" for one in self.planes])
 
     def test_planes_and_layers_are_switched_on_and_off(self):
         counts = self.result_of("""

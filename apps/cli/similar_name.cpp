@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "similar_name.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief How many letters are put in, left out, changed or swapped with the next
+ * (optimal string alignment). */
+std::size_t
+editsBetween (const std::string& a, const std::string& b)
+{
+  std::vector<std::vector<std::size_t>> edits (a.size() + 1,
+                                               std::vector<std::size_t> (b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        edits[i][j] = i + j;
+        continue;
+      }
+      const std::size_t changed = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      edits[i][j] = std::min ({edits[i - 1][j] + 1, edits[i][j - 1] + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        edits[i][j] = std::min (edits[i][j], edits[i - 2][j - 2] + 1);
+    }
+  return edits.back().back();
+}
+
+} // namespace
+
+std::string
+similarName (const std::string& mistyped, const std::vector<std::string>& names)
+{
+  constexpr std::size_t longest = 64; // of a name; other words are none
+  if (mistyped.size() > longest)
+    return "";
+  std::string similar;
+  std::size_t fewest = mistyped.size() / 3 + 1;
+  for (const std::string& name : names)
+    if (const std::size_t edits = editsBetween (mistyped, name); edits < fewest) {
+      fewest = edits;
+      similar = name;
+    }
+  return similar;
+}
+
+} // namespace pcl_ops::apps

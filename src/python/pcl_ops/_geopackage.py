@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Maps as GeoPackages (OGC 12-128r18), as the programs write them."""
+
+import json
+import os
+import struct
+import tempfile
+from typing import Any, Dict, List, Tuple
+
+_UNKNOWN = -1  # the system of places in a plane
+
+_TABLES = """
+PRAGMA application_id = 0x47504B47;
+PRAGMA user_version = 10300;
+CREATE TABLE gpkg_spatial_ref_sys (srs_name TEXT NOT NULL, srs_id INTEGER PRIMARY KEY,
+  organization TEXT NOT NULL, organization_coordsys_id INTEGER NOT NULL,
+  definition TEXT NOT NULL, description TEXT);
+INSERT INTO gpkg_spatial_ref_sys VALUES
+  ('Undefined Cartesian SRS', -1, 'NONE', -1, 'undefined', NULL),
+  ('Undefined geographic SRS', 0, 'NONE', 0, 'undefined', NULL),
+  ('WGS 84', 4326, 'EPSG', 4326, 'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,\
+298.257223563]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433],\
+AUTHORITY["EPSG","4326"]]', NULL);
+CREATE TABLE gpkg_contents (table_name TEXT NOT NULL PRIMARY KEY, data_type TEXT NOT NULL,
+  identifier TEXT UNIQUE, description TEXT DEFAULT '', last_change DATETIME NOT NULL,
+  min_x DOUBLE, min_y DOUBLE, max_x DOUBLE, max_y DOUBLE, srs_id INTEGER,
+  CONSTRAINT fk_gc_r_srs_id FOREIGN KEY (srs_id) REFERENCES gpkg_spatial_ref_sys (srs_id));
+CREATE TABLE gpkg_geometry_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL,
+  geometry_type_name TEXT NOT NULL, srs_id INTEGER NOT NULL, z TINYINT NOT NULL,
+  m TINYINT NOT NULL, CONSTRAINT pk_geom_cols PRIMARY KEY (table_name, column_name),
+  CONSTRAINT fk_gc_tn FOREIGN KEY (table_name) REFERENCES gpkg_contents (table_name),
+  CONSTRAINT fk_gc_srs FOREIGN KEY (srs_id) REFERENCES gpkg_spatial_ref_sys (srs_id));
+"""
+
+Box = Tuple[float, float, float, float]  # min x, max x, min y, max y
+
+
+def geopackage_of(geojson: str, layer: str) -> bytes:
+    """The file that has the features of a map, polygons and lines in space, as one layer."""
+    import sqlite3  # not every build of Python has it
+
+    found = json.loads(geojson)
+    system = _system_of(found)
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "map.gpkg")
+        database = sqlite3.connect(file)
+        try:
+            database.executescript(_TABLES)
+            if system > 0:
+                # Readers know the system by its number, better than by words of ours.
+                database.execute(
+                    "INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES "
+                    "(?, ?, 'EPSG', ?, 'undefined', NULL)", (f"EPSG:{system}", system, system))
+            boxes = _add_features(database, found["features"], layer, system)
+            _add_contents(database, layer, system, boxes)
+            database.commit()
+        finally:
+            database.close()
+        with open(file, "rb") as stream:
+            return stream.read()
+
+
+def _system_of(found: Dict[str, Any]) -> int:
+    if "crs" not in found:
+        return _UNKNOWN
+    return int(found["crs"]["properties"]["name"].rsplit(":", 1)[1])
+
+
+def _column_types(features: List[Dict[str, Any]]) -> Dict[str, str]:
+    types: Dict[str, str] = {}
+    for feature in features:
+        for name, value in feature["properties"].items():
+            known = types.setdefault(name, "")
+            if isinstance(value, str):
+                types[name] = "TEXT"
+            elif isinstance(value, float):
+                types[name] = "REAL"
+            elif value is not None and known != "REAL":
+                types[name] = "INTEGER"
+    return types
+
+
+def _add_features(database: Any, features: List[Dict[str, Any]], layer: str, system: int) -> List[Box]:
+    types = _column_types(features)
+    columns = "".join(f', "{name}" {kind or "TEXT"}' for name, kind in types.items())
+    database.execute(f'CREATE TABLE "{layer}" (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, '
+                     f"geom GEOMETRY{columns})")
+    boxes = []
+    for feature in features:
+        blob = None
+        if feature["geometry"] is not None:
+            blob, box = _blob_of(feature["geometry"], system)
+            boxes.append(box)
+        values = [feature["properties"].get(name) for name in types]
+        database.execute(f'INSERT INTO "{layer}" VALUES (NULL, ?{", ?" * len(values)})', [blob, *values])
+    return boxes
+
+
+def _add_contents(database: Any, layer: str, system: int, boxes: List[Box]) -> None:
+    columns = list(zip(*boxes)) or [(0.0,)] * 4
+    limits = min(columns[0]), min(columns[2]), max(columns[1]), max(columns[3])
+    # No time of writing: the same map has the same bytes.
+    database.execute("INSERT INTO gpkg_contents VALUES (?, 'features', ?, '', '1970-01-01T00:00:00.000Z', "
+                     "?, ?, ?, ?, ?)", (layer, layer, *limits, system))
+    # 2: with or without heights.
+    database.execute("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'GEOMETRY', ?, 2, 0)",
+                     (layer, system))
+
+
+def _blob_of(geometry: Dict[str, Any], system: int) -> Tuple[bytes, Box]:
+    """Well-known binary (ISO 13249-3) of places in space, with system and box before it."""
+    parts: List[bytes] = []
+    places: List[List[float]] = []
+    _write(geometry["type"], geometry["coordinates"], parts, places)
+    x, y = zip(*(place[:2] for place in places))
+    box = min(x), max(x), min(y), max(y)
+    version, little_endian_with_box = 0, 3
+    return struct.pack("<2sBBi4d", b"GP", version, little_endian_with_box, system, *box) + b"".join(parts), box
+
+
+def _write(kind: str, coordinates: Any, parts: List[bytes], places: List[List[float]]) -> None:
+    codes = {"LineString": 1002, "Polygon": 1003, "MultiLineString": 1005}  # in space
+    little_endian = 1
+    parts.append(struct.pack("<BII", little_endian, codes[kind], len(coordinates)))
+    for part in coordinates:
+        if kind == "MultiLineString":
+            _write("LineString", part, parts, places)
+        elif kind == "Polygon":
+            parts.append(struct.pack("<I", len(part)))
+            for place in part:
+                _write_place(place, parts, places)
+        else:
+            _write_place(part, parts, places)
+
+
+def _write_place(place: List[float], parts: List[bytes], places: List[List[float]]) -> None:
+    parts.append(struct.pack("<3d", *place))
+    places.append(place)

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/** \brief All lidar scans of a folder of data, which are in the frames of their
+ * sensors.
+ */
+inline std::vector<std::filesystem::path>
+lidarScansIn (const std::filesystem::path& data)
+{
+  std::vector<std::filesystem::path> scans;
+  for (const std::string folder : {"lidar", "real", "wild"})
+    if (std::filesystem::exists (data / folder))
+      for (const auto& entry : std::filesystem::directory_iterator (data / folder)) {
+        const std::filesystem::path& file = entry.path();
+        const bool is_cloud = file.extension() == ".pcd" || file.extension() == ".xyz";
+        if (is_cloud &&
+            (folder == "lidar" || file.filename().string().rfind ("lidar", 0) == 0))
+          scans.push_back (file);
+      }
+  return scans;
+}
