@@ -19,8 +19,8 @@ struct WarningConstants {
    */
   double min_rms_of_spacing = 0.125;
   /** \brief Share of the points on planes from which on the result as a whole is thick.
-   * Single roads that bend are up to 0.49 of a lidar scan. */
-  double thick_share = 0.5;
+   * Roads that bend have up to 0.62 of those of a lidar scan. */
+  double thick_share = 0.65;
 
   // What is looked at.
   /** \brief Points of a cloud: enough for a share to be right within one per cent, and
