@@ -19,8 +19,8 @@ struct WarningConstants {
    */
   double min_rms_of_spacing = 0.125;
   /** \brief Share of the points on planes from which on the result as a whole is thick.
-   * Single roads that bend are up to 0.49 of a lidar scan. */
-  double thick_share = 0.5;
+   * Roads that bend have up to 0.62 of those of a lidar scan. */
+  double thick_share = 0.65;
 
   // What is looked at.
   /** \brief Points of a cloud: enough for a share to be right within one per cent, and
@@ -88,6 +88,11 @@ struct WarningConstants {
   double min_floor_share = 0.03;
   double max_share_below_floor = 0.1;
   double max_floor_slope = 15.0 * (M_PI / 180.0);
+  /** \brief A depth camera at zero that looks along z has this share of its points
+   * within this angle of z, half of the widest view of such cameras [rad]. Without a
+   * floor alone, roofs and hills would be doubtful, too. */
+  double min_share_ahead = 0.95;
+  double max_angle_ahead = 60.0 * (M_PI / 180.0);
 };
 
 inline constexpr WarningConstants warning_constants;

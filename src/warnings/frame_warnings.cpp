@@ -68,6 +68,20 @@ isFloorAlong (const Eigen::Vector3d& up,
                                             static_cast<double> (sample.labels.size());
 }
 
+/** \brief Whether points are where a depth camera at zero sees them: ahead along z. */
+bool
+looksLikeCamera (const LabelledSample& sample)
+{
+  const double min_cosine = std::cos (warning_constants.max_angle_ahead);
+  std::size_t ahead = 0;
+  for (std::size_t i = 0; i < sample.labels.size(); ++i) {
+    const Eigen::Vector3d place = sample[i];
+    ahead += place.z() >= min_cosine * place.norm() ? 1 : 0;
+  }
+  return static_cast<double> (ahead) >=
+         warning_constants.min_share_ahead * static_cast<double> (sample.labels.size());
+}
+
 } // namespace
 
 std::optional<ResultWarning>
@@ -88,10 +102,10 @@ warnOfEmptyPlan (const ResultContext& context,
              text.of ("up", "") + ", or " + text.of ("meter", "") +
              " for a cloud that is not in meters";
   else if (plan->wall_planes_kept == 0)
-    reason = "filters drop all " + walls + " planes that are walls; leave them out";
+    reason = "filters drop all planes that are walls (" + walls + "); leave them out";
   else
-    reason = "none of the " + walls +
-             " planes that are walls is where it is cut; give another " +
+    reason = "none of the planes that are walls (" + walls +
+             ") is where it is cut; give another " +
              text.of (text.isPython() ? "cut-height" : "plan-height", "");
   return ResultWarning{"empty-plan", "the floor plan has 0 walls: " + reason};
 }
@@ -179,13 +193,17 @@ warnOfUp (const LabelledSample& sample,
   const auto is_floor = [&] (const PlaneSegment& plane) {
     return isFloorAlong (context.up, plane, sample);
   };
-  if (!context.suggested_up && std::any_of (planes.begin(), planes.end(), is_floor))
+  const bool is_doubtful =
+      context.suggested_up || (looksLikeCamera (sample) &&
+                               std::none_of (planes.begin(), planes.end(), is_floor));
+  if (!is_doubtful)
     return std::nullopt;
   return ResultWarning{"unknown-up",
                        "kinds of planes need to know which way is up, and " + used +
                            (context.suggested_up
                                 ? " is not what the planes suggest"
-                                : " has no plane below all others as a floor") +
+                                : " is ahead in a cloud that looks like a depth "
+                                  "camera's, without a floor") +
                            "; give " + text.ofWord ("up", "auto") + " or " + given};
 }
 

@@ -207,6 +207,10 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
   std::vector<PlaneSpread> exact;
   std::copy_if (spreads.begin(), spreads.end(), std::back_inserter (exact), isExact);
+  // The faces of a model are in several directions.
+  for (const PlaneSpread& plane : exact)
+    if (!areWithin (warning_constants.max_angle_of_levels, exact.front(), plane))
+      return std::nullopt;
   double on_levels = 0.0;
   std::vector<float> steps;
   for (const PlaneSpread& plane : exact)

@@ -117,7 +117,9 @@ class Warnings(unittest.TestCase):
         self.assertEqual(self.doubts(lambda: pcl_ops.segment(boards))[0], [])
 
     def test_say_that_kinds_need_a_known_up_once_they_are_asked_for(self):
-        ahead = points @ np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]], np.float32)
+        # A camera that looks along z at a wall and at something that leans on it.
+        ahead = np.vstack([surface((-2, -1, 4), (4, 0, 0), (0, 2.5, 0), 10000),
+                           surface((-2, -1, 2), (1.5, 0, 2), (0, 2.5, 0), 5000)])
         for asked in (lambda found: found.kind, pcl_ops.floor_plan,
                       lambda found: pcl_ops.filter_planes(found, kind="wall")):
             found = self.doubts(lambda: pcl_ops.segment(ahead))[1][1]

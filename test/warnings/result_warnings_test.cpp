@@ -126,7 +126,10 @@ TEST (ResultWarnings, SayThatPlanesOfNoRmsLieOneBehindAnother)
 
 TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
 {
+  // A shelf, which has a side.
   EXPECT_EQ (LabelledPlaneScene()
+                 .add ({{0, 0, 0.5}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
+                 .add ({{0, 0, 0.25}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
                  .add (floor_of_room, 3000, 0.0)
                  .add (wall_of_room, 2500, 0.0)
                  .codes(),
@@ -293,10 +296,14 @@ TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
   context.uses_kinds = true;
   ASSERT_EQ (seen.codes (context), "unknown-up");
   const std::string text = seen.warnings (context)[0].text;
-  EXPECT_NE (text.find ("0,0,1 has no plane below all others"), std::string::npos)
+  EXPECT_NE (text.find ("0,0,1 is ahead in a cloud that looks like a depth camera's"),
+             std::string::npos)
       << text;
   EXPECT_NE (text.find ("; give --up auto or --up x,y,z"), std::string::npos) << text;
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "") << "z as it mostly is";
+  LabelledPlaneScene roof;
+  roof.add ({{50, 50, 20}, {8, 0, 0}, {0, 4, 3}}, 1000, 2_cm);
+  EXPECT_EQ (roof.codes (context), "") << "no floor, but no camera either";
   context.suggested_up = Eigen::Vector3d (0, -1, 0);
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "unknown-up");
   context.up_knowledge = UpKnowledge::NotFound;
@@ -324,12 +331,11 @@ TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
   starts ({0, 0, 0, true},
           "empty-plan: the floor plan has 0 walls: no plane is a wall; give --up");
   starts ({0, 12, 0, true},
-          "empty-plan: the floor plan has 0 walls: filters drop all 12 planes that are "
-          "walls; leave them out");
-  starts (
-      {0, 12, 12, true},
-      "empty-plan: the floor plan has 0 walls: none of the 12 planes that are walls "
-      "is where it is cut; give another --plan-height");
+          "empty-plan: the floor plan has 0 walls: filters drop all planes that are "
+          "walls (12); leave them out");
+  starts ({0, 12, 12, true},
+          "empty-plan: the floor plan has 0 walls: none of the planes that are walls "
+          "(12) is where it is cut; give another --plan-height");
   EXPECT_EQ (text_of ({3, 12, 12, true}, roomOfTwoPlanes()), "");
   LabelledPlaneScene room;
   room.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 2.0);
