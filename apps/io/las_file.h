@@ -103,6 +103,9 @@ struct LasFile {
   std::uint64_t vlrs_end;
   /** \brief What describes the extra bytes of a record, and compressed points. */
   std::optional<LasVlr> extra_bytes, laszip;
+  /** \brief The reference system as text and as keys of GeoTIFF; of several the last.
+   */
+  std::optional<LasVlr> wkt, geo_keys;
   /** \brief The extra bytes that are described, and where they end in a record. */
   std::vector<LasField> fields;
   std::uint64_t fields_end;

@@ -230,6 +230,9 @@ LasFile::LasFile (const std::string& name)
 , fields_end (formatLength (header.pointFormat()))
 {
   constexpr std::uint16_t laszip_id = 22204;
+  constexpr std::uint16_t wkt_id = 2112;
+  constexpr std::uint16_t geo_keys_id = 34735;
+  constexpr const char* projection = "LASF_Projection";
   const auto set =
       [&] (std::optional<LasVlr>& single, const LasVlr& vlr, const char* kind) {
         if (single)
@@ -243,6 +246,10 @@ LasFile::LasFile (const std::string& name)
       set (laszip, vlr, "LASzip");
     if (describesExtraBytes (vlr))
       set (extra_bytes, vlr, "Extra Bytes");
+    if (vlr.user == projection && vlr.id == wkt_id)
+      wkt = vlr;
+    if (vlr.user == projection && vlr.id == geo_keys_id)
+      geo_keys = vlr;
   }
   if (extra_bytes)
     fields = describedFields (*extra_bytes, reader, fields_end);

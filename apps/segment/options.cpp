@@ -356,6 +356,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
                       "concave is not in this build, which was made without PCL's "
                       "surface module; give convex");
   finishChoice (line, options.choice);
+  options.has_meter = line.isGiven ("meter");
   checkMap (
       line, options.outputs.planes, {options.outputs.edges, options.outputs.plan});
   checkAreAbout (line, options);

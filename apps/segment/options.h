@@ -59,6 +59,8 @@ struct SegmentOptions {
   bool pieces = false;
   PlanePiecesParameters of_pieces;
   FloorPlanParameters of_plan;
+  /** \brief Whether the length of a meter was given, 1 or not. */
+  bool has_meter = false;
   /** \brief Whether planes become exactly parallel, orthogonal and coplanar. */
   bool regularize = false;
   PlaneChoice choice;

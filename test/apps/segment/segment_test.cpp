@@ -119,6 +119,7 @@ protected:
     pcl::io::savePLYFileASCII (folder_ / "ascii.ply", cloud);
     pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
     folder_.write ("in.las", lasBytes (floorAndWallInLas()));
+    folder_.write ("feet.las", lasBytes (floorAndWallInFeet()));
     folder_.write ("rough.las", lasBytes (roughWall()));
     if (pcl_ops::apps::hasLaszip()) {
       std::ofstream stream (folder_ / "in.laz", std::ios::binary);
