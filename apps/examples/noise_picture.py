@@ -54,7 +54,7 @@ def title_of(file, noise):
 
 
 def main():
-    if len(sys.argv) < 3:
+    if len(sys.argv) < 3 or sys.argv[1].startswith("-"):
         sys.exit("Usage: noise_picture.py PICTURE.png CLOUD.npy|CLOUD.pcd|... [...]")
     files = sys.argv[2:]
     clouds = []

@@ -39,7 +39,7 @@ def draw(axes, points, labels, planes):
 
 
 def main():
-    if not 2 <= len(sys.argv) <= 3:
+    if not 2 <= len(sys.argv) <= 3 or sys.argv[1].startswith("-"):
         sys.exit("Usage: plane_picture.py PICTURE.png [CLOUD.npy|CLOUD.pcd|...]")
     points = load(sys.argv[2]) if len(sys.argv) == 3 else box_room()
 

@@ -13,6 +13,7 @@
 #include <detection/common_up.h>
 #include <detection/known_sensor.h>
 #include <detection/warning_lines.h>
+#include <io/las_crs.h>
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <io/pose_file.h>
@@ -201,13 +202,30 @@ drawPlan (const SegmentOptions& options,
   putWarningOnPlan (counts, report.warnings);
 }
 
+/** \brief Has the reference system of a file name maps and say the unit, unless the
+ * user does. */
+SegmentOptions
+withSystemOf (const FileCloud& cloud, SegmentOptions options)
+{
+  if (cloud.las == nullptr)
+    return options;
+  if (options.map.crs.empty())
+    options.map.crs = crsOf (*cloud.las);
+  const double meter = unitsInMeter (*cloud.las);
+  if (!options.has_meter && meter != 1.0) {
+    options.of_plan.meter = meter;
+    options.has_meter = true;
+  }
+  return options;
+}
+
 /** \brief Reads a cloud, finds its planes and writes its outputs.
  * \param[in] give_ids where it is missing, planes are numbered by falling size
  * \param[in] lines what tells the stages; nullptr for none
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
  * written, Interrupted before anything is written */
 Report
-segmentCloud (const SegmentOptions& options,
+segmentCloud (const SegmentOptions& given,
               const Task& task,
               const GiveIds& give_ids,
               StageLines* lines)
@@ -221,6 +239,7 @@ segmentCloud (const SegmentOptions& options,
   begin ("reading");
   const bool is_piped = task.input == standard_stream;
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
+  const SegmentOptions options = withSystemOf (cloud, given);
   checkTakesLabels (options, task, cloud);
   begin ("finding planes in " + std::to_string (cloud.size()) + " points");
   const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));

@@ -366,11 +366,13 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
       writeTextFile (file.name, toText (plan));
 }
 
-/** \brief What is asked for, by the unit of the plan. */
+/** \brief What is asked for, by the unit of the plan and the system of its inputs. */
 PlanesOutput
 outputIn (const Plan& plan, PlanesOutput output)
 {
   output.of_plan.meter = plan.meter;
+  if (output.map.crs.empty())
+    output.map.crs = commonCrs (plan);
   return output;
 }
 

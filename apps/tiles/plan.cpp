@@ -8,6 +8,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/plane_list.h>
+#include <io/las_crs.h>
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
@@ -191,6 +192,26 @@ evenSample (const std::vector<Sample>& samples)
   return even;
 }
 
+/** \brief What the reference systems of all inputs say; nothing where they differ, or
+ * some have none. */
+template <typename Said>
+std::optional<Said>
+commonToLas (const std::vector<PlannedInput>& inputs, Said (*say) (LasFile&))
+{
+  std::optional<Said> common;
+  for (const PlannedInput& input : inputs) {
+    // Inputs of a run that is done may be gone.
+    if (!isLasName (input.file) || !fs::exists (input.file))
+      return std::nullopt;
+    LasFile las (input.file);
+    const Said said = say (las);
+    if (common && *common != said)
+      return std::nullopt;
+    common = said;
+  }
+  return common;
+}
+
 } // namespace
 
 bool
@@ -226,8 +247,15 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
     if (grid.reaches (place))
       tiles.insert (grid.tileOf (grid.cellOf (place)));
   plan.likely_tiles = tiles.size();
-  plan.meter = options.meter.value_or (1.0);
+  plan.meter = options.meter ? *options.meter
+                             : commonToLas (plan.inputs, unitsInMeter).value_or (1.0);
   return plan;
+}
+
+std::string
+commonCrs (const Plan& plan)
+{
+  return commonToLas (plan.inputs, crsOf).value_or ("");
 }
 
 std::string

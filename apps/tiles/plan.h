@@ -53,7 +53,8 @@ struct PlanFile {
 struct PlanOptions {
   /** \brief Edges [m]; by the density of the points where not given. */
   std::optional<double> voxel_size, tile;
-  /** \brief The length of a meter in the unit of the inputs; 1 where not given. */
+  /** \brief The length of a meter in the unit of the inputs; where not given by their
+   * reference system. */
   std::optional<double> meter = std::nullopt;
 };
 
@@ -62,6 +63,11 @@ struct PlanOptions {
  * \throws WorkError if any cannot be read or takes no labels */
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options);
+
+/** \brief The reference system that all inputs are in, "EPSG:N"; empty where they do
+ * not say. */
+std::string
+commonCrs (const Plan& plan);
 
 /** \brief The content of a plan file. Runs of plans with equal text leave the same
  * files. */

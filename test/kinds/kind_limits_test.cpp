@@ -343,7 +343,54 @@ TEST (KindLimits, OfRoofs)
         }}});
 }
 
+TEST (KindLimits, OfFurnitureBeforeWalls)
+{
+  // The front of a cupboard, 1.8 m high, before a wall of some height and width.
+  const auto front = [] (double wall_height, double wall_width) {
+    Rectangles room = floor4By3();
+    room.add ({0, 3, 0}, {wall_width, 0, 0}, {0, 0, wall_height});
+    return room.add ({0, 2.6, 0}, {1.5, 0, 0}, {0, 0, 1.8}).lastKind();
+  };
+  expectLimits ({{"height of the wall",
+                  1.8,
+                  "wall",
+                  "other",
+                  [&] (double v) { return front (v, 4.0); }},
+                 {"area of the wall", 2.7, "wall", "other", [&] (double v) {
+                    return front (2.4, v / 2.4);
+                  }}});
+}
+
 TEST (KindLimits, OfASensorThatLeans)
+{
+  // Ground of 10 degrees, 2 m below the sensor, and what else is at that height.
+  const auto ground_beside = [] (double degrees, const Vector3d& place, double area) {
+    Rectangles room;
+    room.sensor = {0, 0, 0};
+    const Eigen::AngleAxisd lean (degrees * M_PI / 180.0, Vector3d::UnitX());
+    const Vector3d depth = lean * Vector3d (0, 3, 0);
+    room.add (Vector3d (1, 0, -2) - 0.5 * depth, {4, 0, 0}, depth);
+    const Vector3d side (0.0, area / 4.0, 0.0);
+    return room.add (place - 0.5 * side, {4, 0, 0}, side);
+  };
+  const auto beside_level = [&] (double share) {
+    return ground_beside (10.0, {-5, 0, -2}, 12.0 * share).kindsFromSensor().front();
+  };
+  const auto up_the_slope = [] (double degrees) {
+    Rectangles road;
+    road.sensor = {0, 0, 0};
+    const Eigen::AngleAxisd lean (degrees * M_PI / 180.0, Vector3d::UnitX());
+    for (const double from : {-2.0, 10.0})
+      road.add (Vector3d (1, 0, -2) + lean * Vector3d (0, from, 0),
+                {2, 0, 0},
+                lean * Vector3d (0, 4, 0));
+    return road.kindsFromSensor().back();
+  };
+  expectLimits ({{"level beside it", 0.2, "floor", "other", beside_level},
+                 {"least", 3.0, "slab", "floor", up_the_slope}});
+}
+
+TEST (KindLimits, OfTheGroundOfASensorThatLeans)
 {
   // A floor of 12 m2 under a sensor that leans, and a wall that does so with it.
   const auto kind = [] (double degrees, double area, double height) {

@@ -317,6 +317,27 @@ TEST (PlaneKinds, OfWallsAreWallsThoughSomeGroundFarAwaySlopes)
   EXPECT_EQ (street.kindsFromSensor().front(), "wall");
 }
 
+TEST (PlaneKinds, OfWallsAreWallsThoughASlopeIsSeenEdgeOn)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.add ({-3, -3, -1}, {0, 6, 0}, {0, 0, 3});
+  street.add (
+      {2, -3, -0.28}, {16, 0, -2.24}, {0, 6, 0}); // 8 degrees, through the sensor
+  EXPECT_EQ (street.kindsFromSensor().front(), "wall");
+}
+
+TEST (PlaneKinds, OfACeilingOfPanelsAtTheHeightOfTheSensorAreCeilings)
+{
+  Rectangles room;
+  room.sensor.z() = 2.5;
+  room.level (0.0, 3_m, 3_m);
+  for (const double x : {0.0, 1.0, 2.0, 3.0})
+    room.level (2.5, 0.9, 0.9, x);
+  EXPECT_EQ (room.kindsFromSensor(),
+             (Names{"floor", "ceiling", "ceiling", "ceiling", "ceiling"}));
+}
+
 TEST (PlaneKinds, OfASlopeBesideALevelFloorIsARampThoughItIsTheLarger)
 {
   Rectangles garage;

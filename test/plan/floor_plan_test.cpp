@@ -130,6 +130,20 @@ TEST (FloorPlan, OfAWallWithAWindowSaysWhereItsSillAndHeadAre)
   EXPECT_NEAR (gap.head.value_or (0.0), 2.1_m, 6_cm);
 }
 
+TEST (FloorPlan, OfAnUpperStoryHasSillsOverItsFloor)
+{
+  Building house = roomOf4By3();
+  house.wall ({0, 9}, {4, 9}, {window});
+  for (pcl::PointXYZ& point : house.cloud)
+    point.z += 6.0f;
+  for (PlaneSegment& plane : house.planes)
+    plane.moveBy ({0, 0, 6});
+  const FloorPlan plan = house.plan();
+  const PlanOpening& gap = plan.walls.at (4).openings.at (0);
+  EXPECT_NEAR (gap.sill.value_or (0.0), 0.9_m, 6_cm);
+  EXPECT_NEAR (gap.head.value_or (0.0), 2.1_m, 6_cm);
+}
+
 TEST (FloorPlan, HasPartsOfWallsBetweenOpenings)
 {
   const auto parts = roomOf4By3().plan().walls.at (0).solidParts();
@@ -204,18 +218,20 @@ TEST (FloorPlan, HasNoOpeningWhereAnotherPlaneFillsTheGap)
 
 TEST (FloorPlan, HasNoRoomBetweenTheTwoSidesOfAWall)
 {
-  // The wall is 15 cm thick and 7 m long, and floors end at it to the centimeter.
-  Building flat;
-  for (const double y : {0.0, 3.15}) {
-    flat.level (PlaneKind::Floor, 0.0, {0, y}, {7, y + 3});
-    flat.wall ({0, y}, {7, y}).wall ({7, y}, {7, y + 3});
-    flat.wall ({7, y + 3}, {0, y + 3}).wall ({0, y + 3}, {0, y});
+  // The wall is 7 m long, and floors end at it to the centimeter.
+  for (const double thickness : {0.15, 0.3}) {
+    Building flat;
+    for (const double y : {0.0, 3.0 + thickness}) {
+      flat.level (PlaneKind::Floor, 0.0, {0, y}, {7, y + 3});
+      flat.wall ({0, y}, {7, y}).wall ({7, y}, {7, y + 3});
+      flat.wall ({7, y + 3}, {0, y + 3}).wall ({0, y + 3}, {0, y});
+    }
+    FloorPlanParameters parameters;
+    parameters.min_room = 0.5;
+    const FloorPlan plan = flat.plan (parameters);
+    ASSERT_EQ (plan.rooms.size(), 2u) << thickness;
+    EXPECT_NEAR (plan.rooms[1].area, 21.0, 0.01);
   }
-  FloorPlanParameters parameters;
-  parameters.min_room = 0.5;
-  const FloorPlan plan = flat.plan (parameters);
-  ASSERT_EQ (plan.rooms.size(), 2u);
-  EXPECT_NEAR (plan.rooms[1].area, 21.0, 0.01);
 }
 
 TEST (FloorPlan, HasNoOpeningWhereTheOtherSideOfAWallWasSeen)

@@ -54,3 +54,26 @@ TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
     length += to - from;
   EXPECT_NEAR (length, 3_m, 5_cm);
 }
+
+TEST (WallFaces, OfNoPointsAreNone)
+{
+  PlanPoints points;
+  addUpright (0.0, 0.0, 1_m, points);
+  const std::vector<WallFace> joined =
+      joinFaces ({faceOf ({0, 1, 0}, {}, 0, 1.2), faceOf ({0, 1, 0}, points, 1, 1.2)});
+  ASSERT_EQ (joined.size(), 1u);
+  EXPECT_EQ (joined[0].planes, std::vector<std::size_t>{1});
+}
+
+TEST (WallFaces, AreCutWithin5CentimetersOfTheHeight)
+{
+  const auto is_cut = [] (double top) {
+    PlanPoints points; // 1 cm apart, up to somewhere below the cut
+    for (double x = 0.0; x < 1.0; x += 1_cm)
+      for (double z = top; z > top - 0.5; z -= 1_cm)
+        points.emplace_back (x, 0.0, z);
+    return !faceOf ({0, 1, 0}, points, 0, 1.2).cut.empty();
+  };
+  EXPECT_TRUE (is_cut (1.16));
+  EXPECT_FALSE (is_cut (1.14));
+}

@@ -45,6 +45,15 @@ class Example(unittest.TestCase):
                 colors = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
                 self.assertGreater(len(colors), 100)
 
+    def test_writes_no_picture_that_is_called_as_an_option(self):
+        for one in (script, examples / "noise_picture.py"):
+            with tempfile.TemporaryDirectory() as name:
+                run = subprocess.run([sys.executable, "-B", one, "--help", "room.npy"],
+                                     capture_output=True, text=True, cwd=name,
+                                     env={**os.environ, "MPLCONFIGDIR": name})
+                self.assertIn("Usage: ", run.stderr)
+                self.assertFalse(list(pathlib.Path(name).glob("*.png")))
+
     def test_draws_the_noise_of_clouds(self):
         import matplotlib.pyplot as plt
 

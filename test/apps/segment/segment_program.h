@@ -68,6 +68,20 @@ floorAndWallInLas ()
   return recipe;
 }
 
+/** \brief The same with the keys of GeoTIFF that say EPSG:2992 and international feet.
+ */
+inline LasRecipe
+floorAndWallInFeet ()
+{
+  constexpr std::uint16_t geo_keys_id = 34735;
+  std::string keys;
+  for (const std::uint16_t number : {1, 1, 0, 2, 3072, 0, 1, 2992, 3076, 0, 1, 9002})
+    keys += bytesOf (LasHeader::Short (number));
+  LasRecipe recipe = floorAndWallInLas();
+  recipe.vlrs = {lasVlr ("LASF_Projection", geo_keys_id, keys)};
+  return recipe;
+}
+
 /** \brief A square of points, 4 cm apart, at UTM coordinates in text, with the number
  * of each point. */
 inline std::string

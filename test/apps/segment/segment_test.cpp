@@ -130,12 +130,7 @@ protected:
     pcl::io::savePLYFileASCII (folder_ / "ascii.ply", cloud);
     pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
     folder_.write ("in.las", lasBytes (floorAndWallInLas()));
-    LasRecipe in_feet = floorAndWallInLas();
-    in_feet.vlrs.push_back (lasVlr ("LASF_Projection",
-                                    2112,
-                                    "PROJCS[\"a\",GEOGCS[\"b\",UNIT[\"degree\",0.017]],"
-                                    "UNIT[\"US survey foot\",0.3048]]"));
-    folder_.write ("feet.las", lasBytes (in_feet));
+    folder_.write ("feet.las", lasBytes (floorAndWallInFeet()));
     folder_.write ("rough.las", lasBytes (roughWall()));
     if (pcl_ops::apps::hasLaszip()) {
       std::ofstream stream (folder_ / "in.laz", std::ios::binary);

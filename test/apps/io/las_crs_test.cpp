@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <io/las_crs.h>
+#include <support/las_bytes.h>
+#include <support/temporary_folder.h>
+
+using namespace pcl_ops::apps;
+
+namespace {
+
+constexpr std::uint16_t wkt_id = 2112;
+constexpr std::uint16_t geo_keys_id = 34735;
+constexpr const char* projection = "LASF_Projection";
+
+/** \brief What a file with these variable length records is in. */
+std::string
+crsOfRecords (const std::vector<std::string>& vlrs)
+{
+  const TemporaryFolder folder;
+  LasRecipe recipe;
+  recipe.vlrs = vlrs;
+  LasFile las (folder.write ("a.las", lasBytes (recipe)));
+  return crsOf (las);
+}
+
+/** \brief A GeoKeyDirectoryTag. \param[in] keys and their values, which are short */
+std::string
+geoKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
+{
+  std::string bytes;
+  const auto add = [&] (std::initializer_list<std::uint16_t> entry) {
+    for (const std::uint16_t number : entry)
+      bytes += bytesOf (LasHeader::Short (number));
+  };
+  add ({1, 1, 0, static_cast<std::uint16_t> (keys.size())});
+  for (const auto& [key, value] : keys)
+    add ({key, 0, 1, value});
+  return lasVlr (projection, geo_keys_id, bytes);
+}
+
+} // namespace
+
+TEST (LasCrs, IsTheNumberOfAProjectedOrAGeographicSystemInTheKeys)
+{
+  EXPECT_EQ (crsOfRecords ({geoKeys ({{1024, 1}, {2048, 4258}, {3072, 25832}})}),
+             "EPSG:25832");
+  EXPECT_EQ (crsOfRecords ({geoKeys ({{1024, 2}, {2048, 4326}})}), "EPSG:4326");
+}
+
+TEST (LasCrs, IsNoneOfASystemOfTheUsersOwnOrOfNone)
+{
+  EXPECT_EQ (crsOfRecords ({geoKeys ({{3072, 32767}, {2048, 4152}})}), "");
+  EXPECT_EQ (crsOfRecords ({}), "");
+  EXPECT_EQ (crsOfRecords ({lasVlr (projection, geo_keys_id, "short")}), "");
+}
+
+TEST (LasCrs, IsTheNumberAtTheEndOfATextThatEndsInZeros)
+{
+  const std::string text = R"(PROJCS["UTM 32",GEOGCS["WGS",AUTHORITY["EPSG","4258"]],)"
+                           R"(UNIT["metre",1],AUTHORITY["EPSG","25832"]])";
+  EXPECT_EQ (crsOfRecords ({lasVlr (projection, wkt_id, text + std::string (3, '\0'))}),
+             "EPSG:25832");
+}
+
+TEST (LasCrs, InTextIsThatOfXAndY)
+{
+  EXPECT_EQ (crsInWkt (R"(COMPD_CS["a",PROJCS["b",AUTHORITY["EPSG","2992"]],)"
+                       R"(VERT_CS["c",AUTHORITY["EPSG","5703"]]])"),
+             "EPSG:2992");
+  EXPECT_EQ (crsInWkt ("PROJCRS[\"b\",\n  ID[\"EPSG\", 25832]\n]"), "EPSG:25832");
+}
+
+TEST (LasCrs, InTextIsNoneWhereOnlyAPartHasANumber)
+{
+  EXPECT_EQ (crsInWkt (R"(PROJCS["b",UNIT["foot",0.3048,AUTHORITY["EPSG","9002"]]])"),
+             "");
+  EXPECT_EQ (crsInWkt (""), "");
+}
