@@ -44,12 +44,6 @@ sampledOn (pcl_ops::Sampling sampling, const Cloud::ConstPtr& cloud)
 }
 
 inline Ops
-neighborhoodsOn (const Cloud::ConstPtr& cloud)
-{
-  return sampledOn (pcl_ops::Sampling::Neighborhoods, cloud);
-}
-
-inline Ops
 voxelsOn (const Cloud::ConstPtr& cloud)
 {
   return sampledOn (pcl_ops::Sampling::Surfels, cloud);
