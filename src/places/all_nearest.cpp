@@ -90,7 +90,11 @@ public:
     float reach = std::min (leaf.reach, spare * usual_reach_);
     float sum = 0.0F;
     for (; !open_.empty(); reach *= growth) {
-      gather (*leaf.node, reach);
+      const std::size_t candidates =
+          tree_.findLeavesAround (*leaf.node, reach, maxCandidates(), ranges_);
+      if (candidates > maxCandidates())
+        return findOneByOne();
+      gather (candidates);
       const bool has_all = candidates_.size() == tree_.order().size();
       const float bound = has_all ? farthest (*leaf.node) : reach * reach;
       const auto isFound = [&] (std::uint32_t position) {
@@ -102,13 +106,32 @@ public:
   }
 
 private:
-  void
-  gather (const PointTree::Node& leaf, float reach)
+  // The points of a dense place are too many for those of a sparse one beside it.
+  std::size_t
+  maxCandidates () const
   {
-    tree_.findLeavesAround (leaf, reach, ranges_);
-    std::size_t size = 0;
-    for (const auto& [begin, end] : ranges_)
-      size += end - begin;
+    constexpr std::size_t for_each = 32;
+    return for_each * (number_ + 1);
+  }
+
+  void
+  findOneByOne ()
+  {
+    for (const std::uint32_t position : open_) {
+      const std::uint32_t own = tree_.order()[position];
+      one_.start (number_ + 1);
+      tree_.find (position, one_);
+      std::uint32_t* next = nearest_.data() + own * number_;
+      std::uint32_t* const last = next + number_;
+      for (std::size_t i = 0; i < one_.size() && next != last; ++i)
+        if (one_[i] != own)
+          *next++ = one_[i];
+    }
+  }
+
+  void
+  gather (std::size_t size)
+  {
     candidates_.resize (size);
     numbers_.resize (size);
     const Coordinates& sorted = tree_.sorted();
@@ -188,7 +211,8 @@ private:
   Indices& nearest_;
   float usual_reach_ = std::numeric_limits<float>::infinity();
   Indices open_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges_;
+  PointTree::Ranges ranges_;
+  NearestPoints one_;
   Coordinates candidates_;
   Indices numbers_;
   std::vector<float> squared_;

@@ -103,6 +103,9 @@ struct PlaceConstants {
 
   // Labels.
   double noises_of_point = 3.0;
+  /** \brief A region that is this share of the one it goes into is a part of it, and
+   * no scrap: such regions reach as far as their rms, up to max_rms_over_noise. */
+  double min_share_of_part = 0.1;
 };
 
 inline constexpr PlaceConstants place_constants;

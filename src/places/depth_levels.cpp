@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -18,10 +19,16 @@ namespace {
 constexpr std::size_t min_points_on_levels = 2000;
 constexpr std::size_t min_levels = 12;
 
-// Normals of the flattest of some neighborhoods. Those of levels are exactly flat, or
-// nearly so where coordinates were rounded later.
-std::vector<Eigen::Vector3d>
-normalsOfFlattestPlaces (const Coordinates& points, const PointTree& tree)
+/** \brief A point whose nearest points are flat. */
+struct FlatPlace {
+  Eigen::Vector3d normal;
+  Eigen::Vector3d point;
+};
+
+// The flattest of some neighborhoods. Those of levels are exactly flat, or nearly so
+// where coordinates were rounded later.
+std::vector<FlatPlace>
+flattestPlaces (const Coordinates& points, const PointTree& tree)
 {
   constexpr std::size_t places = 2000;
   constexpr std::size_t neighbors = 17;
@@ -29,7 +36,7 @@ normalsOfFlattestPlaces (const Coordinates& points, const PointTree& tree)
   constexpr double exact_thickness = 0.005;
   constexpr double max_thickness = 0.02;
   std::vector<std::pair<double, std::size_t>> thickness;
-  std::vector<Eigen::Vector3d> normals;
+  std::vector<FlatPlace> all;
   NearestPoints nearest;
   for (std::size_t s = 0; s < places; ++s) {
     nearest.start (neighbors);
@@ -45,37 +52,37 @@ normalsOfFlattestPlaces (const Coordinates& points, const PointTree& tree)
         std::sqrt (squared_width_of_variance * std::max (0.0, axes.values[1]));
     if (width > 0.0)
       thickness.emplace_back (std::sqrt (std::max (0.0, axes.values[0])) / width,
-                              normals.size());
-    normals.push_back (axes.normal);
+                              all.size());
+    all.push_back ({axes.normal, moments.origin});
   }
   if (thickness.size() < wanted)
     return {};
   std::sort (thickness.begin(), thickness.end());
   // All that are exact: faces of a model are in several directions.
   const double limit = std::max (exact_thickness, thickness[wanted - 1].first);
-  std::vector<Eigen::Vector3d> flattest;
+  std::vector<FlatPlace> flattest;
   for (const auto& [thick, place] : thickness)
     if (thick <= limit)
-      flattest.push_back (normals[place]);
-  return limit < max_thickness ? flattest : std::vector<Eigen::Vector3d>();
+      flattest.push_back (all[place]);
+  return limit < max_thickness ? flattest : std::vector<FlatPlace>();
 }
 
 // The direction that nearly all of the normals have, or zero. The faces of a CAD model
 // have several.
 Eigen::Vector3d
-commonDirection (const std::vector<Eigen::Vector3d>& normals)
+commonDirection (const std::vector<FlatPlace>& places)
 {
   constexpr std::size_t tried = 100;
   constexpr double min_share = 0.8;
   const double min_cosine = std::cos (3.0 * M_PI / 180.0);
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   std::size_t most = 0;
-  const std::size_t step = std::max<std::size_t> (1, normals.size() / tried);
-  for (std::size_t k = 0; k < normals.size(); k += step) {
+  const std::size_t step = std::max<std::size_t> (1, places.size() / tried);
+  for (std::size_t k = 0; k < places.size(); k += step) {
     std::size_t number = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& normal : normals) {
-      const double cosine = normal.dot (normals[k]);
+    for (const auto& [normal, point] : places) {
+      const double cosine = normal.dot (places[k].normal);
       if (std::abs (cosine) <= min_cosine)
         continue;
       ++number;
@@ -86,7 +93,7 @@ commonDirection (const std::vector<Eigen::Vector3d>& normals)
       direction = sum.normalized();
     }
   }
-  if (static_cast<double> (most) < min_share * static_cast<double> (normals.size()))
+  if (static_cast<double> (most) < min_share * static_cast<double> (places.size()))
     direction.setZero();
   return direction;
 }
@@ -128,8 +135,11 @@ stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
   std::vector<double> steps;
   for (std::size_t k = first; k < last; ++k)
     steps.push_back (middleOf (levels[k + 1]) - middleOf (levels[k]));
-  std::nth_element (steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  return steps[steps.size() / 2];
+  // The lower one of two: the last level may be a wall far behind all others.
+  const std::size_t middle = (steps.size() - 1) / 2;
+  std::nth_element (
+      steps.begin(), steps.begin() + static_cast<std::ptrdiff_t> (middle), steps.end());
+  return steps[middle];
 }
 
 // Whether there are enough levels with as many points as others have: a floor and the
@@ -176,6 +186,31 @@ findLevels (const std::vector<double>& sorted)
   return {};
 }
 
+// The number of the level that an offset is on, or that is below it.
+std::size_t
+levelOf (const std::vector<DepthLevel>& levels, double offset)
+{
+  const auto above = std::upper_bound (
+      levels.begin(), levels.end(), offset, [] (double value, const DepthLevel& level) {
+        return value < level.begin;
+      });
+  return static_cast<std::size_t> (above - levels.begin()) - 1;
+}
+
+// Whether flat places are on several levels. Those of one exact wall are on one, and
+// what is on others may be the rows of a grid.
+bool
+areSeenFlat (const std::vector<DepthLevel>& levels,
+             const std::vector<FlatPlace>& places,
+             const Eigen::Vector3d& direction)
+{
+  constexpr std::size_t min_flat_levels = 3;
+  std::set<std::size_t> flat;
+  for (const FlatPlace& place : places)
+    flat.insert (levelOf (levels, direction.dot (place.point)));
+  return flat.size() >= min_flat_levels;
+}
+
 } // namespace
 
 DepthLevels
@@ -184,8 +219,8 @@ findDepthLevels (const Coordinates& points, const PointTree& tree)
   DepthLevels found;
   if (points.size() < min_points_on_levels)
     return found;
-  const Eigen::Vector3d direction =
-      commonDirection (normalsOfFlattestPlaces (points, tree));
+  const std::vector<FlatPlace> flattest = flattestPlaces (points, tree);
+  const Eigen::Vector3d direction = commonDirection (flattest);
   if (direction.isZero())
     return found;
   std::vector<double> offset (points.size());
@@ -194,21 +229,15 @@ findDepthLevels (const Coordinates& points, const PointTree& tree)
   std::vector<double> sorted (offset);
   std::sort (sorted.begin(), sorted.end());
   const std::vector<DepthLevel> levels = findLevels (sorted);
-  if (levels.empty())
+  if (levels.empty() || !areSeenFlat (levels, flattest, direction))
     return found;
   std::vector<float> steps (levels.size());
   for (std::size_t k = 0; k < levels.size(); ++k)
     steps[k] = static_cast<float> (stepAt (levels, k));
   found.direction = direction;
   found.step.resize (points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto above = std::upper_bound (
-        levels.begin(),
-        levels.end(),
-        offset[i],
-        [] (double value, const DepthLevel& level) { return value < level.begin; });
-    found.step[i] = steps[static_cast<std::size_t> (above - levels.begin()) - 1];
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    found.step[i] = steps[levelOf (levels, offset[i])];
   return found;
 }
 

@@ -165,18 +165,19 @@ PointTree::leaves (std::size_t points) const
   return leaves;
 }
 
-void
-PointTree::findLeavesAround (
-    const Node& node,
-    float distance,
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>& ranges) const
+std::size_t
+PointTree::findLeavesAround (const Node& node,
+                             float distance,
+                             std::size_t max_points,
+                             Ranges& ranges) const
 {
   constexpr std::size_t max_depth = 64;
   std::array<std::uint32_t, max_depth> open;
   std::size_t number_open = 0;
+  std::size_t points = 0;
   ranges.clear();
   open[number_open++] = 0;
-  while (number_open > 0) {
+  while (number_open > 0 && points <= max_points) {
     const std::uint32_t number = open[--number_open];
     const Node& next = nodes_[number];
     if (squaredDistanceOfBoxes (node, next) > distance * distance)
@@ -184,12 +185,15 @@ PointTree::findLeavesAround (
     if (next.second_child != 0) {
       open[number_open++] = next.second_child;
       open[number_open++] = number + 1;
+      continue;
     }
-    else if (!ranges.empty() && ranges.back().second == next.begin)
+    points += next.end - next.begin;
+    if (!ranges.empty() && ranges.back().second == next.begin)
       ranges.back().second = next.end;
     else
       ranges.emplace_back (next.begin, next.end);
   }
+  return points;
 }
 
 } // namespace pcl_ops::internal

@@ -124,12 +124,17 @@ public:
   std::vector<Leaf>
   leaves (std::size_t points) const;
 
-  /** \brief The positions of leaves whose boxes are within a distance [m] of the box of
-   * a node: pairs of begin and end, ascending. */
-  void
+  /** \brief Pairs of begin and end of positions, ascending. */
+  using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+  /** \brief Finds the positions of leaves whose boxes are within a distance [m] of the
+   * box of a node; stops as soon as they are more than a number of points.
+   * \return how many points they have */
+  std::size_t
   findLeavesAround (const Node& node,
                     float distance,
-                    std::vector<std::pair<std::uint32_t, std::uint32_t>>& ranges) const;
+                    std::size_t max_points,
+                    Ranges& ranges) const;
 
 private:
   float

@@ -32,8 +32,15 @@ offer (const Region& region,
   const double noise = std::max (
       region.scatter,
       std::min (noise_of_place, place_constants.max_noise_over_region * region.noise));
+  // Parts that lean a little, as those of a cambered road, lie beyond the noise of what
+  // they are joined to. Of all regions it would be hills that become thick.
+  const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
+  const double thickness =
+      region.is_joined
+          ? std::clamp (rms, noise, place_constants.max_rms_over_noise * noise)
+          : noise;
   const double reach =
-      distance_threshold.value_or (place_constants.noises_of_point * noise +
+      distance_threshold.value_or (place_constants.noises_of_point * thickness +
                                    place_constants.bend_of_width * region.width());
   if (distance > reach)
     return;

@@ -186,6 +186,7 @@ Region::take (Region& other)
 {
   const double own = moments.count;
   const double taken = other.moments.count;
+  is_joined = is_joined || taken > place_constants.min_share_of_part * own;
   const double share = taken / (own + taken);
   scatter = std::sqrt ((1.0 - share) * scatter * scatter +
                        share * other.scatter * other.scatter);

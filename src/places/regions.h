@@ -19,6 +19,8 @@ struct Region {
    * noise [m]. */
   double scatter = 0.0;
   double noise = 0.0;
+  /** \brief Of parts that may lean away from each other. */
+  bool is_joined = false;
 
   /** \brief Extent in the narrower direction, and in the longer one [m]. */
   double

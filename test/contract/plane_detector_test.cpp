@@ -501,16 +501,20 @@ TYPED_TEST (PlaneDetector, SaysTheThresholdThatItUsed)
 
 TYPED_TEST (PlaneDetector, MergesWhatIsOnePlaneUnlessMergingIsOff)
 {
-  // Two halves of a floor, the second a little higher.
+  // Two halves of a floor, the second a little higher. Voxels may leave a strip beside
+  // the step.
   Scene halves = Scene().floor (2, 3).surface ({2, 0, 4_cm}, {2, 0, 0}, {0, 3, 0});
-  this->use (halves.spacing (2_cm).build().cloud);
+  const auto cloud = halves.spacing (2_cm).build().cloud;
+  this->use (cloud);
   this->detector.setDistanceThreshold (1_cm);
   pcl_ops::MergingParameters merging;
   merging.distance_threshold = 5_cm;
   for (const bool is_on : {true, false}) {
     merging.enabled = is_on;
     this->detector.setMergingParameters (merging);
-    EXPECT_EQ (planesOf (this->detector).size() == 1u, is_on);
+    const auto planes = planesOf (this->detector);
+    ASSERT_FALSE (planes.empty());
+    EXPECT_EQ (planes[0].inliers.size() > 0.6 * cloud->size(), is_on);
     EXPECT_GE (this->detector.getNumberOfPlanesBeforeMerging(), 2u);
   }
 }

@@ -81,6 +81,14 @@ TEST (AllNearest, AreFoundWhereTheDensityJumps)
   expectAllNearest (points, 12);
 }
 
+TEST (AllNearest, AreFoundAroundAPlaceThatIsDenserTheNearerOneComes)
+{
+  Coordinates points;
+  for (float size = 1e-4f; size < 1e4f; size *= 2.0f)
+    addDrawn (60, -0.5f * size, size, points);
+  expectAllNearest (points, 12);
+}
+
 TEST (AllNearest, AreFoundAlongRingsOfALidar)
 {
   Coordinates points;

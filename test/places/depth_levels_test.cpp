@@ -74,9 +74,30 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
                                   0.0))
                    .step.empty());
   EXPECT_TRUE (levelsOf (drawnOn ({square_of_ground}, 5_cm, 0.0)).step.empty());
+  // A wall, and a floor on a grid whose rows are no levels of depth.
+  Coordinates grid;
+  for (int i = 0; i < 2500; ++i) {
+    const float first = 4e-2f * static_cast<float> (i / 50);
+    const float second = 4e-2f * static_cast<float> (i % 50);
+    grid.add (first, second, 2e-3f * static_cast<float> (i % 3));
+    grid.add (3.0f, first, second);
+  }
+  EXPECT_TRUE (levelsOf (grid).step.empty());
   // A floor, and a few points of a leg at heights of their own.
   Coordinates floor = drawnOn ({square_of_ground}, 3_cm, 0.0);
   for (int i = 0; i < 20; ++i)
     floor.add (1.0f, 1.0f, 0.03f * static_cast<float> (i * i));
   EXPECT_TRUE (levelsOf (floor).step.empty());
+}
+
+TEST (DepthLevels, FarFromAllOthersAreNoFartherApartThanThose)
+{
+  Coordinates points = onSteps (4_cm);
+  const Coordinates wall = drawnOn ({{{-1, -1, 7.0}, {2, 0, 0}, {0, 2, 0}}}, 2_cm, 0.0);
+  for (std::size_t i = 0; i < wall.size(); ++i)
+    points.add (wall.x[i], wall.y[i], wall.z[i]);
+  const DepthLevels levels = levelsOf (points);
+  ASSERT_FALSE (levels.step.empty());
+  for (const float step : levels.step)
+    ASSERT_NEAR (step, 4e-2, 1e-3);
 }

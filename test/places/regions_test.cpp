@@ -80,6 +80,45 @@ TEST (JoinTouching, LeavesWallsThatMeetAlone)
   EXPECT_LT (scene.sizes().at (0), 10500u);
 }
 
+TEST (JoinTouching, MakesOneOfARoadThatLeansToBothSidesButNotOfARoof)
+{
+  // 4 m wide with 2 mm of noise: a crown of 3.5 cm, and one of 17 cm.
+  for (const double height : {3.5e-2, 17e-2}) {
+    const Surface left = {{-2, 0, 0}, {2, 0, height}, {0, 4, 0}};
+    const Surface right = {{0, 0, height}, {2, 0, -height}, {0, 4, 0}};
+    PlaceScene scene (drawnOn ({left, right}, 3_cm, 2_mm));
+    ASSERT_LT (scene.sizes().at (0), 16000u) << height;
+    joinTouching (scene.places, scene.regions);
+    EXPECT_EQ (scene.sizes().at (0) > 17000u, height < 5_cm) << height;
+  }
+}
+
+TEST (JoinTouching, LeavesAStepOfTenNoises)
+{
+  const Surface higher = {{2, 0, 2_cm}, {2, 0, 0}, {0, 2, 0}};
+  PlaceScene scene (drawnOn ({square_of_ground, higher}, 2_cm, 2_mm));
+  joinTouching (scene.places, scene.regions);
+  EXPECT_LT (scene.sizes().at (0), 10500u);
+}
+
+TEST (JoinOverGaps, MakesOneOfExactGroundsThatContinueEachOther)
+{
+  PlaceScene scene (drawnOn ({square_of_ground, ground_beyond_gap}, 2_cm, 0.0));
+  joinOverGaps (scene.noise, {}, scene.regions);
+  EXPECT_GT (scene.sizes().at (0), 19500u);
+}
+
+TEST (LabelPlaces, GivesARoadThatLeansToBothSidesItsEdges)
+{
+  const Surface left = {{-2, 0, 0}, {2, 0, 3.5e-2}, {0, 4, 0}};
+  const Surface right = {{0, 0, 3.5e-2}, {2, 0, -3.5e-2}, {0, 4, 0}};
+  PlaceScene scene (drawnOn ({left, right}, 3_cm, 2_mm));
+  joinTouching (scene.places, scene.regions);
+  const Labels labels = labelPlaces (
+      scene.places, scene.noise, scene.regions, planesOf (scene), std::nullopt, 1);
+  EXPECT_LT (std::count (labels.begin(), labels.end(), no_plane), 200);
+}
+
 TEST (JoinOverGaps, MakesOneOfGroundsThatContinueEachOther)
 {
   PlaceScene scene (drawnOn ({square_of_ground, ground_beyond_gap}, 2_cm, 2_mm));
