@@ -43,11 +43,14 @@ public:
   void
   sort (float bound, std::vector<std::uint64_t>& keys)
   {
-    const float scale = bound > 0.0F ? static_cast<float> (bins - 1) / bound : 0.0F;
+    const float scale = bound > 0.0F ? last_bin / bound : 0.0F;
     std::array<std::uint32_t, bins + 1> begin{};
     bin_.resize (keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      bin_[i] = static_cast<std::uint32_t> (scale * squaredDistanceOf (keys[i]));
+      // Squares of the largest distances are infinite, and their place is no number.
+      const float place = scale * squaredDistanceOf (keys[i]);
+      bin_[i] = place < last_bin ? static_cast<std::uint32_t> (place)
+                                 : static_cast<std::uint32_t> (last_bin);
       ++begin[bin_[i] + 1];
     }
     for (std::size_t b = 0; b < bins; ++b)
@@ -67,6 +70,7 @@ public:
 
 private:
   static constexpr std::size_t bins = 64;
+  static constexpr float last_bin = bins - 1;
   std::vector<std::uint32_t> bin_;
   std::vector<std::uint64_t> sorted_;
 };
@@ -184,6 +188,14 @@ private:
     if (found < number_)
       return false;
     keys_.resize (found);
+    // Beside a denser place there may be many times as many, all about as far away.
+    constexpr std::size_t few = 4;
+    if (found > few * number_) {
+      const auto last = keys_.begin() + static_cast<std::ptrdiff_t> (number_ - 1);
+      std::nth_element (keys_.begin(), last, keys_.end());
+      bound = squaredDistanceOf (*last);
+      keys_.resize (number_);
+    }
     sort_.sort (bound, keys_);
     for (std::size_t i = 0; i < number_; ++i)
       nearest_[own * number_ + i] = static_cast<std::uint32_t> (keys_[i]);

@@ -123,3 +123,11 @@ TEST (AllNearest, AreTheSameForAnyNumberOfThreads)
   const PointTree tree (points);
   EXPECT_EQ (findAllNearest (tree, 10, 4), findAllNearest (tree, 10, 1));
 }
+
+TEST (AllNearest, AreFoundAmongPointsAsFarApartAsNumbersGo)
+{
+  Coordinates points;
+  addDrawn (50, 0.0f, 1.0f, points);
+  addDrawn (50, -1e30f, 3e30f, points);
+  expectAllNearest (points, 12);
+}
