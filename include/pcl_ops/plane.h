@@ -173,7 +173,8 @@ struct PCL_OPS_EXPORT PlaneSegment {
    * independent errors; the median over the plane, and at most 4 times what is usual
    * where points are as dense. Known with Sampling::Neighborhoods, and with
    * Sampling::Automatic if it has no voxel size; not of exact points. The \ref rms is
-   * at most 12 times this where no threshold and no merging distance is given. */
+   * at most 12 times this, or .002 of the plane's width if that is more, where no
+   * threshold and no merging distance is given. */
   std::optional<double> noise = std::nullopt;
 
   Plane
