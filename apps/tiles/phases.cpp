@@ -215,7 +215,7 @@ detectTile (const Plan& plan,
             const TileKey& tile)
 {
   const TilePoints seen = pointsOf (points, tile);
-  const TileDetection found = detectInTile (plan.grid, seen);
+  const TileDetection found = detectInTile (plan, seen);
   const std::uint32_t* labels = found.labels.data();
   for (const auto& [input, count] : seen.own_of_input) {
     const std::string file = folder.labels (tile, input);

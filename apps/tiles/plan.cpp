@@ -26,7 +26,7 @@ namespace {
 
 /** \brief Of what the phases of a run leave for each other: one more with each change.
  */
-constexpr int format_of_files = 5;
+constexpr int format_of_files = 6;
 
 PlannedInput
 stateOf (const std::string& file)
@@ -64,10 +64,12 @@ sorted (std::vector<std::string> files)
 std::int64_t
 cellsOfTile (const PlanOptions& options, double cell)
 {
-  // Of points at the usual density some 2 million, in a few hundred megabytes.
-  constexpr std::int64_t usual = 256;
+  // Of points at the usual density half a million, or 2 on voxels, which need less
+  // memory: some 500 and some 300 megabytes.
+  constexpr std::int64_t usual = 128;
+  constexpr std::int64_t usual_on_voxels = 256;
   if (!options.tile)
-    return usual;
+    return options.voxel_size ? usual_on_voxels : usual;
   constexpr auto step = TileGrid::cells_of_coarsest;
   const double cells = step * std::round (*options.tile / (step * cell));
   if (cells < double (TileGrid::halo))
@@ -235,6 +237,7 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   TileGrid& grid = plan.grid;
   grid.edge = options.voxel_size ? *options.voxel_size
                                  : cellEdgeFor (some, usual, plan.points());
+  plan.is_on_voxels = options.voxel_size.has_value();
   grid.cells_of_tile = cellsOfTile (options, grid.edge);
   for (const Sample& sample : samples)
     checkReach (grid, sample.input.file, sample.some_places);
@@ -266,6 +269,7 @@ toText (const Plan& plan)
                                  {"cells_of_tile", plan.grid.cells_of_tile},
                                  {"place", plan.grid.place},
                                  {"likely_tiles", plan.likely_tiles},
+                                 {"is_on_voxels", plan.is_on_voxels},
                                  {"meter", plan.meter}};
   for (const PlannedInput& input : plan.inputs)
     json["inputs"].push_back ({{"file", input.file},
@@ -291,6 +295,7 @@ loadPlan (const PlanFile& file)
     json.at ("cells_of_tile").get_to (grid.cells_of_tile);
     json.at ("place").get_to (grid.place);
     json.at ("likely_tiles").get_to (plan.likely_tiles);
+    json.at ("is_on_voxels").get_to (plan.is_on_voxels);
     json.at ("meter").get_to (plan.meter);
     for (const auto& input : json.at ("inputs"))
       plan.inputs.push_back ({input.at ("file"),

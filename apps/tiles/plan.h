@@ -29,6 +29,8 @@ struct Plan {
   /** \brief Its place is near the points of the first input. */
   TileGrid grid;
   std::uint64_t likely_tiles = 0;
+  /** \brief Planes are looked for on voxels, as their size was given. */
+  bool is_on_voxels = false;
   /** \brief Its length in the unit of the inputs, for what knows buildings. */
   double meter = 1.0;
 

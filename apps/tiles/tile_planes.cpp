@@ -29,10 +29,11 @@ transfer (File& file, SomePiece& piece)
 }
 
 std::vector<PlaneSegment>
-detectIn (const TileGrid& grid, const TilePoints& points)
+detectIn (const Plan& plan, const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
-  parameters.surfels.voxel_size = grid.edge;
+  if (plan.is_on_voxels)
+    parameters.surfels.voxel_size = plan.grid.edge;
   const std::vector<Eigen::Vector3f>& all = points.points;
   if (all.size() > std::size_t (std::numeric_limits<pcl::index_t>::max()))
     throw std::bad_alloc();
@@ -126,21 +127,21 @@ loadTilePlanes (const std::string& file)
 }
 
 TileDetection
-detectInTile (const TileGrid& grid, const TilePoints& points)
+detectInTile (const Plan& plan, const TilePoints& points)
 {
   std::uint64_t own_points = 0;
   for (const auto& [input, count] : points.own_of_input)
     own_points += count;
   TileDetection found{{}, std::vector<std::uint32_t> (own_points, 0)};
   auto& [pieces, border_voxels] = found.planes;
-  for (const PlaneSegment& plane : detectIn (grid, points)) {
+  for (const PlaneSegment& plane : detectIn (plan, points)) {
     const auto begin = plane.inliers.begin();
     const auto end =
         std::lower_bound (begin, plane.inliers.end(), pcl::index_t (own_points));
     if (begin == end)
       continue;
     pieces.push_back (
-        pieceOf (plane, points, grid, end - begin, pieces.size(), border_voxels));
+        pieceOf (plane, points, plan.grid, end - begin, pieces.size(), border_voxels));
     for (auto index = begin; index != end; ++index)
       found.labels[*index] = pieces.size();
   }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "exact_moments.h"
+#include "plan.h"
 #include "plane_outline.h"
-#include "tile_grid.h"
 
 #include <string>
 #include <tuple>
@@ -69,8 +69,9 @@ struct TileDetection {
   std::vector<std::uint32_t> labels;
 };
 
-/** \brief Finds planes with the library's recommended preset in voxels of the grid. */
+/** \brief Finds planes with the library's recommended preset, in voxels of the grid if
+ * their size was given. */
 TileDetection
-detectInTile (const TileGrid& grid, const TilePoints& points);
+detectInTile (const Plan& plan, const TilePoints& points);
 
 } // namespace pcl_ops::apps
