@@ -210,7 +210,7 @@ detectOnPlaces (const Points& points,
   Regions regions = growRegions (places, noise, chosen, parameters.distance_threshold);
   clock.lap (times.extraction);
   // section III-C, by the noise instead of theta_h
-  joinTouching (places, regions);
+  joinTouching (places, threads, regions);
   if (parameters.merging.enabled)
     joinOverGaps (noise, parameters.merging, regions);
   const std::vector<char> is_plane = planesAmong (

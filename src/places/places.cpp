@@ -120,13 +120,14 @@ addArms (const Sums& sums,
 
 // The farthest of the nearest of each place.
 Indices
-firstArms (const Places& places, std::size_t arms_of_place)
+firstArms (const Places& places, std::size_t arms_of_place, unsigned threads)
 {
   Indices arms (places.size() * arms_of_place);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  forEach (threads, places.size(), [&] (std::size_t i) {
     std::copy_n (places.nearestOf (i) + places.neighbors - arms_of_place,
                  arms_of_place,
-                 arms.begin() + static_cast<std::ptrdiff_t> (i * arms_of_place));
+                 arms.data() + i * arms_of_place);
+  });
   return arms;
 }
 
@@ -241,7 +242,7 @@ addSupports (const Coordinates& points,
   places.points_of_level = pointsOfLevels (places);
   Sums sums = sumsOfNearest (places, threads);
   addSteps (places, levels, threads, sums);
-  Indices arms = firstArms (places, arms_of_place);
+  Indices arms = firstArms (places, arms_of_place, threads);
   for (std::size_t level = 0; level < places.points_of_level.size(); ++level) {
     if (level > 1)
       arms = longerArms (points, arms, arms_of_place, threads);
@@ -277,20 +278,21 @@ describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threa
   Places places;
   places.neighbors = neighbors - 1;
   places.position.resize (points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  forEach (threads, points.size(), [&] (std::size_t i) {
     places.position[i] = points[i];
-  PointTree tree (points);
+  });
+  PointTree tree (points, threads);
   const DepthLevels levels = findDepthLevels (points, tree);
   if (!levels.step.empty())
-    tree = PointTree (flattened (points, levels));
+    tree = PointTree (flattened (points, levels), threads);
   places.nearest = findAllNearest (tree, places.neighbors, threads);
   addSupports (points, levels, threads, places);
   places.density.resize (points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  forEach (threads, points.size(), [&] (std::size_t i) {
     constexpr float least_area = 1e-30F;
     const float width = places.supports[0][i].width;
     places.density[i] = static_cast<float> (neighbors) / (width * width + least_area);
-  }
+  });
   return places;
 }
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "places/point_tree.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -40,28 +43,69 @@ squaredDistanceOfBoxes (const PointTree::Node& first, const PointTree::Node& sec
   return sum;
 }
 
+// How many nodes a tree of so many points has. All nodes of a depth have as many points
+// but for one more or less.
+std::uint32_t
+nodesOf (std::uint32_t points)
+{
+  if (points <= max_points_of_tree_leaf)
+    return 1;
+  std::uint32_t deepest = 1; // nodes of the last depth that are divided, or some of them
+  while (points > 2 * deepest * max_points_of_tree_leaf)
+    deepest *= 2;
+  const bool are_all = points / deepest > max_points_of_tree_leaf;
+  const std::uint32_t divided = are_all ? deepest : points % deepest;
+  return 2 * deepest - 1 + 2 * divided;
+}
+
 } // namespace
 
-PointTree::PointTree (const Coordinates& points) : order_ (points.size())
+PointTree::PointTree (const Coordinates& points, unsigned threads)
+: nodes_ (nodesOf (static_cast<std::uint32_t> (points.size()))), order_ (points.size())
 {
+  constexpr std::size_t subtrees = 16;
   std::iota (order_.begin(), order_.end(), 0U);
-  nodes_.reserve (points.size() / 2 + 1);
-  if (points.size() > 0)
-    divide (points, 0, static_cast<std::uint32_t> (points.size()));
+  std::vector<std::uint32_t> roots;
+  if (points.size() > 0) {
+    nodes_[0] = {{}, {}, 0, static_cast<std::uint32_t> (points.size()), 0};
+    roots.push_back (0);
+  }
+  while (!roots.empty() && roots.size() < subtrees) {
+    std::vector<std::uint32_t> halves (2 * roots.size(), 0);
+    parallelFor (threads, roots.size(), 1, [&] (std::size_t i, std::size_t) {
+      if (divide (points, roots[i])) {
+        halves[2 * i] = roots[i] + 1;
+        halves[2 * i + 1] = nodes_[roots[i]].second_child;
+      }
+    });
+    halves.erase (std::remove (halves.begin(), halves.end(), 0U), halves.end());
+    roots = std::move (halves);
+  }
+  parallelFor (threads, roots.size(), 1, [&] (std::size_t i, std::size_t) {
+    divideAll (points, roots[i]);
+  });
   sorted_ = selected (points, order_);
 }
 
-std::uint32_t
-PointTree::divide (const Coordinates& points, std::uint32_t begin, std::uint32_t end)
+void
+PointTree::divideAll (const Coordinates& points, std::uint32_t number)
 {
-  const auto number = static_cast<std::uint32_t> (nodes_.size());
-  Node node{{}, {}, begin, end, 0};
+  if (!divide (points, number))
+    return;
+  divideAll (points, number + 1);
+  divideAll (points, nodes_[number].second_child);
+}
+
+bool
+PointTree::divide (const Coordinates& points, std::uint32_t number)
+{
+  Node& node = nodes_[number];
   int longest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<float>& values = axisOf (points, axis);
-    float low = values[order_[begin]];
+    float low = values[order_[node.begin]];
     float high = low;
-    for (std::uint32_t i = begin; i < end; ++i) {
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
       low = std::min (low, values[order_[i]]);
       high = std::max (high, values[order_[i]]);
     }
@@ -70,23 +114,22 @@ PointTree::divide (const Coordinates& points, std::uint32_t begin, std::uint32_t
     if (high - low > node.high[longest] - node.low[longest])
       longest = axis;
   }
-  nodes_.push_back (node);
-  if (end - begin <= max_points_of_tree_leaf)
-    return number;
+  if (node.end - node.begin <= max_points_of_tree_leaf)
+    return false;
   const std::vector<float>& values = axisOf (points, longest);
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element (order_.begin() + begin,
+  const std::uint32_t middle = node.begin + (node.end - node.begin) / 2;
+  std::nth_element (order_.begin() + node.begin,
                     order_.begin() + middle,
-                    order_.begin() + end,
+                    order_.begin() + node.end,
                     [&] (std::uint32_t first, std::uint32_t second) {
                       return values[first] != values[second]
                                  ? values[first] < values[second]
                                  : first < second;
                     });
-  divide (points, begin, middle);
-  const std::uint32_t second = divide (points, middle, end);
-  nodes_[number].second_child = second;
-  return number;
+  node.second_child = number + 1 + nodesOf (middle - node.begin);
+  nodes_[number + 1] = {{}, {}, node.begin, middle, 0};
+  nodes_[node.second_child] = {{}, {}, middle, node.end, 0};
+  return true;
 }
 
 float

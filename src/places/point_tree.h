@@ -83,7 +83,7 @@ private:
 class PointTree {
 public:
   /** \param[in] points finite; the tree keeps a copy */
-  explicit PointTree (const Coordinates& points);
+  explicit PointTree (const Coordinates& points, unsigned threads = 1);
 
   /** \brief The number of the point at each position of the tree: points that follow
    * each other there are near each other. */
@@ -140,8 +140,12 @@ private:
   float
   squaredDistance (std::size_t first, std::size_t second) const;
 
-  std::uint32_t
-  divide (const Coordinates& points, std::uint32_t begin, std::uint32_t end);
+  // Gives a node its box and, if it has too many points for a leaf, its children.
+  bool
+  divide (const Coordinates& points, std::uint32_t number);
+
+  void
+  divideAll (const Coordinates& points, std::uint32_t number);
 
   std::vector<Node> nodes_;
   Indices order_;

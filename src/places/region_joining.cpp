@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "places/region_joining.h"
 
+#include "base/parallel.h"
 #include "places/constants.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -104,31 +106,59 @@ struct Borders {
   std::vector<int> border_places;
 };
 
-// Of the places that touched other regions before; keeps those that still do.
-Borders
-bordersOf (const Places& places, const Regions& regions, Indices& border)
+// One contact for each pair of regions.
+std::vector<Contact>
+summed (std::vector<Contact> contacts)
 {
-  Borders borders;
-  borders.border_places.assign (regions.list.size(), 0);
-  std::vector<Contact> all;
-  std::size_t kept = 0;
-  for (const std::uint32_t place : border) {
-    const std::size_t before = all.size();
-    addContacts (places, regions, place, all);
-    if (all.size() == before)
-      continue;
-    ++borders.border_places[regions.of_place[place]];
-    border[kept++] = place;
-  }
-  border.resize (kept);
-  std::sort (all.begin(), all.end(), isBefore);
-  for (const Contact& contact : all)
-    if (!borders.contacts.empty() && !isBefore (borders.contacts.back(), contact)) {
-      borders.contacts.back().places += contact.places;
-      borders.contacts.back().fitting += contact.fitting;
+  std::sort (contacts.begin(), contacts.end(), isBefore);
+  std::vector<Contact> sums;
+  for (const Contact& contact : contacts)
+    if (!sums.empty() && !isBefore (sums.back(), contact)) {
+      sums.back().places += contact.places;
+      sums.back().fitting += contact.fitting;
     }
     else
-      borders.contacts.push_back (contact);
+      sums.push_back (contact);
+  return sums;
+}
+
+/** \brief Some places that touch other regions. */
+struct BorderPart {
+  Indices places;
+  std::vector<Contact> contacts;
+};
+
+// Of the places that touched other regions before; keeps those that still do.
+Borders
+bordersOf (const Places& places,
+           const Regions& regions,
+           unsigned threads,
+           Indices& border)
+{
+  constexpr std::size_t at_once = 4096;
+  const std::vector<BorderPart> parts = parallelChunks (
+      threads, border.size(), at_once, [&] (std::size_t begin, std::size_t end) {
+        BorderPart part;
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::size_t before = part.contacts.size();
+          addContacts (places, regions, border[i], part.contacts);
+          if (part.contacts.size() > before)
+            part.places.push_back (border[i]);
+        }
+        part.contacts = summed (std::move (part.contacts));
+        return part;
+      });
+  Borders borders;
+  border.clear();
+  for (const BorderPart& part : parts) {
+    border.insert (border.end(), part.places.begin(), part.places.end());
+    borders.contacts.insert (
+        borders.contacts.end(), part.contacts.begin(), part.contacts.end());
+  }
+  borders.contacts = summed (std::move (borders.contacts));
+  borders.border_places.assign (regions.list.size(), 0);
+  for (const std::uint32_t place : border)
+    ++borders.border_places[regions.of_place[place]];
   return borders;
 }
 
@@ -270,14 +300,15 @@ largeRegions (const PlaceNoise& noise, const Regions& regions)
 } // namespace
 
 void
-joinTouching (const Places& places, Regions& regions)
+joinTouching (const Places& places, unsigned threads, Regions& regions)
 {
   Indices border;
   for (std::size_t i = 0; i < places.size(); ++i)
     if (regions.of_place[i] != no_plane)
       border.push_back (static_cast<std::uint32_t> (i));
   for (int round = 0; round < place_constants.join_rounds; ++round)
-    if (!unite (pickTouching (bordersOf (places, regions, border), regions), regions))
+    if (!unite (pickTouching (bordersOf (places, regions, threads, border), regions),
+                regions))
       return;
 }
 

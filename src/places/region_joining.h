@@ -14,7 +14,7 @@ namespace pcl_ops::internal {
  * order decides, as it does where the best pair is joined first: one point less would
  * change the first pair, and with it all that follow. */
 void
-joinTouching (const Places& places, Regions& regions);
+joinTouching (const Places& places, unsigned threads, Regions& regions);
 
 /** \brief Makes one of regions that are one plane without touching, such as a wall
  * behind a cupboard, in the same way.

@@ -67,7 +67,7 @@ TEST (GrowRegions, EndAtAGivenDistance)
 TEST (JoinTouching, MakesOneOfPiecesOfAPlane)
 {
   PlaceScene scene = groundInTwo();
-  joinTouching (scene.places, scene.regions);
+  joinTouching (scene.places, 1, scene.regions);
   EXPECT_EQ (scene.sizes(), std::vector<std::size_t>{scene.places.size()});
   // The larger one, on the right, took the other.
   EXPECT_EQ (scene.regions.of_place, pcl_ops::Labels (scene.places.size(), 1));
@@ -76,7 +76,7 @@ TEST (JoinTouching, MakesOneOfPiecesOfAPlane)
 TEST (JoinTouching, LeavesWallsThatMeetAlone)
 {
   PlaceScene scene (drawnOn ({square_of_ground, wall_on_ground}, 2_cm, 2_mm));
-  joinTouching (scene.places, scene.regions);
+  joinTouching (scene.places, 1, scene.regions);
   EXPECT_LT (scene.sizes().at (0), 10500u);
 }
 
@@ -88,7 +88,7 @@ TEST (JoinTouching, MakesOneOfARoadThatLeansToBothSidesButNotOfARoof)
     const Surface right = {{0, 0, height}, {2, 0, -height}, {0, 4, 0}};
     PlaceScene scene (drawnOn ({left, right}, 3_cm, 2_mm));
     ASSERT_LT (scene.sizes().at (0), 16000u) << height;
-    joinTouching (scene.places, scene.regions);
+    joinTouching (scene.places, 1, scene.regions);
     EXPECT_EQ (scene.sizes().at (0) > 17000u, height < 5_cm) << height;
   }
 }
@@ -97,7 +97,7 @@ TEST (JoinTouching, LeavesAStepOfTenNoises)
 {
   const Surface higher = {{2, 0, 2_cm}, {2, 0, 0}, {0, 2, 0}};
   PlaceScene scene (drawnOn ({square_of_ground, higher}, 2_cm, 2_mm));
-  joinTouching (scene.places, scene.regions);
+  joinTouching (scene.places, 1, scene.regions);
   EXPECT_LT (scene.sizes().at (0), 10500u);
 }
 
@@ -113,7 +113,7 @@ TEST (LabelPlaces, GivesARoadThatLeansToBothSidesItsEdges)
   const Surface left = {{-2, 0, 0}, {2, 0, 3.5e-2}, {0, 4, 0}};
   const Surface right = {{0, 0, 3.5e-2}, {2, 0, -3.5e-2}, {0, 4, 0}};
   PlaceScene scene (drawnOn ({left, right}, 3_cm, 2_mm));
-  joinTouching (scene.places, scene.regions);
+  joinTouching (scene.places, 1, scene.regions);
   const Labels labels = labelPlaces (
       scene.places, scene.noise, scene.regions, planesOf (scene), std::nullopt, 1);
   EXPECT_LT (std::count (labels.begin(), labels.end(), no_plane), 200);
@@ -122,7 +122,7 @@ TEST (LabelPlaces, GivesARoadThatLeansToBothSidesItsEdges)
 TEST (JoinOverGaps, MakesOneOfGroundsThatContinueEachOther)
 {
   PlaceScene scene (drawnOn ({square_of_ground, ground_beyond_gap}, 2_cm, 2_mm));
-  joinTouching (scene.places, scene.regions);
+  joinTouching (scene.places, 1, scene.regions);
   ASSERT_LT (scene.sizes().at (0), 10500u);
   joinOverGaps (scene.noise, {}, scene.regions);
   EXPECT_GT (scene.sizes().at (0), 19500u);
@@ -133,7 +133,7 @@ TEST (JoinOverGaps, LeavesAStepThatNoiseDoesNotExplain)
   Surface step = ground_beyond_gap;
   step.corner.z() = 3_cm;
   PlaceScene scene (drawnOn ({square_of_ground, step}, 2_cm, 2_mm));
-  joinTouching (scene.places, scene.regions);
+  joinTouching (scene.places, 1, scene.regions);
   joinOverGaps (scene.noise, {}, scene.regions);
   EXPECT_LT (scene.sizes().at (0), 10500u);
 }
