@@ -63,6 +63,29 @@ TEST (DepthLevels, MayBeRoundedOrJittered)
   }
 }
 
+TEST (DepthLevels, MayBeRoundedAcross)
+{
+  Coordinates points = drawnOn ({slanted_wall}, 5_mm, 0.0);
+  const auto rounded = [] (double value) {
+    return static_cast<float> (1_mm * std::round (value / 1_mm));
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double x = points.x[i];
+    const double z = 1_cm * std::round (points.z[i] / 1_cm);
+    points.x[i] = rounded (0.8 * x - 0.6 * z);
+    points.y[i] = rounded (points.y[i]);
+    points.z[i] = rounded (0.6 * x + 0.8 * z);
+  }
+  const DepthLevels levels = levelsOf (points);
+  ASSERT_FALSE (levels.step.empty());
+  EXPECT_NEAR (
+      std::abs (levels.direction.dot (Eigen::Vector3d (-0.6, 0, 0.8))), 1.0, 1e-6);
+  std::size_t right = 0;
+  for (const float step : levels.step)
+    right += std::abs (step - 1e-2) < 1e-3 ? 1 : 0;
+  EXPECT_GT (right, points.size() * 9 / 10);
+}
+
 TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
 {
   EXPECT_TRUE (levelsOf (drawnOn ({slanted_wall}, 1_cm, 1_cm)).step.empty());
