@@ -95,14 +95,15 @@ isThick (const PlaneSpread& spread, const std::optional<double>& noise)
 bool
 isExact (const PlaneSpread& plane)
 {
-  return plane.points >= warning_constants.min_points_of_level &&
-         plane.rms <= warning_constants.max_exact * plane.width;
+  return plane.points > 0.0 && plane.rms <= warning_constants.max_exact * plane.width;
 }
 
 /** \brief Whether one of two exact planes is the next level of the other. */
 bool
 areLevels (const PlaneSpread& one, const PlaneSpread& other)
 {
+  if (std::min (one.points, other.points) < warning_constants.min_points_of_level)
+    return false;
   const double step = distanceBetween (one, other);
   const double width = std::min (one.width, other.width);
   const double lateral = (one.centroid - other.centroid).norm();
@@ -207,7 +208,7 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
   std::vector<PlaneSpread> exact;
   std::copy_if (spreads.begin(), spreads.end(), std::back_inserter (exact), isExact);
-  // The faces of a model are in several directions.
+  // The faces of a model are in several directions, some of them small.
   for (const PlaneSpread& plane : exact)
     if (!areWithin (warning_constants.max_angle_of_levels, exact.front(), plane))
       return std::nullopt;

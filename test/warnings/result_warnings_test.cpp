@@ -136,6 +136,17 @@ TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
              "");
 }
 
+TEST (ResultWarnings, AreNoneOfAModelWhoseSidesAreSmall)
+{
+  // Plates of 4 m x 3 m with a rim of 0.25 m at one side.
+  LabelledPlaneScene plates;
+  for (const double height : {0.0, 0.25, 0.5})
+    plates.add ({{0, 0, height}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0);
+  EXPECT_EQ (plates.codes(), "exact-levels");
+  plates.add ({{0, 3, 0}, {4, 0, 0}, {0, 0, 0.25}}, 250, 0.0);
+  EXPECT_EQ (plates.codes(), "");
+}
+
 TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
 {
   EXPECT_EQ (LabelledPlaneScene()
