@@ -269,6 +269,19 @@ TEST (ResultWarnings, SayThatAReferenceSystemIsInFeetOrDegrees)
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "degrees") << "no meter mends these";
 }
 
+TEST (ResultWarnings, SayThatAWidthOfDegreesHasAHeightOfMeters)
+{
+  const LabelledPlaneScene wall_in_degrees = LabelledPlaneScene().add (
+      {{11, 48, 498}, {1e-4, 1e-5, 0}, {0, 0, 2.5}}, 3000, 0.0);
+  EXPECT_EQ (wall_in_degrees.codes(), "degrees");
+  ResultContext in_meters;
+  in_meters.unit = CoordinateUnit::Meter;
+  EXPECT_EQ (wall_in_degrees.codes (in_meters), "");
+  ResultContext where_no_degrees_are;
+  where_no_degrees_are.shift = {512345, 5412345, 0};
+  EXPECT_EQ (wall_in_degrees.codes (where_no_degrees_are), "");
+}
+
 TEST (ResultWarnings, SayThatPosesAreOfACamera)
 {
   ResultContext context;
