@@ -384,6 +384,21 @@ TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
   EXPECT_EQ (seen.codes (context), "");
 }
 
+TEST (ResultWarnings, TakeTheLowestLevelOf3PerCentOfThePointsForAFloor)
+{
+  ResultContext context;
+  context.up_knowledge = UpKnowledge::Assumed;
+  context.uses_kinds = true;
+  const auto with_level = [&] (std::size_t points) {
+    return LabelledPlaneScene()
+        .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
+        .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, points, 2_mm)
+        .codes (context);
+  };
+  EXPECT_EQ (with_level (240), "");
+  EXPECT_EQ (with_level (120), "unknown-up");
+}
+
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
 {
   const auto text_of = [] (const PlanCounts& counts, const LabelledPlaneScene& scene) {
