@@ -326,6 +326,18 @@ TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
       << extent.center.transpose();
 }
 
+TEST (PlaneTracker, KeepsAPlaneWhoseNearestPartMayBeWithinTheDistance)
+{
+  // A board of 4 m x 3 m reaches some 2.5 m from its middle.
+  for (const auto& [to_middle, planes] :
+       {std::pair<double, std::size_t>{7.3, 1}, {8.0, 0}}) {
+    PlaneTracker tracker ({}, std::nullopt, 5.0);
+    tracker.track ({board ({0, 0, 0}, Vector3d::UnitZ(), {4, 3})}, stays);
+    tracker.track ({}, motion (0, Vector3d::UnitZ(), {to_middle, 0, 0}));
+    EXPECT_EQ (tracker.planes().size(), planes) << to_middle;
+  }
+}
+
 TEST (PlaneTracker, ForgetsPlanesFartherThanTold)
 {
   PlaneTracker tracker ({}, std::nullopt, 5.0);

@@ -61,6 +61,22 @@ putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings
   warnings = std::move (all);
 }
 
+CoordinateUnit
+coordinateUnitOf (LasFile& las)
+{
+  switch (unitOf (las)) {
+  case LasUnit::Meter:
+    return CoordinateUnit::Meter;
+  case LasUnit::Foot:
+    return CoordinateUnit::Foot;
+  case LasUnit::Degree:
+    return CoordinateUnit::Degree;
+  case LasUnit::Unknown:
+    break;
+  }
+  return CoordinateUnit::Unknown;
+}
+
 nlohmann::ordered_json
 warningsToJson (const std::vector<ResultWarning>& warnings)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <io/las_unit.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/result_warnings.h>
 
@@ -36,6 +37,10 @@ private:
  * of the cloud, if that is doubtful, is then not told twice. */
 void
 putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
+
+/** \brief What x and y are, as the reference system of a file says. */
+CoordinateUnit
+coordinateUnitOf (LasFile& las);
 
 /** \brief An array of objects with code and text. */
 nlohmann::ordered_json

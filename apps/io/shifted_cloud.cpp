@@ -213,30 +213,6 @@ damageOf (const ShiftedCloud& shifted)
   return "";
 }
 
-std::string
-adviceOnDegrees (const ShiftedCloud& shifted)
-{
-  // A degree is 111 km; what is less than one wide is seldom this much higher in
-  // meters.
-  constexpr double max_width = 1.0;
-  constexpr double min_ratio = 200.0;
-  const Eigen::Array2d max_degrees (180.0, 90.0);
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& place : someOf (*shifted.cloud))
-    box.extend (place + shifted.shift);
-  if (box.isEmpty())
-    return "";
-  const Eigen::Array3d sides = box.sizes();
-  const double width = sides.head<2>().maxCoeff();
-  const bool are_degrees = (box.min().head<2>().array() >= -max_degrees).all() &&
-                           (box.max().head<2>().array() <= max_degrees).all() &&
-                           sides.head<2>().minCoeff() > 0.0 && width < max_width &&
-                           sides.z() > min_ratio * width;
-  return are_degrees ? "x and y look like degrees beside a z in meters: project the "
-                       "cloud to meters, as UTM does"
-                     : "";
-}
-
 Places
 somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at)
 {

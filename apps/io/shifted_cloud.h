@@ -39,11 +39,6 @@ shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 std::string
 damageOf (const ShiftedCloud& shifted);
 
-/** \brief Says that x and y look like degrees beside a z in meters; empty if they do
- * not. */
-std::string
-adviceOnDegrees (const ShiftedCloud& shifted);
-
 /** \brief The three coordinates of each point of a cloud, whatever their type. */
 class CoordinateReader {
 public:

@@ -175,12 +175,14 @@ nameKinds (const FileCloud& cloud,
 /** \brief Why so few points are on planes, with the fix. What is wrong with a cloud
  * comes before what might be wrong with parameters. */
 std::string
-likeliestCause (const ShiftedCloud& shifted, const Report& report)
+likeliestCause (const Report& report)
 {
   if (!report.damage.empty())
     return "the cloud " + report.damage;
-  const std::string on_degrees = adviceOnDegrees (shifted);
-  return on_degrees.empty() ? report.detected.advice : on_degrees;
+  for (const ResultWarning& warning : report.warnings)
+    if (warning.code == "degrees")
+      return warning.text;
+  return report.detected.advice;
 }
 
 /** \param[in] counts of the planes before any was left out */
@@ -250,10 +252,10 @@ segmentCloud (const SegmentOptions& given,
   report.damage = damageOf (shifted);
   report.detected = detectPlanes (options, shifted, cloud);
   turnToScanners (report.detected.planes, cloud.scans);
-  if (!report.detected.advice.empty())
-    report.detected.advice = likeliestCause (shifted, report);
   if (!options.quiet || !task.outputs.planes.empty())
     report.warnings = warningsOn (options, task, cloud, shifted, report.detected);
+  if (!report.detected.advice.empty())
+    report.detected.advice = likeliestCause (report);
   if (options.regularize)
     regularize (report.detected);
   nameKinds (cloud, shifted, options.of_plan.meter, report.detected);

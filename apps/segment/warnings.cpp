@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "warnings.h"
 
-#include <io/las_unit.h>
+#include <detection/warning_lines.h>
 
 #include <algorithm>
 
@@ -24,17 +24,6 @@ knowledgeOfUp (const DetectorOptions& detector,
   return is_said ? UpKnowledge::Known : UpKnowledge::Assumed;
 }
 
-CoordinateUnit
-unitOf (const FileCloud& cloud, const ShiftedCloud& shifted)
-{
-  const LasUnit unit = cloud.las ? unitOf (*cloud.las) : LasUnit::Unknown;
-  if (unit == LasUnit::Degree || !adviceOnDegrees (shifted).empty())
-    return CoordinateUnit::Degree;
-  return unit == LasUnit::Meter  ? CoordinateUnit::Meter
-         : unit == LasUnit::Foot ? CoordinateUnit::Foot
-                                 : CoordinateUnit::Unknown;
-}
-
 } // namespace
 
 std::vector<ResultWarning>
@@ -46,7 +35,7 @@ warningsOn (const SegmentOptions& options,
 {
   ResultContext context;
   context.shift = shifted.shift;
-  context.unit = unitOf (cloud, shifted);
+  context.unit = cloud.las ? coordinateUnitOf (*cloud.las) : CoordinateUnit::Unknown;
   context.has_meter = options.has_meter;
   if (!cloud.origin.head<3>().isZero (0.0F))
     context.viewpoint = shifted.cloud->sensor_origin_.head<3>().cast<double>();

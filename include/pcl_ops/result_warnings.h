@@ -51,6 +51,16 @@ struct PlanCounts {
   bool has_floor = false;
 };
 
+/** \brief How a survey was searched that is too large to be looked at as a whole. */
+struct TiledSearch {
+  /** \brief Edge of the voxels, all that a user can change. */
+  double voxel_size = 0.0;
+  /** \brief Of the survey's points, how many the cloud has, above 0. */
+  double sampled_share = 1.0;
+  /** \brief All points around some that are on no plane, of these only such. */
+  std::vector<CloudView> places_on_none;
+};
+
 /** \brief What is known beside a cloud and its planes. By default nothing is, and what
  * would need it is not looked at. */
 struct ResultContext {
@@ -77,6 +87,8 @@ struct ResultContext {
   std::optional<PlanCounts> plan;
   /** \brief How the planes were searched for, to try other values. */
   std::optional<OrientedPointSamplingParameters> search;
+  /** \brief In place of \ref search for a sample of a survey. */
+  std::optional<TiledSearch> tiles;
   ParameterNames names = ParameterNames::CommandLine;
   /** \brief Only the most important ones are told. */
   std::size_t max_warnings = 3;

@@ -93,6 +93,14 @@ heightAt (const PlaneFromAbove& plane, const Vector3d& place)
   return plane.center.z() - plane.normal.head<2>().dot (off) / plane.normal.z();
 }
 
+/** \brief Whether a plane is far above a place beside it, and stays so: the other side
+ * of a gable falls from the ridge. */
+bool
+risesAbove (const Vector3d& place, const PlaneFromAbove& plane)
+{
+  return std::min (plane.center.z(), heightAt (plane, place)) - place.z() >= headroom;
+}
+
 } // namespace
 
 bool
@@ -103,9 +111,11 @@ isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
   int at_steps = 0;
   int flush = 0;
+  int below = 0;
   for (const Vector3d& place : placesAlong (plane.hull)) {
     bool is_at_step = false;
     bool is_flush = false;
+    bool is_below = false;
     for (const PlaneFromAbove& other : neighbors) {
       if (distanceToOutline (other.hull, place.head<2>()) > beside)
         continue;
@@ -113,11 +123,13 @@ isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all
       is_at_step = is_at_step || drop >= headroom;
       is_flush = is_flush || (std::abs (drop) < same_height &&
                               plane.normal.dot (other.normal) > min_cosine);
+      is_below = is_below || risesAbove (place, other);
     }
     at_steps += is_at_step ? 1 : 0;
     flush += is_flush && !is_at_step ? 1 : 0;
+    below += is_below && !is_at_step ? 1 : 0;
   }
-  return 2 * flush > at_steps;
+  return 2 * (flush + below) > at_steps;
 }
 
 } // namespace pcl_ops::internal

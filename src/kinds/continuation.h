@@ -18,8 +18,9 @@ struct PlaneFromAbove {
 };
 
 /** \brief Whether a plane is a part of the ground: others go on where it ends, at its
- * height and nearly its slope, along much of its outline. A roof ends at steps: along
- * its outline something is far below it. */
+ * height and nearly its slope, along much of its outline, or rise from it there, as the
+ * slope above a terrace does. A roof ends at steps: along its outline something is far
+ * below it. */
 bool
 isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
 

@@ -52,10 +52,11 @@ variationOfInformation (const CommonPoints& common)
   return std::max (0.0, bits / common.all);
 }
 
+/** \brief In either order. */
 double
 pairsOf (double points)
 {
-  return points * (points - 1.0) / 2.0;
+  return points * (points - 1.0);
 }
 
 double

@@ -6,6 +6,7 @@
 #include <cli/errors.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
+#include <io/las_unit.h>
 #include <picture/colors.h>
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
@@ -15,6 +16,23 @@ namespace py = pybind11;
 using namespace pcl_ops::apps;
 
 namespace {
+
+/** \brief "meter", "foot" or "degree", as a reference system says of x and y. */
+py::object
+unitOf (const FileCloud& cloud)
+{
+  switch (cloud.las ? unitOf (*cloud.las) : LasUnit::Unknown) {
+  case LasUnit::Meter:
+    return py::str ("meter");
+  case LasUnit::Foot:
+    return py::str ("foot");
+  case LasUnit::Degree:
+    return py::str ("degree");
+  case LasUnit::Unknown:
+    break;
+  }
+  return py::none();
+}
 
 using Labels = py::array_t<std::uint32_t, py::array::c_style>;
 using Distances = py::array_t<float, py::array::c_style>;
@@ -59,6 +77,7 @@ load (const std::string& file)
   const Eigen::Vector3f viewpoint = cloud->origin.head<3>();
   const Eigen::Quaternionf& turn = cloud->orientation;
   const auto orientation = std::make_tuple (turn.w(), turn.x(), turn.y(), turn.z());
+  const py::object unit = unitOf (*cloud);
   const py::capsule owner (cloud.release(),
                            [] (void* it) { delete static_cast<FileCloud*> (it); });
   const py::array_t<std::uint8_t> data (
@@ -71,7 +90,8 @@ load (const std::string& file)
                 arg ("row_step") = points.row_step,
                 arg ("data") = data,
                 arg ("viewpoint") = viewpoint,
-                arg ("orientation") = orientation);
+                arg ("orientation") = orientation,
+                arg ("unit") = unit);
 }
 
 using Bytes = py::array_t<std::uint8_t, py::array::c_style>;

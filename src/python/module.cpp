@@ -405,7 +405,14 @@ defineContext (py::module_& module)
       .def_readwrite ("viewpoint", &ResultContext::viewpoint)
       .def_readwrite ("has_meter", &ResultContext::has_meter)
       .def_readwrite ("uses_kinds", &ResultContext::uses_kinds)
+      .def_readwrite ("has_camera_poses", &ResultContext::has_camera_poses)
       .def_readwrite ("search", &ResultContext::search)
+      .def ("set_unit",
+            [] (ResultContext& context, const std::string& unit) {
+              context.unit = unit == "degree" ? CoordinateUnit::Degree
+                             : unit == "foot" ? CoordinateUnit::Foot
+                                              : CoordinateUnit::Meter;
+            })
       .def ("set_up",
             [] (ResultContext& context, const Eigen::Vector3d& up, bool is_known) {
               context.up = up;

@@ -81,6 +81,10 @@ struct WarningConstants {
   double min_extent_of_millimeters = 1000.0;
   /** \brief Stray points beyond these quantiles do not count. */
   double stray_share = 0.01;
+  /** \brief A degree is 111 km; what is less than one wide is seldom this much higher
+   * in meters. */
+  double max_width_of_degrees = 1.0;
+  double min_height_of_width = 200.0;
 
   // Up.
   /** \brief A floor has this share of all points or more, hardly any below it, and is

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "warnings/frame_warnings.h"
 
+#include <Eigen/Geometry>
+
 #include "warnings/constants.h"
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/visibility.h>
@@ -44,6 +46,25 @@ extentWithoutStrays (std::vector<float> values)
                                                    static_cast<double> (values.size()));
   std::sort (values.begin(), values.end());
   return double (*(values.end() - 1 - strays)) - double (*(values.begin() + strays));
+}
+
+/** \brief Whether x and y look like degrees beside a z in meters. */
+bool
+looksLikeDegrees (const LabelledSample& sample)
+{
+  const Eigen::Array2d max_degrees (180.0, 90.0);
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < sample.labels.size(); ++i)
+    box.extend (sample[i]);
+  if (box.isEmpty())
+    return false;
+  const Eigen::Array3d sides = box.sizes();
+  const double width = sides.head<2>().maxCoeff();
+  return (box.min().head<2>().array() >= -max_degrees).all() &&
+         (box.max().head<2>().array() <= max_degrees).all() &&
+         sides.head<2>().minCoeff() > 0.0 &&
+         width < warning_constants.max_width_of_degrees &&
+         sides.z() > warning_constants.min_height_of_width * width;
 }
 
 /** \brief Whether a plane is level, has points enough, and next to nothing is below. */
@@ -115,10 +136,13 @@ warnOfPoses (const ResultContext& context, const ParameterText& text)
 {
   if (!context.has_camera_poses)
     return std::nullopt;
+  const std::string fix =
+      text.isPython() ? "inverse (Tr) @ pose @ Tr with the (4, 4) Tr of calib.txt"
+                      : text.of ("calib", "calib.txt") + " of the same sequence";
   return ResultWarning{"camera-poses",
                        "the poses move along z as those of KITTI's camera do, and are "
                        "used as the lidar's; give " +
-                           text.of ("calib", "calib.txt") + " of the same sequence"};
+                           fix};
 }
 
 std::optional<ResultWarning>
@@ -140,6 +164,10 @@ warnOfUnit (const LabelledSample& sample,
             meterOf ("3.2808", text)};
   if (sample.labels.empty())
     return std::nullopt;
+  if (looksLikeDegrees (sample))
+    return ResultWarning{"degrees",
+                         "x and y look like degrees beside a z in meters; project the "
+                         "cloud to meters, as UTM does"};
   const double extents[] = {extentWithoutStrays (sample.points.x),
                             extentWithoutStrays (sample.points.y),
                             extentWithoutStrays (sample.points.z)};
@@ -183,8 +211,7 @@ warnOfUp (const LabelledSample& sample,
       planes.empty())
     return std::nullopt;
   const std::string used = vectorText (context.up, 3);
-  const std::string given =
-      text.isPython() ? text.of ("up", "(x, y, z)") : text.of ("up", "x,y,z");
+  const std::string given = text.ofAxis ("up");
   if (context.up_knowledge == UpKnowledge::NotFound)
     return ResultWarning{"unknown-up",
                          "the planes cannot tell which way is up, and kinds of planes "

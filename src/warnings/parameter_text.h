@@ -48,6 +48,14 @@ struct ParameterText {
   /** \brief "--up auto", or "up="auto"": of values that are words. */
   std::string
   ofWord (const std::string& option, const std::string& word) const;
+
+  /** \brief "--up x,y,z", or "up=(x, y, z)": of values that are an axis of the user's.
+   */
+  std::string
+  ofAxis (const std::string& option) const
+  {
+    return of (option, isPython() ? "(x, y, z)" : "x,y,z");
+  }
 };
 
 } // namespace pcl_ops::internal

@@ -85,24 +85,38 @@ distanceBetween (const PlaneSpread& one, const PlaneSpread& other)
                    std::abs (other.plane.distance (one.centroid)));
 }
 
+/** \param[in] share of the points of the plane that are known */
 bool
-isThick (const PlaneSpread& spread, const std::optional<double>& noise)
+isThick (const PlaneSpread& spread, const std::optional<double>& noise, double share)
 {
   return noise && spread.rms > warning_constants.thick_noises * *noise &&
-         spread.rms > warning_constants.min_rms_of_spacing * spread.spacing();
+         spread.rms > warning_constants.min_rms_of_spacing * std::sqrt (share) *
+                          spread.spacing();
+}
+
+/** \brief What makes planes thinner than so many times their noise. */
+std::string
+fixOfThickPlanes (double noise,
+                  const std::optional<TiledSearch>& tiles,
+                  const ParameterText& text)
+{
+  if (tiles)
+    return text.of ("voxel-size", roundedLength (0.5 * tiles->voxel_size));
+  return text.of ("threshold", roundedLength (warning_constants.thick_noises * noise));
 }
 
 bool
 isExact (const PlaneSpread& plane)
 {
-  return plane.points >= warning_constants.min_points_of_level &&
-         plane.rms <= warning_constants.max_exact * plane.width;
+  return plane.points > 0.0 && plane.rms <= warning_constants.max_exact * plane.width;
 }
 
 /** \brief Whether one of two exact planes is the next level of the other. */
 bool
 areLevels (const PlaneSpread& one, const PlaneSpread& other)
 {
+  if (std::min (one.points, other.points) < warning_constants.min_points_of_level)
+    return false;
   const double step = distanceBetween (one, other);
   const double width = std::min (one.width, other.width);
   const double lateral = (one.centroid - other.centroid).norm();
@@ -173,13 +187,16 @@ countNeighbors (const LabelledSample& sample, const std::vector<PlaneSpread>& pl
 } // namespace
 
 std::optional<ResultWarning>
-warnOfThickPlanes (const std::vector<PlaneSegment>& planes, const ParameterText& text)
+warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
+                   const std::optional<TiledSearch>& tiles,
+                   const ParameterText& text)
 {
+  const double share = tiles ? tiles->sampled_share : 1.0;
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
   double on_thick = 0.0;
   std::optional<std::size_t> largest;
   for (std::size_t p = 0; p < planes.size(); ++p)
-    if (isThick (spreads[p], planes[p].noise)) {
+    if (isThick (spreads[p], planes[p].noise, share)) {
       on_thick += spreads[p].points;
       if (!largest || spreads[p].points > spreads[*largest].points)
         largest = p;
@@ -195,8 +212,7 @@ warnOfThickPlanes (const std::vector<PlaneSegment>& planes, const ParameterText&
           "(rms " +
           roundedLength (spreads[*largest].rms) + ", noise " + roundedLength (noise) +
           " of the largest), as hills are; for thinner planes give " +
-          text.of ("threshold",
-                   roundedLength (warning_constants.thick_noises * noise))};
+          fixOfThickPlanes (noise, tiles, text)};
 }
 
 std::optional<ResultWarning>
@@ -207,7 +223,7 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
   std::vector<PlaneSpread> exact;
   std::copy_if (spreads.begin(), spreads.end(), std::back_inserter (exact), isExact);
-  // The faces of a model are in several directions.
+  // The faces of a model are in several directions, some of them small.
   for (const PlaneSpread& plane : exact)
     if (!areWithin (warning_constants.max_angle_of_levels, exact.front(), plane))
       return std::nullopt;
@@ -237,6 +253,7 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
 std::optional<ResultWarning>
 warnOfMixedLabels (const LabelledSample& sample,
                    const std::vector<PlaneSegment>& planes,
+                   const std::optional<TiledSearch>& tiles,
                    const ParameterText& text)
 {
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
@@ -251,14 +268,16 @@ warnOfMixedLabels (const LabelledSample& sample,
       });
   const auto [first, second] = pair->first;
   const double distance = distanceBetween (spreads[first], spreads[second]);
+  const std::string fix =
+      tiles ? text.of ("voxel-size", roundedLength (2.0 * tiles->voxel_size))
+            : text.of ("merge-distance", roundedUpLength (distance));
   return ResultWarning{"mixed-labels",
                        perCentOf (mixed / all) +
                            " of the points next to one on a plane are on another one "
                            "of the same surface, "
                            "most on planes " +
                            text.planeNumber (first) + " and " +
-                           text.planeNumber (second) + "; for one plane give " +
-                           text.of ("merge-distance", roundedUpLength (distance))};
+                           text.planeNumber (second) + "; for one plane give " + fix};
 }
 
 } // namespace pcl_ops::internal

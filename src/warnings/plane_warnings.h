@@ -17,10 +17,13 @@ namespace pcl_ops::internal {
 
 /** \brief That much is on planes whose rms is several times the noise around them. */
 std::optional<ResultWarning>
-warnOfThickPlanes (const std::vector<PlaneSegment>& planes, const ParameterText& text);
+warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
+                   const std::optional<TiledSearch>& tiles,
+                   const ParameterText& text);
 
 /** \brief That planes of rms 0 lie one behind another, as levels of a depth image do.
- * \param[in] is_default_search whether the engine found them that looks for levels */
+ * \param[in] is_default_search whether the engine found them that looks for levels, or
+ * there is no other */
 std::optional<ResultWarning>
 warnOfLevels (const std::vector<PlaneSegment>& planes,
               bool is_default_search,
@@ -30,6 +33,7 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
 std::optional<ResultWarning>
 warnOfMixedLabels (const LabelledSample& sample,
                    const std::vector<PlaneSegment>& planes,
+                   const std::optional<TiledSearch>& tiles,
                    const ParameterText& text);
 
 } // namespace pcl_ops::internal

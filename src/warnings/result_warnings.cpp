@@ -29,11 +29,13 @@ resultWarnings (const CloudView& cloud,
   add (warnOfPoses (context, text));
   add (warnOfUp (sample, planes, context, text));
   add (warnOfViewpoint (cloud, context, text));
-  add (warnOfLevels (planes, context.search.has_value(), text));
-  add (warnOfThickPlanes (planes, text));
+  add (warnOfLevels (planes, context.search || context.tiles, text));
+  add (warnOfThickPlanes (planes, context.tiles, text));
   if (context.search)
     add (warnOfUnassignedPoints (cloud, sample, planes, *context.search, text));
-  add (warnOfMixedLabels (sample, planes, text));
+  if (context.tiles)
+    add (warnOfUnassignedPoints (sample, *context.tiles, text));
+  add (warnOfMixedLabels (sample, planes, context.tiles, text));
   return warnings;
 }
 

@@ -139,4 +139,31 @@ warnOfUnassignedPoints (const CloudView& cloud,
   return std::nullopt;
 }
 
+std::optional<ResultWarning>
+warnOfUnassignedPoints (const LabelledSample& sample,
+                        const TiledSearch& tiles,
+                        const ParameterText& text)
+{
+  const double on_none = sample.shareOnNone();
+  if (on_none < warning_constants.none_share || tiles.places_on_none.empty())
+    return std::nullopt;
+  OpsParameters parameters;
+  parameters.surfels.voxel_size = 0.5 * tiles.voxel_size;
+  double on_planes = 0.0;
+  for (const CloudView& place : tiles.places_on_none) {
+    const double share = shareOnPlanes (detectPlanes (place, parameters), place.size);
+    if (share < warning_constants.min_share_of_place)
+      return std::nullopt;
+    on_planes += share / static_cast<double> (tiles.places_on_none.size());
+  }
+  const double gained = on_planes * on_none;
+  if (gained < warning_constants.gained_share)
+    return std::nullopt;
+  return ResultWarning{
+      "unassigned-points",
+      perCentOf (on_none) + " of the points are on no plane; for some " +
+          perCentOf (1.0 - on_none + gained) + " on planes give " +
+          text.of ("voxel-size", roundedLength (*parameters.surfels.voxel_size))};
+}
+
 } // namespace pcl_ops::internal

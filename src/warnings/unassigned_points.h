@@ -21,4 +21,11 @@ warnOfUnassignedPoints (const CloudView& cloud,
                         const OrientedPointSamplingParameters& search,
                         const ParameterText& text);
 
+/** \brief The same of a survey: smaller voxels put points of places on none on planes.
+ */
+std::optional<ResultWarning>
+warnOfUnassignedPoints (const LabelledSample& sample,
+                        const TiledSearch& tiles,
+                        const ParameterText& text);
+
 } // namespace pcl_ops::internal

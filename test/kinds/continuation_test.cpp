@@ -88,6 +88,33 @@ TEST (Continuation, IsNotWhereStepsAreAtTwiceAsMuchOfTheOutline)
   EXPECT_FALSE (isSquareContinued ({flush, step}));
 }
 
+TEST (Continuation, IsOnATerraceOfASlope)
+{
+  const PlaneFromAbove uphill = rectangle (-5, 10, 8, 20, 20, 12);
+  const PlaneFromAbove downhill = rectangle (-5, -20, -10, 20, 20, 12);
+  EXPECT_TRUE (isSquareContinued ({uphill, downhill}));
+}
+
+TEST (Continuation, IsNotOnARoofBesideAHigherOne)
+{
+  const PlaneFromAbove ground = rectangle (-20, -20, 0, 60, 60);
+  EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 8, 10, 10), ground}));
+}
+
+TEST (Continuation, IsNotBesideTheRidgeOfAnotherRoof)
+{
+  // Two sides of a gable: 4 m below it the ridge is 2.4 m higher.
+  const std::vector<PlaneFromAbove> gable = {rectangle (0, 0, 5, 10, 10, 6),
+                                             rectangle (0, 10, 11, 10, 10, -6)};
+  EXPECT_FALSE (isContinued (gable.front(), gable));
+}
+
+TEST (Continuation, IsNotBelowWhatRisesByLessThanHeadroom)
+{
+  EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 7, 10, 10)}));
+  EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 6.8, 10, 10)}));
+}
+
 TEST (Continuation, IsTheSameInEitherOrderOfCorners)
 {
   for (const bool is_reversed : {false, true}) {

@@ -10,6 +10,7 @@ import sys
 import tempfile
 import types
 import unittest
+import warnings
 from unittest import mock
 
 import numpy as np
@@ -149,6 +150,20 @@ class Reader(unittest.TestCase):
         (self.folder / "a.las").write_bytes(las(expected))
         points = pcl_ops.read(self.folder / "a.las").points
         np.testing.assert_allclose(points, expected, rtol=0, atol=1e-6)
+
+    def test_warns_of_a_reference_system_in_feet_or_degrees(self):
+        model, projected, geographic, linear_unit = 1024, 1, 2, 3076
+        for keys, unit, codes in (
+                ((), None, []),
+                (((model, projected), (linear_unit, 9001)), "meter", []),
+                (((model, projected), (linear_unit, 9003)), "foot", ["feet"]),
+                (((model, geographic),), "degree", ["degrees"])):
+            with self.subTest(unit), warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                (self.folder / "a.las").write_bytes(las(room()[:9], keys))
+                self.assertEqual(pcl_ops.read(self.folder / "a.las").unit, unit)
+                self.assertEqual([one.message.code for one in caught], codes)
+                self.assertTrue(all(one.filename == __file__ for one in caught))
 
     def test_reads_what_numpy_saved(self):
         file = self.folder / "a.npy"

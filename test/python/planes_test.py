@@ -410,6 +410,24 @@ class OtherFrames(unittest.TestCase):
             self.assertEqual(tracked.plane.independent_covariance.shape, (3, 3))
             np.testing.assert_allclose(np.ptp(tracked.hull, 0), np.ptp(plane.hull, 0), atol=0.5)
 
+    def test_tracker_warns_once_of_poses_along_the_up_axis_of_planes(self):
+        def codes(step, found):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                tracker = pcl_ops.PlaneTracker()
+                for frame in range(6):
+                    pose = np.eye(4)
+                    pose[:3, 3] = np.multiply(step, frame)
+                    tracker.track(found, pose)
+            return [one.message.code for one in caught]
+
+        found = pcl_ops.segment(points)[1]
+        self.assertEqual(codes((0.1, 0, 1), found), ["camera-poses"])
+        self.assertEqual(codes((1, 0, 0.1), found), [])
+        self.assertEqual(codes((0, 0, 0.1), found), [], "lifted")
+        of_a_camera = pcl_ops.segment(points, up=(0, -1, 0))[1]
+        self.assertEqual(codes((0.1, 0, 1), of_a_camera), [])
+
     def test_tracker_forgets(self):
         tracker = pcl_ops.PlaneTracker(memory=0)
         for shown, expected in ((planes, [1, 2, 3]), ([], []), (planes, [4, 5, 6])):

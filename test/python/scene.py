@@ -41,11 +41,17 @@ def seen_from(pose, points):
     return ((points - pose[:3, 3]) @ pose[:3, :3]).astype(np.float32)
 
 
-def las(points):
-    """The bytes of a LAS file with coordinates in millimeters, from the least on."""
+def las(points, geo_keys=()):
+    """The bytes of a LAS file with coordinates in millimeters, from the least on.
+
+    geo_keys: (id, value) of each key of GeoTIFF that names its reference system.
+    """
     zero = np.nanmin(points, axis=0).astype(np.float64)
     record = np.zeros(len(points), [("place", "<i4", 3), ("rest", "u1", 8)])
     record["place"] = np.round((points - zero) * 1000)
-    header = struct.pack("<4s20xBB68xHIIBHI20x12d", b"LASF", 1, 2, 227, 227, 0, 0, 20,
-                         len(points), *[0.001] * 3, *zero, *[1e7, 0.0] * 3)
-    return header + record.tobytes()
+    keys = struct.pack("<4H", 1, 1, 0, len(geo_keys)) + b"".join(
+        struct.pack("<4H", key, 0, 1, value) for key, value in geo_keys)
+    system = struct.pack("<2x16s2H32x", b"LASF_Projection", 34735, len(keys)) + keys
+    header = struct.pack("<4s20xBB68xHIIBHI20x12d", b"LASF", 1, 2, 227, 227 + len(system), 1, 0,
+                         20, len(points), *[0.001] * 3, *zero, *[1e7, 0.0] * 3)
+    return header + system + record.tobytes()

@@ -128,6 +128,10 @@ class Warnings(unittest.TestCase):
         known = pcl_ops.segment(ahead, up=(0, -1, 0))[1]
         self.assertEqual(self.doubts(lambda: known.kind)[0], [])
 
+    def test_say_that_x_and_y_of_an_array_look_like_degrees(self):
+        wall = surface((0, 0, 0), (4, 0.1, 0), (0, 0, 2.5), 6000) * (1e-5, 1e-5, 1) + (11, 48, 500)
+        self.assertEqual(self.doubts(lambda: pcl_ops.segment(wall))[0], ["degrees"])
+
     def test_say_why_a_plan_has_no_wall(self):
         floor = surface((0, 0, 0), (4, 0, 0), (0, 3, 0), 12000)
         codes, _ = self.doubts(lambda: pcl_ops.floor_plan(pcl_ops.segment(floor)[1]))

@@ -136,6 +136,17 @@ TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
              "");
 }
 
+TEST (ResultWarnings, AreNoneOfAModelWhoseSidesAreSmall)
+{
+  // Plates of 4 m x 3 m with a rim of 0.25 m at one side.
+  LabelledPlaneScene plates;
+  for (const double height : {0.0, 0.25, 0.5})
+    plates.add ({{0, 0, height}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0);
+  EXPECT_EQ (plates.codes(), "exact-levels");
+  plates.add ({{0, 3, 0}, {4, 0, 0}, {0, 0, 0.25}}, 250, 0.0);
+  EXPECT_EQ (plates.codes(), "");
+}
+
 TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
 {
   EXPECT_EQ (LabelledPlaneScene()
@@ -223,6 +234,54 @@ TEST (ResultWarnings, AreNoneOfPointsOnNoPlaneThatNoValuePutsOnOne)
   EXPECT_EQ (tree.codes (context), "");
 }
 
+TEST (ResultWarnings, SayWhichVoxelSizeMakesPlanesOfTilesThinner)
+{
+  LabelledPlaneScene hill;
+  hill.add ({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, 3000, 1.0);
+  hill.planes[0].noise = 0.06;
+  ResultContext context;
+  context.tiles.emplace().voxel_size = 3.0;
+  ASSERT_EQ (hill.codes (context), "thick-planes");
+  const std::string text = hill.warnings (context)[0].text;
+  EXPECT_NE (text.find ("for thinner planes give --voxel-size 1.5"), std::string::npos)
+      << text;
+}
+
+TEST (ResultWarnings, CompareThicknessWithTheSpacingOfTheSurveyNotOfItsSample)
+{
+  LabelledPlaneScene hill; // 5.8 m between points, 0.58 m in the survey
+  hill.add ({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, 300, 0.5);
+  hill.planes[0].noise = 0.06;
+  ResultContext context;
+  context.tiles.emplace();
+  EXPECT_EQ (hill.codes (context), "");
+  context.tiles->sampled_share = 0.01;
+  EXPECT_EQ (hill.codes (context), "thick-planes");
+}
+
+TEST (ResultWarnings, SayWhichVoxelSizePutsPlacesOfTilesOnPlanes)
+{
+  const Surface board = {{0, 5, 0}, {2, 0, 0}, {0, 0, 2}};
+  LabelledPlaneScene boards;
+  boards.add (floor_of_room, 2000, 2_mm).add (board, 4000, 2_mm, false);
+  const LabelledPlaneScene place = LabelledPlaneScene().add (board, 4000, 2_mm);
+  LabelledPlaneScene tree;
+  for (int i = 0; i < 10; ++i)
+    tree.add ({{1, 1, 0.2 * i}, {1, 0.1, 0}, {-0.1, 1, 0}}, 600, 20_cm);
+  ResultContext context;
+  TiledSearch& tiles = context.tiles.emplace();
+  tiles.voxel_size = 0.4;
+  tiles.places_on_none = {place.cloud};
+  ASSERT_EQ (boards.codes (context), "unassigned-points");
+  const std::string text = boards.warnings (context)[0].text;
+  EXPECT_NE (text.find ("67 % of the points are on no plane; for some "),
+             std::string::npos)
+      << text;
+  EXPECT_NE (text.find (" on planes give --voxel-size 0.2"), std::string::npos) << text;
+  tiles.places_on_none.push_back (tree.cloud);
+  EXPECT_EQ (boards.codes (context), "") << "one place is a tree";
+}
+
 TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
 {
   LabelledPlaneScene room;
@@ -256,6 +315,19 @@ TEST (ResultWarnings, SayThatAReferenceSystemIsInFeetOrDegrees)
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "");
   context.unit = CoordinateUnit::Degree;
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "degrees") << "no meter mends these";
+}
+
+TEST (ResultWarnings, SayThatAWidthOfDegreesHasAHeightOfMeters)
+{
+  const LabelledPlaneScene wall_in_degrees = LabelledPlaneScene().add (
+      {{11, 48, 498}, {1e-4, 1e-5, 0}, {0, 0, 2.5}}, 3000, 0.0);
+  EXPECT_EQ (wall_in_degrees.codes(), "degrees");
+  ResultContext in_meters;
+  in_meters.unit = CoordinateUnit::Meter;
+  EXPECT_EQ (wall_in_degrees.codes (in_meters), "");
+  ResultContext where_no_degrees_are;
+  where_no_degrees_are.shift = {512345, 5412345, 0};
+  EXPECT_EQ (wall_in_degrees.codes (where_no_degrees_are), "");
 }
 
 TEST (ResultWarnings, SayThatPosesAreOfACamera)
@@ -310,6 +382,21 @@ TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "unknown-up");
   context.up_knowledge = UpKnowledge::Known;
   EXPECT_EQ (seen.codes (context), "");
+}
+
+TEST (ResultWarnings, TakeTheLowestLevelOf3PerCentOfThePointsForAFloor)
+{
+  ResultContext context;
+  context.up_knowledge = UpKnowledge::Assumed;
+  context.uses_kinds = true;
+  const auto with_level = [&] (std::size_t points) {
+    return LabelledPlaneScene()
+        .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
+        .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, points, 2_mm)
+        .codes (context);
+  };
+  EXPECT_EQ (with_level (240), "");
+  EXPECT_EQ (with_level (120), "unknown-up");
 }
 
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)

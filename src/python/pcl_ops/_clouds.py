@@ -3,12 +3,15 @@
 """Point clouds of files and of messages, as arrays."""
 
 import os
-from typing import Any, Dict, NamedTuple, Optional, Tuple, Union
+import warnings as python_warnings
+from typing import Any, Dict, Literal, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _pcl_ops
 from ._arguments import Points, plain_array, plane_numbers, points_array
+from ._planes import ResultWarning
 
 # Of sensor_msgs/PointField, and of PCL, whose last two are 64-bit integers.
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8",
@@ -32,6 +35,8 @@ class Cloud(NamedTuple):
     """How the sensor was turned, as a PCD file says: a quaternion w, x, y, z."""
     source: Optional[str] = None
     """The .las or .laz it was read from, of which write keeps every byte."""
+    unit: Optional[Literal["meter", "foot", "degree"]] = None
+    """What x and y are, as the reference system of a .las or .laz says; None where none does."""
 
     @property
     def labels(self) -> Optional[NDArray[np.int32]]:
@@ -46,7 +51,8 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
     .off, .obj, or text (.xyz, .xyzrgb, .txt, .pts, .asc, .csv).
 
     Raises OSError where the file cannot be opened, ValueError where it is damaged or of
-    another kind; both name it.
+    another kind; both name it. Warns by ResultWarning of a reference system in feet or
+    degrees, as lengths here are meters by default.
     """
     from . import _files  # what it needs takes longer to load than all else
 
@@ -55,9 +61,19 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
     with open(path, "rb"):
         pass
     file = _files.load(os.fsencode(path))
+    _warn_of_unit(file.unit)
     return from_message(file)._replace(
         viewpoint=np.array(file.viewpoint, float), orientation=file.orientation,
-        source=os.path.abspath(os.fsdecode(path)) if _is_las(path) else None)
+        source=os.path.abspath(os.fsdecode(path)) if _is_las(path) else None, unit=file.unit)
+
+
+def _warn_of_unit(unit: Optional[str]) -> None:
+    if unit is None:
+        return
+    context = _pcl_ops.ResultContext()
+    context.set_unit(unit)
+    for doubt in _pcl_ops.warnings(np.empty((0, 3), np.float32), np.zeros(3), [], context):
+        python_warnings.warn(ResultWarning(*doubt), stacklevel=3)
 
 
 def write(

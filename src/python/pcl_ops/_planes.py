@@ -4,6 +4,7 @@
 others."""
 
 import warnings as python_warnings
+from copy import copy
 from typing import Any, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple
 from typing import Union, get_args
 
@@ -598,6 +599,27 @@ def _tracked(number: int, segment: Any, last_seen: int, first_seen: int, times_s
     return TrackedPlane(number, plane, last_seen, first_seen, times_seen, corners)
 
 
+class _Way:
+    """How a sensor moves in its own frames."""
+
+    LEAST = 3.0  # [m]: less may be a sensor that is lifted
+
+    def __init__(self) -> None:
+        self._before: Optional[NDArray[np.float64]] = None
+        self._along = np.zeros(3)
+        self._is_told = False
+
+    def goes_up(self, pose: NDArray[np.float64], up: Optional[Vector]) -> bool:
+        """Whether z is up and, first with this pose, most of the way goes along it."""
+        if self._before is not None:
+            self._along += np.abs(np.linalg.solve(self._before, pose)[:3, 3])
+        self._before = pose
+        x, y, z = self._along
+        is_up = up is not None and not self._is_told and up[2] > 0.9 and z >= max(x, y, self.LEAST)
+        self._is_told = self._is_told or is_up
+        return is_up
+
+
 class PlaneTracker:
     """Numbers for planes that they keep from frame to frame, also where they are out of
     sight for a while. copy.copy it to try what a frame would do."""
@@ -615,10 +637,12 @@ class PlaneTracker:
             raise ValueError(f"memory: has to be a number of frames or None, not {memory!r:.80}")
         self._tracker = _pcl_ops.Tracker(with_given(_pcl_ops.match_planes(), parameters), memory,
                                          None if max_distance is None else float(max_distance))
+        self._way = _Way()
 
     def __copy__(self) -> "PlaneTracker":
         copied = PlaneTracker()
         copied._tracker = _pcl_ops.Tracker(self._tracker)
+        copied._way = copy(self._way)
         return copied
 
     def __deepcopy__(self, _: Any) -> "PlaneTracker":
@@ -635,9 +659,16 @@ class PlaneTracker:
             how it moved since the frame before counts, so that poses may drift.
 
         Returns the number of each plane, all different; planes that were not seen before
-        get new ones.
+        get new ones. Warns by ResultWarning, once, where the frames move along the up axis of
+        their planes, as they do by poses of KITTI's camera.
         """
-        numbers = self._tracker.track(plane_list("planes", planes), pose_matrix(pose))
+        frame = pose_matrix(pose)
+        numbers = self._tracker.track(plane_list("planes", planes), frame)
+        if self._way.goes_up(frame, getattr(planes, "up", None)):
+            context = _pcl_ops.ResultContext()
+            context.has_camera_poses = True
+            doubts = _pcl_ops.warnings(np.empty((0, 3), np.float32), np.zeros(3), [], context)
+            python_warnings.warn(ResultWarning(*doubts[0]), stacklevel=2)
         return np.array(numbers, np.uint32)
 
     @property

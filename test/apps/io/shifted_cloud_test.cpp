@@ -167,25 +167,3 @@ TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
     point.getVector3fMap() = point.getVector3fMap().array().round();
   EXPECT_EQ (damageOf ({on_a_grid.makeShared()}), "");
 }
-
-TEST (AdviceOnDegrees, IsGivenWhereAWidthOfDegreesHasAHeightOfMeters)
-{
-  // A yard of 11 m by 7 m, 2 m high, and the same in meters.
-  XyzCloud degrees, meters;
-  for (int i = 0; i < 100; ++i) {
-    const auto step = static_cast<float> (i);
-    degrees.emplace_back (
-        1e-6f * step, 1e-6f * static_cast<float> (i % 10), 0.02f * step);
-    meters.emplace_back (
-        0.11f * step, 0.7f * static_cast<float> (i % 10), 0.02f * step);
-  }
-  const auto advice = [] (const XyzCloud& cloud, const Eigen::Vector3d& shift) {
-    return adviceOnDegrees ({cloud.makeShared(), shift});
-  };
-  EXPECT_EQ (advice (degrees, {11, 48, 498}),
-             "x and y look like degrees beside a z in meters: project the cloud to "
-             "meters, as UTM does");
-  EXPECT_EQ (advice (degrees, {512345, 5412345, 498}), "") << "no degrees";
-  EXPECT_EQ (advice (meters, {11, 48, 498}), "");
-  EXPECT_EQ (advice ({}, {0, 0, 0}), "");
-}

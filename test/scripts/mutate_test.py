@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which lines scripts/mutate can break, and what becomes of them.
+
+python3 mutate_test.py SOURCES: the project's folder.
+"""
+
+import importlib.machinery
+import importlib.util
+import pathlib
+import sys
+import tempfile
+import unittest
+
+SCRIPT = str(pathlib.Path(sys.argv[1]) / "scripts" / "mutate")
+loader = importlib.machinery.SourceFileLoader("mutate", SCRIPT)
+mutate = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutate", loader))
+sys.modules["mutate"] = mutate
+sys.dont_write_bytecode = True
+loader.exec_module(mutate)
+
+
+class Lines(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        root = mutate.ROOT, mutate.TREE
+        self.addCleanup(lambda: setattr(mutate, "ROOT", root[0]))
+        self.addCleanup(lambda: setattr(mutate, "TREE", root[1]))
+        mutate.ROOT = mutate.TREE = pathlib.Path(folder.name)
+        self.source = mutate.TREE / "src" / "a.cpp"
+        self.source.parent.mkdir()
+
+    def broken(self, *lines):
+        """What each line that can be broken becomes."""
+        self.source.write_text("\n".join(lines))
+        return [line.broken.strip() for line in mutate.breakable_lines(self.source)]
+
+    def test_have_a_number_doubled_or_an_operator_turned(self):
+        for line, expected in (
+                ("  double width = 0.5;", "double width = (BROKEN ? 0.5 == 0 ? 1 : 2 * 0.5 : 0.5);"),
+                ("  if (a < b)", "if (a < Broken<'<'>{BROKEN} < b)"),
+                ("  if (a != b)", "if (a == Broken<'!='>{BROKEN} == b)"),
+                ("  x (a - b);", "x (a + Broken<'-'>{BROKEN} + b);"),
+                ("  if (a && b)", "if (a && !(BROKEN) && b)"),
+                ("  if (a || b)", "if (a || (BROKEN) || b)")):
+            self.assertEqual(self.broken("x = y", line), [expected])
+
+    def test_that_are_statements_are_left_out(self):
+        self.assertEqual(self.broken("{", "  sort (all);", "  continue;"),
+                         ["if (BROKEN) {} else sort (all);", "if (BROKEN) {} else continue;"])
+        self.assertEqual(self.broken("  call (one,", "  other);"), [], "half of a statement")
+
+    def test_are_none_in_comments_texts_and_directives(self):
+        self.assertEqual(self.broken("// a < 2", "  int x; // 5", "/** 3 */", " * 4 && 5", "#if X > 1",
+                                     '  text = "9 < 3";'[:-1], "  std::int32_t"), [])
+
+    def test_are_the_same_of_the_same_seed(self):
+        self.source.write_text("\n".join(f"  double a{i} = {i}.5;" for i in range(50)))
+        one, again, other = (mutate.draw_lines("", 10, seed) for seed in (1, 1, 2))
+        self.assertEqual(one, again)
+        self.assertNotEqual(one, other)
+        self.assertEqual(len(one), 15)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
