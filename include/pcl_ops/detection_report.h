@@ -6,6 +6,17 @@
 
 namespace pcl_ops {
 
+/** \brief Wall time of each stage of the last call [ms]. */
+struct StageDurations {
+  double search = 0.0;
+  double normals = 0.0;
+  double extraction = 0.0;
+  double assignment = 0.0;
+  double merging = 0.0;
+  /** \brief Everything between a loaded cloud and labels for all points. */
+  double detection = 0.0;
+};
+
 /** \brief Lengths that a detection worked with, whether they were given or followed the
  * cloud [m]. */
 struct UsedLengths {
