@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "continuation.h"
 
-#include "heights.h"
+#include "constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/** \brief How far from an outline something is still beside it [m]: eaves reach over
- * the ground, and the foot of a wall has few points. */
-constexpr double beside = 4.0;
 
 /** \brief From above; 0 within the outline, which is convex. */
 double
@@ -54,13 +50,13 @@ reachOf (const PlaneFromAbove& plane)
 std::vector<PlaneFromAbove>
 neighborsOf (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
 {
-  constexpr double smallest = 2.0; // [m^2]
   const double reach = reachOf (plane);
   std::vector<PlaneFromAbove> neighbors;
   for (const PlaneFromAbove& other : all)
-    if (&other != &plane && other.area >= smallest && other.hull.size() > 2 &&
+    if (&other != &plane && other.area >= constants.min_area_beside_outline &&
+        other.hull.size() > 2 &&
         (other.center - plane.center).head<2>().norm() <=
-            reach + reachOf (other) + beside)
+            reach + reachOf (other) + constants.max_beside_outline)
       neighbors.push_back (other);
   return neighbors;
 }
@@ -69,16 +65,16 @@ neighborsOf (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all
 std::vector<Vector3d>
 placesAlong (const std::vector<Vector3d>& hull)
 {
-  constexpr int number = 32;
   double length = 0.0;
   for (std::size_t i = 0; i < hull.size(); ++i)
     length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
   std::vector<Vector3d> places;
-  double next = 0.5 * length / number; // along the outline, from the corner on
+  const double step = length / static_cast<double> (constants.places_of_outline);
+  double next = 0.5 * step; // along the outline, from the corner on
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vector3d side = hull[(i + 1) % hull.size()] - hull[i];
     const double end = side.norm();
-    for (; next < end && places.size() < number; next += length / number)
+    for (; next < end && places.size() < constants.places_of_outline; next += step)
       places.push_back (hull[i] + next / end * side);
     next -= end;
   }
@@ -97,8 +93,6 @@ heightAt (const PlaneFromAbove& plane, const Vector3d& place)
 bool
 isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
 {
-  constexpr double same_height = 1.0; // [m]
-  const double min_cosine = std::cos (20.0 * M_PI / 180.0);
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
   int at_steps = 0;
   int flush = 0;
@@ -106,12 +100,14 @@ isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all
     bool is_at_step = false;
     bool is_flush = false;
     for (const PlaneFromAbove& other : neighbors) {
-      if (distanceToOutline (other.hull, place.head<2>()) > beside)
+      if (distanceToOutline (other.hull, place.head<2>()) >
+          constants.max_beside_outline)
         continue;
       const double drop = place.z() - heightAt (other, place);
-      is_at_step = is_at_step || drop >= headroom;
-      is_flush = is_flush || (std::abs (drop) < same_height &&
-                              plane.normal.dot (other.normal) > min_cosine);
+      is_at_step = is_at_step || drop >= constants.headroom;
+      is_flush = is_flush ||
+                 (std::abs (drop) < constants.same_height &&
+                  plane.normal.dot (other.normal) > constants.min_cosine_of_same_slope);
     }
     at_steps += is_at_step ? 1 : 0;
     flush += is_flush && !is_at_step ? 1 : 0;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "arguments.h"
+#include "constants.h"
 #include "plan_rooms.h"
 #include "plan_walls.h"
 #include "wall_faces.h"
@@ -48,13 +49,13 @@ public:
   PlanPoints
   pointsAt (double height) const
   {
-    constexpr double half_band = 0.1; // [m]
     PlanPoints points;
     PlanPoints one;
     for (std::size_t i = 0; i < cloud_.size; ++i) {
       one.clear();
       add (i, one);
-      if (!one.empty() && std::abs (one.front().z() - height) <= half_band)
+      if (!one.empty() &&
+          std::abs (one.front().z() - height) <= constants.half_band_of_cloud)
         points.push_back (one.front());
     }
     return points;
@@ -105,7 +106,6 @@ seenPlanes (const PlanCloud& cloud,
 double
 lowestFloor (const std::vector<Seen>& planes)
 {
-  constexpr double min_share = 0.2; // of the points of the largest
   std::size_t largest = 0;
   double lowest_point = 0.0;
   bool has_wall = false;
@@ -123,7 +123,7 @@ lowestFloor (const std::vector<Seen>& planes)
   for (const Seen& plane : planes)
     if (plane.kind == PlaneKind::Floor &&
         static_cast<double> (plane.points.size()) >=
-            min_share * static_cast<double> (largest)) {
+            constants.min_share_of_lowest_floor * static_cast<double> (largest)) {
       lowest = has_floor ? std::min (lowest, plane.height) : plane.height;
       has_floor = true;
     }
@@ -139,8 +139,7 @@ floorBelow (const std::vector<Seen>& planes, double height, double lowest)
     if (plane.kind == PlaneKind::Floor && plane.height < height)
       floor = std::max (floor, plane.height);
   // Parts of one floor are not at one height.
-  constexpr double step = 0.3; // [m]
-  return floor - lowest < step ? lowest : floor;
+  return floor - lowest < constants.step ? lowest : floor;
 }
 
 void
@@ -172,10 +171,8 @@ pointsOf (const std::vector<Seen>& planes, const IsSuch& isSuch)
 Cover
 coverAt (const std::vector<Seen>& planes, double floor, double height)
 {
-  constexpr double step = 0.6;    // below the floor [m]
-  constexpr double highest = 6.0; // over the cut [m]
   const auto is_below = [&] (const Seen& plane) {
-    return plane.height <= height && plane.height > floor - step;
+    return plane.height <= height && plane.height > floor - constants.max_below_floor;
   };
   Cover cover;
   cover.floor = pointsOf (planes, [&] (const Seen& plane) {
@@ -183,7 +180,7 @@ coverAt (const std::vector<Seen>& planes, double floor, double height)
   });
   cover.ceiling = pointsOf (planes, [&] (const Seen& plane) {
     return plane.kind == PlaneKind::Ceiling && plane.height > height &&
-           plane.height < height + highest;
+           plane.height < height + constants.max_ceiling_over_cut;
   });
   PlanPoints roofs = pointsOf (planes, [&] (const Seen& plane) {
     return plane.kind == PlaneKind::Roof && plane.height > height;
@@ -234,8 +231,8 @@ isWall (const Seen& plane)
 bool
 isUpright (const Seen& plane)
 {
-  constexpr double flattest = 0.12; // sine of 7 degrees
-  return plane.kind == PlaneKind::Other && std::abs (plane.normal.z()) < flattest;
+  return plane.kind == PlaneKind::Other &&
+         std::abs (plane.normal.z()) < constants.max_sine_of_upright;
 }
 
 /** \brief Tells by the points at the height of the cut: something before or in most of
@@ -244,19 +241,19 @@ IsHidden
 hiddenBy (PlanPoints points)
 {
   return [points = std::move (points)] (const PlanLine& line, const Interval& gap) {
-    constexpr double deepest = 0.05; // of what is in the wall itself
-    constexpr double farthest = 0.8; // from the wall [m]
-    constexpr double edge = 0.1;     // of a bin [m]
-    const std::size_t bins = static_cast<std::size_t> (gap.length() / edge) + 1;
+    const std::size_t bins =
+        static_cast<std::size_t> (gap.length() / constants.edge_of_gap_bin) + 1;
     std::vector<char> before (bins, 0);
     std::vector<char> behind (bins, 0);
     for (const Vector3d& point : points) {
       const double distance = line.distance (point.head<2>());
       const double place = line.place (point.head<2>());
-      if (std::abs (distance) > farthest || place < gap.from || place > gap.to)
+      if (std::abs (distance) > constants.max_off_gap || place < gap.from ||
+          place > gap.to)
         continue;
-      const auto bin = static_cast<std::size_t> ((place - gap.from) / edge);
-      (distance > -deepest ? before : behind)[bin] = 1;
+      const auto bin =
+          static_cast<std::size_t> ((place - gap.from) / constants.edge_of_gap_bin);
+      (distance > -constants.max_depth_in_wall ? before : behind)[bin] = 1;
     }
     const auto hidden = std::count (before.begin(), before.end(), 1);
     const auto through = std::count (behind.begin(), behind.end(), 1);

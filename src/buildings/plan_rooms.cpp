@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_rooms.h"
 
+#include "constants.h"
 #include "plan_cells.h"
 #include "planar_area.h"
 
@@ -18,9 +19,6 @@ namespace pcl_ops::internal::buildings {
 namespace {
 
 using Eigen::Vector2d;
-
-// Share of a side that divides rooms, and of the outline of one, that is a wall.
-constexpr double min_walled = 0.5;
 
 /** \brief Points on a square meter, of those that have some; of no points infinite. */
 double
@@ -43,14 +41,11 @@ class CoveredSquares {
 public:
   CoveredSquares (const PlanPoints& points, const Eigen::AlignedBox2d& box)
   {
-    constexpr double smallest = 0.1; // edge of a square [m]
-    constexpr double max_squares = 4e6;
     const Vector2d sizes = box.sizes();
-    // So that where there are points few squares are without.
-    constexpr double points_of_square = 3.0;
-    edge_ = std::max ({smallest,
-                       std::sqrt (sizes.x() * sizes.y() / max_squares),
-                       std::sqrt (points_of_square / densityOf (points, box))});
+    edge_ = std::max (
+        {constants.min_edge_of_cover,
+         std::sqrt (sizes.x() * sizes.y() / constants.max_cover_squares),
+         std::sqrt (constants.points_of_cover_square / densityOf (points, box))});
     low_ = box.min();
     columns_ = static_cast<std::size_t> (sizes.x() / edge_) + 1;
     rows_ = static_cast<std::size_t> (sizes.y() / edge_) + 1;
@@ -71,7 +66,7 @@ public:
       middle += corner / static_cast<double> (cell.corners.size());
     }
     // Samples in proportion to the cell; of a sliver that none is in, its middle.
-    constexpr int max_samples = 60;
+    constexpr int max_samples = constants.max_samples_of_cell;
     const Vector2d wanted = (box.sizes() / edge_).array().ceil();
     const int columns = std::clamp (static_cast<int> (wanted.x()), 1, max_samples);
     const int rows = std::clamp (static_cast<int> (wanted.y()), 1, max_samples);
@@ -313,7 +308,6 @@ centerOf (const PlanarRings& rings)
 PlanRoom
 roomWithin (const std::vector<Side>& sides, const PlanCell& largest)
 {
-  constexpr double smallest_hole = 0.02; // [m^2]
   PlanarRings rings = ringsOf (sides);
   std::sort (rings.begin(), rings.end(), [] (const auto& a, const auto& b) {
     return areaOf (a) > areaOf (b);
@@ -321,7 +315,7 @@ roomWithin (const std::vector<Side>& sides, const PlanCell& largest)
   PlanRoom room;
   for (PlanarPoints& ring : rings) {
     const double area = areaOf (ring);
-    if (!room.rings.empty() && area > -smallest_hole)
+    if (!room.rings.empty() && area > -constants.min_hole_area)
       continue;
     room.area += area;
     room.rings.push_back (std::move (ring));
@@ -355,12 +349,12 @@ heightIn (const PlanarPoints& ring, const PlanPoints& points)
 Eigen::AlignedBox2d
 boxAround (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
 {
-  constexpr double margin = 0.5; // [m]
   Eigen::AlignedBox2d box;
   for (const WallSpan& span : spans)
     for (const double end : {span.whole.from, span.whole.to})
       box.extend (faces[span.face].line.at (end));
-  return {box.min().array() - margin, box.max().array() + margin};
+  return {box.min().array() - constants.margin_of_plan,
+          box.max().array() + constants.margin_of_plan};
 }
 
 /** \brief Lines of faces that have walls; of others the rim's, which cut nothing. */
@@ -394,7 +388,7 @@ joinCells (const DividedPlan& plan)
     const Side side = sideOf (plan.cells[first], i);
     const double length = (side.to - side.from).norm();
     if (plan.is_inside[first] && plan.is_inside[second] &&
-        walledLength (side, plan.faces, plan.walls) < min_walled * length)
+        walledLength (side, plan.faces, plan.walls) < constants.min_walled * length)
       sets.join (first, second);
   }
   return sets;
@@ -458,10 +452,9 @@ roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest)
     length += (side.to - side.from).norm();
     walled += walledLength (side, plan.faces, plan.walls);
   }
-  constexpr double narrowest = 0.35; // else between the sides of a wall [m]
   PlanRoom room = roomWithin (joined.outline, plan.cells[joined.largest]);
-  const bool is_narrow = 2.0 * room.area < narrowest * length;
-  if (room.area < smallest || is_narrow || walled < min_walled * length)
+  const bool is_narrow = 2.0 * room.area < constants.min_room_width * length;
+  if (room.area < smallest || is_narrow || walled < constants.min_walled * length)
     return {};
   room.enclosed = walled / length;
   return room;
@@ -475,16 +468,14 @@ roomsOf (const std::vector<WallFace>& faces,
          const Cover& cover,
          double smallest)
 {
-  constexpr double min_cover = 0.5;        // of a cell that is in a room
-  constexpr std::size_t max_walls = 1'000; // cells grow with their square
-  if (spans.empty() || spans.size() > max_walls)
+  if (spans.empty() || spans.size() > constants.max_walls)
     return {};
   DividedPlan plan{faces, wallsOnLines (faces.size(), spans), {}, {}};
   const Eigen::AlignedBox2d box = boxAround (faces, spans);
   plan.cells = cellsBetween (faces, plan.walls, box);
   const CoveredSquares squares (cover.points, box);
   for (const PlanCell& cell : plan.cells)
-    plan.is_inside.push_back (squares.shareOf (cell) >= min_cover ? 1 : 0);
+    plan.is_inside.push_back (squares.shareOf (cell) >= constants.min_covered ? 1 : 0);
   CellSets sets = joinCells (plan);
   std::vector<PlanRoom> rooms;
   for (const auto& [root, joined] : outlinesOf (plan, sets)) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_walls.h"
 
+#include "constants.h"
 #include "planar_area.h"
 
 #include <algorithm>
@@ -16,9 +17,8 @@ namespace {
 std::optional<double>
 meetingPlace (const PlanLine& line, const PlanLine& other)
 {
-  constexpr double min_sine = 0.26; // 15 degrees
   const double sine = cross (line.along, other.along);
-  if (std::abs (sine) < min_sine)
+  if (std::abs (sine) < constants.min_sine_of_meeting)
     return {};
   return cross (other.origin - line.origin, other.along) / sine;
 }
@@ -93,9 +93,8 @@ gapsOf (const Interval& whole, const Intervals& cut)
 PlanOpening
 openingOf (const WallFace& face, const Interval& gap, double floor, double height)
 {
-  constexpr double margin = 0.25; // of the width, at each side
-  const double low = gap.from + margin * gap.length();
-  const double high = gap.to - margin * gap.length();
+  const double low = gap.from + constants.margin_of_opening * gap.length();
+  const double high = gap.to - constants.margin_of_opening * gap.length();
   PlanOpening opening{face.line.at (gap.from), face.line.at (gap.to), {}, {}};
   for (const Eigen::Vector2d& point : face.points) {
     if (point.x() < low || point.x() > high)
@@ -115,26 +114,23 @@ thicknessOf (const WallSpan& wall,
              const std::vector<WallFace>& faces,
              const std::vector<WallSpan>& spans)
 {
-  constexpr double thinnest = 0.03;
-  constexpr double thickest = 0.7;    // [m]
-  constexpr double opposite = -0.996; // cosine, 5 degrees
-  constexpr double min_common = 0.3;  // [m]
   const PlanLine& line = faces[wall.face].line;
   std::optional<double> thickness;
   for (const WallSpan& other : spans) {
     const PlanLine& back = faces[other.face].line;
-    if (line.along.dot (back.along) > opposite)
+    if (line.along.dot (back.along) > constants.max_cosine_of_opposite)
       continue;
     const Interval there{line.place (back.at (other.whole.to)),
                          line.place (back.at (other.whole.from))};
     const double from = std::max (wall.whole.from, there.from);
     const double to = std::min (wall.whole.to, there.to);
-    if (to - from < min_common)
+    if (to - from < constants.min_common_length)
       continue;
     const Eigen::Vector2d middle = line.at (0.5 * (from + to));
     const double apart = -back.distance (middle);
-    if (apart >= thinnest &&
-        apart <= std::min (thickest, thickness.value_or (thickest)))
+    if (apart >= constants.min_thickness &&
+        apart <= std::min (constants.max_thickness,
+                           thickness.value_or (constants.max_thickness)))
       thickness = apart;
   }
   return thickness;
@@ -151,7 +147,8 @@ spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& paramete
       const Interval whole{snapped (wall.from, faces[i], faces, parameters.max_snap),
                            snapped (wall.to, faces[i], faces, parameters.max_snap)};
       // What is as short as the way its ends are moved is no wall.
-      const bool has_cut = lengthWithin (whole, faces[i].cut) > 0.25 * whole.length();
+      const bool has_cut =
+          lengthWithin (whole, faces[i].cut) > constants.min_cut_share * whole.length();
       if (whole.length() > parameters.max_snap && has_cut)
         spans.push_back ({i, whole, {}});
     }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
+#include "constants.h"
 #include "continuation.h"
-#include "heights.h"
 #include "stories.h"
 #include <pcl_ops/buildings/plane_kinds.h>
 
@@ -54,16 +54,15 @@ sightOf (const PlaneSegment& plane,
          double meter,
          const Viewpoint& sensor)
 {
-  constexpr double min_sine = 0.02; // of the angle at which a surface is seen
-  constexpr double min_drop = 0.1;  // of what was seen at a lower one [m]
   if (!sensor)
     return {};
   const Vector3d to_sensor = (*sensor - plane.centroid) / meter;
   const double distance = to_sensor.norm();
   const double height =
       (plane.normal.dot (up) < 0.0 ? -1.0 : 1.0) * plane.normal.dot (to_sensor);
-  const bool is_edge_on = std::abs (height) <= min_sine * distance;
-  Sight sight{is_edge_on ? to_sensor.dot (up) > min_drop : height > 0.0};
+  const bool is_edge_on = std::abs (height) <= constants.min_sine_of_sight * distance;
+  Sight sight{is_edge_on ? to_sensor.dot (up) > constants.min_drop_below_sensor
+                         : height > 0.0};
   if (!is_edge_on)
     sight.solid_angle =
         extent.area / (meter * meter) * std::abs (height) / std::pow (distance, 3);
@@ -81,14 +80,13 @@ struct Scene {
 Viewpoint
 nearSensor (const Viewpoint& sensor, const std::vector<PlaneExtent>& extents)
 {
-  constexpr double max_distance_by_reach = 500.0; // as turnUnseenUp has it
   double reach = 0.0;
   for (const PlaneExtent& extent : extents)
     reach = std::max (reach,
                       (extent.center - extents.front().center).norm() + extent.length);
-  const bool is_far =
-      !sensor || extents.empty() ||
-      (*sensor - extents.front().center).norm() > max_distance_by_reach * reach;
+  const bool is_far = !sensor || extents.empty() ||
+                      (*sensor - extents.front().center).norm() >
+                          constants.max_distance_by_reach * reach;
   return is_far ? std::nullopt : sensor;
 }
 
@@ -153,25 +151,20 @@ shapesOf (const std::vector<PlaneSegment>& planes,
 const PlaneShape*
 leaningGround (const std::vector<PlaneShape>& shapes)
 {
-  constexpr double smallest = 4.0;      // [m^2]
-  constexpr double smallest_seen = 0.1; // [sr], a hundredth of what is around
-  constexpr double min_lean = 3.0 * M_PI / 180.0;
-  constexpr double max_lean =
-      12.0 * M_PI / 180.0;               // a car on a kerb, a lidar on a stick
-  constexpr double smallest_level = 0.2; // of what was seen of the ground
   const PlaneShape* ground = nullptr;
-  double most_seen = smallest_seen;
+  double most_seen = constants.min_sight_of_leaning_ground;
   for (const PlaneShape& shape : shapes)
-    if (shape.sight.is_below && shape.slope <= max_lean && shape.area >= smallest &&
+    if (shape.sight.is_below && shape.slope <= constants.max_lean &&
+        shape.area >= constants.min_area_of_leaning_ground &&
         shape.sight.solid_angle > most_seen) {
       most_seen = shape.sight.solid_angle;
       ground = &shape;
     }
-  if (ground == nullptr || ground->slope < min_lean)
+  if (ground == nullptr || ground->slope < constants.min_lean)
     return nullptr;
   const auto is_level = [&] (const PlaneShape& shape) {
-    return shape.slope <= 0.5 * ground->slope &&
-           shape.sight.solid_angle >= smallest_level * most_seen;
+    return shape.slope <= constants.max_slope_of_level * ground->slope &&
+           shape.sight.solid_angle >= constants.min_sight_of_level * most_seen;
   };
   return std::any_of (shapes.begin(), shapes.end(), is_level) ? nullptr : ground;
 }
@@ -179,7 +172,6 @@ leaningGround (const std::vector<PlaneShape>& shapes)
 std::vector<Story>
 storiesOf (const std::vector<PlaneShape>& shapes)
 {
-  constexpr double smallest = 0.3; // that says how far down the scene reaches [m^2]
   std::vector<LevelPlane> level;
   double lowest = shapes.empty() ? 0.0 : shapes.front().low;
   for (const PlaneShape& shape : shapes) {
@@ -189,7 +181,7 @@ storiesOf (const std::vector<PlaneShape>& shapes)
     // A road falls by more than a step, and lies no deeper for it.
     const double bottom =
         shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
-    if (shape.area >= smallest)
+    if (shape.area >= constants.min_area_of_depth)
       lowest = std::min (lowest, bottom);
   }
   return internal::buildings::storiesOf (levelsOf (std::move (level)), lowest);
@@ -208,23 +200,23 @@ isInRectangle (const PlaneShape& shape, const Vector3d& point)
 bool
 standsBefore (const PlaneShape& front, const PlaneShape& wall)
 {
-  constexpr double min_cosine = 0.9; // some 25 degrees
-  constexpr double nearest = 0.1;
-  constexpr double farthest = 1.0; // relief of a wall, furniture [m]
-  constexpr int steps = 4;         // of samples from the middle
+  constexpr int steps = constants.front_samples;
+  constexpr double share = 0.5 * constants.sampled_share_of_front;
   const double cosine = front.normal.dot (wall.normal);
-  if (cosine < min_cosine || wall.area <= front.area || wall.high < front.high)
+  if (cosine < constants.min_cosine_of_front || wall.area <= front.area ||
+      wall.high < front.high)
     return false;
   int before = 0;
   int all = 0;
   for (int i = -steps; i <= steps; ++i)
     for (int j = -steps; j <= steps; ++j) {
       const Vector3d sample = front.center +
-                              0.4 * front.length * i / steps * front.long_axis +
-                              0.4 * front.width * j / steps * front.short_axis;
+                              share * front.length * i / steps * front.long_axis +
+                              share * front.width * j / steps * front.short_axis;
       const double distance = wall.normal.dot (sample - wall.center);
-      const bool is_before =
-          distance >= nearest && distance <= farthest && isInRectangle (wall, sample);
+      const bool is_before = distance >= constants.min_before_wall &&
+                             distance <= constants.max_before_wall &&
+                             isInRectangle (wall, sample);
       before += is_before ? 1 : 0;
       ++all;
     }
@@ -236,16 +228,13 @@ isWall (const PlaneShape& shape,
         const std::vector<PlaneShape>& shapes,
         const std::vector<Story>& stories)
 {
-  constexpr double smallest_at_ceiling = 0.5;
-  constexpr double smallest = 1.0;    // [m]
-  constexpr double lowest_wall = 1.3; // [m]
   const double rise = shape.high - shape.low;
   for (const Story& story : stories)
-    if (story.ceiling && rise >= smallest_at_ceiling &&
-        shape.high >= *story.ceiling - gap_above_wall &&
-        shape.low <= *story.ceiling - smallest_at_ceiling)
+    if (story.ceiling && rise >= constants.min_height_at_ceiling &&
+        shape.high >= *story.ceiling - constants.max_gap_above_wall &&
+        shape.low <= *story.ceiling - constants.min_height_at_ceiling)
       return true;
-  if (rise < lowest_wall || shape.span() < smallest)
+  if (rise < constants.min_wall_height || shape.span() < constants.min_wall_width)
     return false;
   return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& other) {
     return other.orientation == Orientation::Vertical && standsBefore (shape, other);
@@ -257,60 +246,54 @@ bool
 isRoofAt (double height, const std::vector<PlaneShape>& shapes)
 {
   return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& shape) {
-    return shape.orientation == Orientation::Vertical && shape.low <= height + step &&
-           shape.high >= height + headroom;
+    return shape.orientation == Orientation::Vertical &&
+           shape.low <= height + constants.step &&
+           shape.high >= height + constants.headroom;
   });
 }
 
 bool
 isCeiling (const PlaneShape& shape, const Story& story)
 {
-  constexpr double smallest_part = 0.3;
-  constexpr double smallest_alone = 1.0; // [m^2]
-  constexpr double smallest_high = 0.1;
-  constexpr double high = 2.3; // above cupboards [m^2], [m]
   const double rise = shape.middle - story.floor;
-  if (rise < headroom || shape.sight.is_below)
+  if (rise < constants.headroom || shape.sight.is_below)
     return false;
   if (!story.ceiling)
-    return shape.faces_down &&
-           shape.area >= (rise < high ? smallest_alone : smallest_high);
+    return shape.faces_down && shape.area >= (rise < constants.high_ceiling
+                                                  ? constants.min_area_of_low_ceiling
+                                                  : constants.min_area_of_high_ceiling);
   const double below = *story.ceiling - shape.middle;
-  return shape.area >= smallest_part &&
-         below <= (shape.faces_down ? drop_of_ceiling : same_level);
+  return shape.area >= constants.min_area_of_ceiling_part &&
+         below <=
+             (shape.faces_down ? constants.max_drop_of_ceiling : constants.same_level);
 }
 
 bool
 isTable (const PlaneShape& shape, double rise)
 {
-  constexpr double lowest = 0.3;
-  constexpr double highest = 1.3; // [m]
-  constexpr double smallest = 0.1;
-  constexpr double largest = 6.0;   // [m^2]
-  constexpr double narrowest = 0.2; // [m]
-  return !shape.faces_down && rise >= lowest && rise <= highest &&
-         shape.area >= smallest && shape.area <= largest && shape.width >= narrowest;
+  return !shape.faces_down && rise >= constants.min_table_height &&
+         rise <= constants.max_table_height && shape.area >= constants.min_table_area &&
+         shape.area <= constants.max_table_area &&
+         shape.width >= constants.min_table_width;
 }
 
 bool
 isRamp (const PlaneShape& shape, const Story& story)
 {
-  constexpr double flattest = 2.5 * M_PI / 180.0;
-  constexpr double steepest = 35.0 * M_PI / 180.0;
-  constexpr double smallest = 0.5; // [m^2]
-  constexpr double min_rise = 0.15;
-  constexpr double max_below = 0.2; // [m]
-  return !shape.faces_down && shape.slope >= flattest && shape.slope <= steepest &&
-         shape.area >= smallest && shape.high - shape.low >= min_rise &&
-         std::abs (shape.low - story.floor) <= max_below;
+  return !shape.faces_down && shape.slope >= constants.min_ramp_slope &&
+         shape.slope <= constants.max_ramp_slope &&
+         shape.area >= constants.min_ramp_area &&
+         shape.high - shape.low >= constants.min_ramp_rise &&
+         std::abs (shape.low - story.floor) <= constants.max_ramp_above_floor;
 }
 
 bool
 isSlopingRoof (const PlaneShape& shape, const Story& story)
 {
-  constexpr double smallest = 2.0; // [m^2]
-  return shape.area >= smallest && shape.middle - story.floor >= headroom &&
-         (!story.ceiling || shape.high >= *story.ceiling - gap_above_wall);
+  return shape.area >= constants.min_roof_area &&
+         shape.middle - story.floor >= constants.headroom &&
+         (!story.ceiling ||
+          shape.high >= *story.ceiling - constants.max_gap_above_wall);
 }
 
 PlaneKind
@@ -318,12 +301,10 @@ levelKind (const PlaneShape& shape,
            const std::vector<PlaneShape>& shapes,
            const std::vector<Story>& stories)
 {
-  constexpr double smallest_step = 1.0;
-  constexpr double smallest_slab = 2.0; // [m^2]
-  constexpr double same_floor = 0.1;    // [m]
   const Story& story = storyAt (stories, shape.middle);
   const double rise = shape.middle - story.floor;
-  if (rise < same_floor || (rise < step && shape.area >= smallest_step)) {
+  if (rise < constants.same_floor ||
+      (rise < constants.step && shape.area >= constants.min_step_area)) {
     const bool is_upper = &story != &stories.front();
     return is_upper && isRoofAt (story.floor, shapes) ? PlaneKind::Roof
                                                       : PlaneKind::Floor;
@@ -334,11 +315,13 @@ levelKind (const PlaneShape& shape,
     return PlaneKind::Ramp;
   if (isTable (shape, rise))
     return PlaneKind::Table;
-  if (rise < step || shape.area < smallest_slab)
+  if (rise < constants.step || shape.area < constants.min_slab_area)
     return PlaneKind::Other;
-  if (shape.sight.is_below && shape.area >= smallest_ground && rise < headroom)
+  if (shape.sight.is_below && shape.area >= constants.min_ground_area &&
+      rise < constants.headroom)
     return PlaneKind::Floor; // the ground beyond a kerb or a slope
-  const bool is_outdoors = rise >= headroom && !story.ceiling && !shape.faces_down;
+  const bool is_outdoors =
+      rise >= constants.headroom && !story.ceiling && !shape.faces_down;
   return is_outdoors ? PlaneKind::Roof : PlaneKind::Slab;
 }
 
@@ -362,10 +345,9 @@ kindOf (const PlaneShape& shape,
 bool
 hasRelief (const PlaneSegment& plane, double meter)
 {
-  constexpr double max_noises = 3.0;
-  constexpr double max_rms = 0.35; // of a roof with its chimneys [m]
   const double rms = plane.rms();
-  return rms > max_rms * meter || (plane.noise && rms > max_noises * *plane.noise);
+  return rms > constants.max_rms_of_roof * meter ||
+         (plane.noise && rms > constants.max_noises_of_roof * *plane.noise);
 }
 
 /** \brief One for each plane, in a frame whose z is up; walls without an outline. */
@@ -374,7 +356,6 @@ planesFromAbove (const Scene& scene,
                  const std::vector<PlaneExtent>& extents,
                  double meter)
 {
-  constexpr double min_cosine = 0.5; // 60 degrees
   const auto turn = Eigen::Quaterniond::FromTwoVectors (scene.up, Vector3d::UnitZ());
   std::vector<PlaneFromAbove> planes;
   for (std::size_t i = 0; i < extents.size(); ++i) {
@@ -384,7 +365,7 @@ planesFromAbove (const Scene& scene,
     plane.normal = normal.z() < 0.0 ? -normal : normal;
     plane.center = turn * shape.center;
     plane.area = shape.area;
-    if (plane.normal.z() >= min_cosine)
+    if (plane.normal.z() >= constants.min_cosine_from_above)
       for (const Vector3d& corner : extents[i].hull)
         plane.hull.push_back (turn * corner / meter);
   }
@@ -409,10 +390,9 @@ denyHills (const std::vector<PlaneSegment>& planes,
 bool
 continues (const PlaneShape& part, const PlaneShape& wall)
 {
-  constexpr double min_cosine = 0.985; // 10 degrees
-  constexpr double farthest = 0.1;     // from the plane of the wall [m]
-  return part.normal.dot (wall.normal) >= min_cosine &&
-         std::abs (wall.normal.dot (part.center - wall.center)) <= farthest;
+  return part.normal.dot (wall.normal) >= constants.min_cosine_of_part &&
+         std::abs (wall.normal.dot (part.center - wall.center)) <=
+             constants.max_off_wall;
 }
 
 /** \brief Parts of walls that are too small to be told by themselves. */

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "arguments.h"
+#include "constants.h"
 #include <pcl_ops/buildings/plane_regularization.h>
 
 #include <algorithm>
@@ -221,9 +222,9 @@ private:
   double
   maxOffset (std::size_t first, std::size_t second) const
   {
-    constexpr double deviations = 3.0;
     return parameters_.max_offset.value_or (
-        deviations * std::hypot (planes_[first].rms(), planes_[second].rms()));
+        constants.noises_of_offset *
+        std::hypot (planes_[first].rms(), planes_[second].rms()));
   }
 
   /** \brief Gives the planes of a direction their normals, and those of one level one

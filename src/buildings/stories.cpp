@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stories.h"
 
-#include "heights.h"
+#include "constants.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,14 +15,13 @@ namespace {
 std::vector<Level>
 largeOnes (const std::vector<Level>& levels)
 {
-  constexpr double smallest = 1.0; // [m^2]
-  constexpr double share_of_largest = 0.2;
   double largest = 0.0;
   for (const Level& level : levels)
     largest = std::max (largest, level.area);
   std::vector<Level> large;
   for (const Level& level : levels)
-    if (level.area >= std::max (smallest, share_of_largest * largest))
+    if (level.area >=
+        std::max (constants.min_level_area, constants.min_level_share * largest))
       large.push_back (level);
   return large;
 }
@@ -33,14 +32,13 @@ largeOnes (const std::vector<Level>& levels)
 void
 addUpperLevel (const Level& level, const Level* next, std::vector<Story>& stories)
 {
-  // A ceiling covers its room, a flat roof but a small part of the ground.
-  constexpr double share_of_floor = 1.0 / 3.0;
   Story& story = stories.back();
   const bool is_top = next == nullptr;
   const bool is_deck =
-      !is_top && !next->faces_down && next->height - level.height <= thickest_deck;
+      !is_top && !next->faces_down && next->height - level.height <= constants.max_deck;
   const bool is_overhead = !level.is_below_sensor && (is_top || is_deck);
-  if (is_top && !story.ceiling && level.area < share_of_floor * story.area)
+  if (is_top && !story.ceiling &&
+      level.area < constants.min_cover_of_floor * story.area)
     return;
   if (is_overhead && !story.ceiling)
     story.ceiling = level.height;
@@ -65,7 +63,7 @@ levelsOf (std::vector<LevelPlane> planes)
     double area_from_below = 0.0;
     double area_below_sensor = 0.0;
     while (next < planes.size() &&
-           planes[next].height - planes[first].height <= same_level) {
+           planes[next].height - planes[first].height <= constants.same_level) {
       area += planes[next].area;
       moment += planes[next].area * planes[next].height;
       area_from_below += planes[next].faces_down ? planes[next].area : 0.0;
@@ -89,12 +87,12 @@ storiesOf (const std::vector<Level>& levels, double lowest)
     Story& story = stories.back();
     const double rise = level.height - story.floor;
     // Although the foot of a wall or a ditch is deeper.
-    const bool is_ground = level.area >= smallest_ground;
-    const bool is_near =
-        rise < (is_ground ? headroom : step) || (is_ground && level.is_below_sensor);
+    const bool is_ground = level.area >= constants.min_ground_area;
+    const bool is_near = rise < (is_ground ? constants.headroom : constants.step) ||
+                         (is_ground && level.is_below_sensor);
     if (i == 0 && !level.faces_down && is_near)
       story = {level.height, {}, level.area};
-    else if (rise < headroom)
+    else if (rise < constants.headroom)
       continue;
     else if (level.faces_down)
       story.ceiling = level.height;
@@ -109,7 +107,7 @@ storyAt (const std::vector<Story>& stories, double height)
 {
   const Story* at = &stories.front();
   for (const Story& story : stories)
-    if (story.floor <= height + same_level)
+    if (story.floor <= height + constants.same_level)
       at = &story;
   return *at;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_faces.h"
 
+#include "constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -9,23 +11,19 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-constexpr double same_direction = 0.9976; // cosine of 4 degrees
-
-/** \brief Gaps up to this are closed, whatever the density [m]. */
-constexpr double smallest_gap = 0.25;
-
 /** \brief Mean distance between neighboring points of a face, by the cells of a coarse
  * grid that have points. */
 double
 spacingOf (const std::vector<Eigen::Vector2d>& points)
 {
-  constexpr double cell = 0.25; // [m]
   std::vector<std::pair<long, long>> cells;
   for (const Eigen::Vector2d& point : points)
-    cells.emplace_back (std::lround (point.x() / cell), std::lround (point.y() / cell));
+    cells.emplace_back (std::lround (point.x() / constants.edge_of_spacing_cell),
+                        std::lround (point.y() / constants.edge_of_spacing_cell));
   std::sort (cells.begin(), cells.end());
   cells.erase (std::unique (cells.begin(), cells.end()), cells.end());
-  const double area = cell * cell * static_cast<double> (cells.size());
+  const double area = constants.edge_of_spacing_cell * constants.edge_of_spacing_cell *
+                      static_cast<double> (cells.size());
   return std::sqrt (area /
                     static_cast<double> (std::max<std::size_t> (1, points.size())));
 }
@@ -33,7 +31,7 @@ spacingOf (const std::vector<Eigen::Vector2d>& points)
 bool
 isParallel (const WallFace& first, const WallFace& second)
 {
-  return first.line.along.dot (second.line.along) >= same_direction;
+  return first.line.along.dot (second.line.along) >= constants.min_cosine_of_parallel;
 }
 
 /** \brief Intervals of a face by places on the line of another one. */
@@ -51,11 +49,10 @@ on (const PlanLine& line, const WallFace& face, const Intervals& intervals)
 bool
 continues (const WallFace& part, const WallFace& face)
 {
-  constexpr double farthest = 0.05; // thinner than the recess of a door [m]
   if (!isParallel (part, face))
     return false;
   for (const double end : {part.seen.front().from, part.seen.back().to})
-    if (std::abs (face.line.distance (part.line.at (end))) > farthest)
+    if (std::abs (face.line.distance (part.line.at (end))) > constants.max_off_line)
       return false;
   return true;
 }
@@ -63,7 +60,7 @@ continues (const WallFace& part, const WallFace& face)
 void
 addTo (WallFace& face, const WallFace& part)
 {
-  const double gap = std::max (smallest_gap, face.spacing);
+  const double gap = std::max (constants.max_closed_gap, face.spacing);
   face.seen = unionOf (face.seen, on (face.line, part, part.seen), gap);
   face.cut = unionOf (face.cut, on (face.line, part, part.cut), gap);
   const double moved = face.line.place (part.line.origin);
@@ -77,8 +74,9 @@ addTo (WallFace& face, const WallFace& part)
 double
 shareBefore (const WallFace& leaf, const WallFace& wall)
 {
-  constexpr double smallest = 0.1; // edge of a square [m]
-  const double edge = std::max ({smallest, leaf.spacing / 3.0, wall.spacing / 3.0});
+  const double edge =
+      std::max (constants.min_edge_of_leaf_square,
+                std::max (leaf.spacing, wall.spacing) / constants.squares_of_gap);
   using Square = std::pair<long, long>;
   const auto squares_of = [edge] (const WallFace& face, double moved) {
     std::set<Square> squares;
@@ -110,32 +108,28 @@ shareBefore (const WallFace& leaf, const WallFace& wall)
 Intervals
 insideOf (const Intervals& intervals)
 {
-  constexpr double noise = 0.02; // [m]
   Intervals inside;
   for (const auto& [from, to] : intervals)
-    if (to - from > 2.0 * noise)
-      inside.push_back ({from + noise, to - noise});
+    if (to - from > 2.0 * constants.noise_of_ends)
+      inside.push_back ({from + constants.noise_of_ends, to - constants.noise_of_ends});
   return inside;
 }
 
 bool
 isRecessOf (const WallFace& leaf, const WallFace& wall)
 {
-  constexpr double deepest = 0.45;
-  constexpr double flattest = 0.02; // [m]
-  constexpr double max_covered = 0.6;
   if (!isParallel (leaf, wall) || leaf.points.size() >= wall.points.size())
     return false;
   const Interval whole{leaf.seen.front().from, leaf.seen.back().to};
   const double behind =
       -wall.line.distance (leaf.line.at (0.5 * (whole.from + whole.to)));
-  if (behind < flattest || behind > deepest)
+  if (behind < constants.min_recess || behind > constants.max_recess)
     return false;
   const Interval there{wall.line.place (leaf.line.at (whole.from)),
                        wall.line.place (leaf.line.at (whole.to))};
-  return there.from >= wall.seen.front().from - smallest_gap &&
-         there.to <= wall.seen.back().to + smallest_gap &&
-         shareBefore (leaf, wall) <= max_covered;
+  return there.from >= wall.seen.front().from - constants.max_closed_gap &&
+         there.to <= wall.seen.back().to + constants.max_closed_gap &&
+         shareBefore (leaf, wall) <= constants.max_share_before_leaf;
 }
 
 } // namespace
@@ -146,8 +140,6 @@ faceOf (const Eigen::Vector3d& normal,
         std::size_t plane,
         double height)
 {
-  constexpr double spacings_of_gap = 6.0;
-  constexpr double half_band = 0.05; // [m]
   WallFace face;
   face.planes = {plane};
   const Eigen::Vector2d front = normal.head<2>().normalized();
@@ -158,8 +150,9 @@ faceOf (const Eigen::Vector3d& normal,
   for (const Eigen::Vector3d& point : points)
     face.points.emplace_back (face.line.place (point.head<2>()), point.z());
   const double spacing = spacingOf (face.points);
-  face.spacing = spacings_of_gap * spacing;
-  const double band = std::max (half_band, 3.0 * spacing);
+  face.spacing = constants.spacings_of_gap * spacing;
+  const double band =
+      std::max (constants.half_band_of_wall, constants.spacings_of_band * spacing);
   std::vector<double> seen;
   std::vector<double> cut;
   for (const Eigen::Vector2d& point : face.points) {
@@ -167,7 +160,7 @@ faceOf (const Eigen::Vector3d& normal,
     if (std::abs (point.y() - height) <= band)
       cut.push_back (point.x());
   }
-  const double gap = std::max (smallest_gap, face.spacing);
+  const double gap = std::max (constants.max_closed_gap, face.spacing);
   face.seen = intervalsOf (seen, gap);
   face.cut = intervalsOf (cut, gap);
   return face;

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_fronts.h"
 
+#include "constants.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace pcl_ops::internal::buildings {
 namespace {
 
-constexpr double edge = 0.05; // of a square [m]
+constexpr double edge = constants.edge_of_side_square;
 
 std::pair<long, long>
 squareAt (const Eigen::Vector2d& place)
@@ -45,9 +47,7 @@ RoomSides::has (const Eigen::Vector2d& place) const
 bool
 RoomSides::areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) const
 {
-  // Beyond what noise moves, nearer than the other side of a wall is.
-  constexpr double beside = 0.08; // [m]
-  constexpr std::size_t few = 3;  // squares
+  constexpr double beside = constants.beside_wall;
   Squares of_wall;
   addSquares (wall, of_wall);
   std::size_t before = 0;
@@ -58,7 +58,7 @@ RoomSides::areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) cons
     before += has (place + beside * front) ? 1 : 0;
     behind += has (place - beside * front) ? 1 : 0;
   }
-  return behind > 2 * before + few;
+  return behind > 2 * before + constants.few_side_squares;
 }
 
 } // namespace pcl_ops::internal::buildings
