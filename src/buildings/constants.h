@@ -114,6 +114,10 @@ struct BuildingConstants {
    * the cut. */
   double max_below_floor = 0.6;
   double max_ceiling_over_cut = 6.0;
+  /** \brief How far roofs reach beyond walls, and the share of the walls under them of
+   * a building seen from outside. */
+  double max_eaves = 1.0;
+  double min_walls_under_roofs = 0.5;
   /** \brief Points at the height of the cut, that hide gaps. */
   double half_band_of_cloud = 0.1;
   /** \brief The same of walls, at least, and in spacings of their points. */

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace pcl_ops {
 namespace {
@@ -166,8 +168,51 @@ pointsOf (const std::vector<Seen>& planes, const IsSuch& isSuch)
   return points;
 }
 
-/** \brief What covers the rooms at a cut: roofs where there are some and no ceilings,
- * as the ground lies around a house; else floors and ceilings. */
+/** \brief Squares of a grid from above, as wide as eaves are. */
+using EavesSquares = std::set<std::pair<long, long>>;
+
+std::pair<long, long>
+eavesSquareAt (const Vector3d& point)
+{
+  return {std::lround (point.x() / constants.max_eaves),
+          std::lround (point.y() / constants.max_eaves)};
+}
+
+/** \brief Those with points of roofs, and those beside them. */
+EavesSquares
+squaresUnder (const PlanPoints& roofs)
+{
+  EavesSquares with_points;
+  for (const Vector3d& point : roofs)
+    with_points.insert (eavesSquareAt (point));
+  EavesSquares under;
+  for (const auto& [x, y] : with_points)
+    for (const long dx : {-1, 0, 1})
+      for (const long dy : {-1, 0, 1})
+        under.emplace (x + dx, y + dy);
+  return under;
+}
+
+/** \brief Whether a building stands under roofs: most points of its walls do, or are
+ * below the eaves. A sloping piece of a room's ceiling covers few of them. */
+bool
+coverWalls (const PlanPoints& roofs, const std::vector<Seen>& planes)
+{
+  const EavesSquares under_roofs = squaresUnder (roofs);
+  double all = 0.0;
+  double under = 0.0;
+  for (const Seen& plane : planes)
+    if (plane.kind == PlaneKind::Wall)
+      for (const Vector3d& point : plane.points) {
+        all += 1.0;
+        under += static_cast<double> (under_roofs.count (eavesSquareAt (point)));
+      }
+  return under > constants.min_walls_under_roofs * all;
+}
+
+/** \brief What covers the rooms at a cut: roofs where there are no ceilings and a
+ * building stands under them, as the ground lies around a house; else floors and
+ * ceilings. */
 Cover
 coverAt (const std::vector<Seen>& planes, double floor, double height)
 {
@@ -185,7 +230,7 @@ coverAt (const std::vector<Seen>& planes, double floor, double height)
   PlanPoints roofs = pointsOf (planes, [&] (const Seen& plane) {
     return plane.kind == PlaneKind::Roof && plane.height > height;
   });
-  if (!roofs.empty() && cover.ceiling.empty()) {
+  if (cover.ceiling.empty() && coverWalls (roofs, planes)) {
     cover.points = std::move (roofs);
     return cover;
   }

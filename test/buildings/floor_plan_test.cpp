@@ -332,6 +332,39 @@ TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
   EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
 }
 
+TEST (FloorPlan, HasARoomWithoutCeilingUnderAPieceThatSlopes)
+{
+  // As of a lamp or a bulkhead, which is named a roof where no ceiling was seen.
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 6});
+  std::vector<Vector3d> piece;
+  for (double x = 0.1; x < 1.0; x += 10_cm)
+    for (double y = 0.1; y < 1.0; y += 10_cm)
+      piece.emplace_back (x, y, 2.2 + 0.3 * y);
+  room.add (PlaneKind::Roof, Vector3d (0.0, -0.3, 1.0).normalized(), piece);
+  room.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 6});
+  room.wall ({8, 6}, {0, 6}).wall ({0, 6}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
+TEST (FloorPlan, OfAHouseWithEavesOnItsGroundHasTheRoomUnderTheRoof)
+{
+  Building house;
+  house.level (PlaneKind::Floor, 0.0, {-10, -10}, {18, 16});
+  std::vector<Vector3d> roof;
+  for (double x = -0.4; x < 8.5; x += 20_cm)
+    for (double y = -0.4; y < 6.5; y += 20_cm)
+      roof.emplace_back (x, y, 3.0 + 0.2 * y);
+  house.add (PlaneKind::Roof, Vector3d (0.0, -0.2, 1.0).normalized(), roof);
+  house.wall ({8, 0}, {0, 0}).wall ({8, 6}, {8, 0});
+  house.wall ({0, 6}, {8, 6}).wall ({0, 0}, {0, 6});
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
 TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
 {
   Building room;
