@@ -172,9 +172,11 @@ struct BuildingConstants {
 
   // Rooms.
   /** \brief Share of a side that divides rooms, and of the outline of one, that is a
-   * wall; share of a cell in a room that is covered. */
+   * wall. */
   double min_walled = 0.5;
-  double min_covered = 0.5;
+  /** \brief A room goes on to a wall over so wide a strip of floor that was not seen.
+   */
+  double max_unseen = 0.5;
   /** \brief Else it is between the sides of a wall. */
   double min_room_width = 0.35;
   double min_hole_area = 0.02;

@@ -267,7 +267,7 @@ facesOf (const std::vector<Seen>& planes, double height, const IsSuch& isSuch)
 }
 
 bool
-isWall (const Seen& plane)
+isSeenWall (const Seen& plane)
 {
   return plane.kind == PlaneKind::Wall;
 }
@@ -411,7 +411,7 @@ findFloorPlan (const CloudView& cloud,
   const Cover cover = coverAt (seen, plan.floor, plan.height);
   turnToRooms (cover, seen);
   const std::vector<WallFace> faces =
-      withoutRecesses (joinFaces (facesOf (seen, plan.height, isWall)),
+      withoutRecesses (joinFaces (facesOf (seen, plan.height, isSeenWall)),
                        facesOf (seen, plan.height, isUpright));
   std::vector<WallSpan> spans = spansOf (faces, parameters);
   addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);

@@ -3,6 +3,7 @@
 #include "plan_rooms.h"
 
 #include "constants.h"
+#include "inside_cells.h"
 #include "plan_cells.h"
 #include "planar_area.h"
 
@@ -379,6 +380,72 @@ struct DividedPlan {
   std::vector<char> is_inside; // of each cell
 };
 
+/** \brief How much of the border of a cell is what. */
+struct CellOutline {
+  double length = 0.0;
+  double walled = 0.0;
+  double rim = 0.0;
+  /** \brief Without the side that has most of a wall. */
+  double other_length = 0.0;
+  double other_walled = 0.0;
+};
+
+CellOutline
+borderOfCell (const PlanCell& cell, const DividedPlan& plan)
+{
+  CellOutline outline;
+  double most_walled = -1.0;
+  double length_of_most = 0.0;
+  for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+    const Side side = sideOf (cell, i);
+    const double length = (side.to - side.from).norm();
+    const double walled = walledLength (side, plan.faces, plan.walls);
+    outline.length += length;
+    outline.walled += walled;
+    outline.rim += side.line == no_line ? length : 0.0;
+    if (walled > most_walled) {
+      most_walled = walled;
+      length_of_most = length;
+    }
+  }
+  outline.other_length = outline.length - length_of_most;
+  outline.other_walled = outline.walled - most_walled;
+  return outline;
+}
+
+/** \brief What speaks for a cell, and against it. Narrow ones with walls on both sides
+ * are within a wall. */
+CellEvidence
+evidenceOfCell (const PlanCell& cell,
+                const DividedPlan& plan,
+                const CoveredSquares& squares)
+{
+  const double area = areaOf (cell.corners);
+  const CellOutline outline = borderOfCell (cell, plan);
+  const bool is_narrow = 2.0 * area < constants.min_room_width * outline.length;
+  if (is_narrow && outline.other_walled > constants.min_walled * outline.other_length)
+    return {0.0, area, outline.length};
+  const double share = squares.shareOf (cell);
+  return {share * area, (1.0 - share) * area, outline.rim};
+}
+
+/** \brief Which cells are in rooms, by what covers them and where walls are. */
+std::vector<char>
+cellsInRooms (const DividedPlan& plan, const CoveredSquares& squares)
+{
+  std::vector<CellEvidence> evidence;
+  for (const PlanCell& cell : plan.cells)
+    evidence.push_back (evidenceOfCell (cell, plan, squares));
+  std::vector<CellBorder> borders;
+  for (const auto& [first, second, i] : commonSides (plan.cells)) {
+    const Side side = sideOf (plan.cells[first], i);
+    const double walled = walledLength (side, plan.faces, plan.walls);
+    borders.push_back (
+        {first, second, std::max (0.0, (side.to - side.from).norm() - walled)});
+  }
+  return cellsInside (evidence, borders);
+}
+
 /** \brief Cells that no wall divides are of one room. */
 CellSets
 joinCells (const DividedPlan& plan)
@@ -396,7 +463,7 @@ joinCells (const DividedPlan& plan)
 
 /** \brief The cell beyond each side of a cell, by the numbers of both. */
 std::map<std::pair<std::size_t, std::size_t>, std::size_t>
-neighborsOf (const std::vector<PlanCell>& cells)
+cellsBeyondSides (const std::vector<PlanCell>& cells)
 {
   constexpr double rounding = 1e-3; // [m]
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> neighbors;
@@ -422,7 +489,7 @@ std::map<std::size_t, JoinedCells>
 outlinesOf (const DividedPlan& plan, CellSets& sets)
 {
   const std::vector<PlanCell>& cells = plan.cells;
-  const auto neighbors = neighborsOf (cells);
+  const auto neighbors = cellsBeyondSides (cells);
   std::map<std::size_t, JoinedCells> rooms;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!plan.is_inside[c])
@@ -474,8 +541,7 @@ roomsOf (const std::vector<WallFace>& faces,
   const Eigen::AlignedBox2d box = boxAround (faces, spans);
   plan.cells = cellsBetween (faces, plan.walls, box);
   const CoveredSquares squares (cover.points, box);
-  for (const PlanCell& cell : plan.cells)
-    plan.is_inside.push_back (squares.shareOf (cell) >= constants.min_covered ? 1 : 0);
+  plan.is_inside = cellsInRooms (plan, squares);
   CellSets sets = joinCells (plan);
   std::vector<PlanRoom> rooms;
   for (const auto& [root, joined] : outlinesOf (plan, sets)) {

@@ -170,7 +170,7 @@ leaningGround (const std::vector<PlaneShape>& shapes)
 }
 
 std::vector<Story>
-storiesOf (const std::vector<PlaneShape>& shapes)
+storiesIn (const std::vector<PlaneShape>& shapes)
 {
   std::vector<LevelPlane> level;
   double lowest = shapes.empty() ? 0.0 : shapes.front().low;
@@ -184,7 +184,7 @@ storiesOf (const std::vector<PlaneShape>& shapes)
     if (shape.area >= constants.min_area_of_depth)
       lowest = std::min (lowest, bottom);
   }
-  return internal::buildings::storiesOf (levelsOf (std::move (level)), lowest);
+  return storiesOf (levelsOf (std::move (level)), lowest);
 }
 
 bool
@@ -388,7 +388,7 @@ denyHills (const std::vector<PlaneSegment>& planes,
 
 /** \brief Whether a vertical plane is a part of another one, in its plane. */
 bool
-continues (const PlaneShape& part, const PlaneShape& wall)
+isPartOfWall (const PlaneShape& part, const PlaneShape& wall)
 {
   return part.normal.dot (wall.normal) >= constants.min_cosine_of_part &&
          std::abs (wall.normal.dot (part.center - wall.center)) <=
@@ -403,7 +403,7 @@ nameParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (std::size_t j = 0; j < shapes.size(); ++j)
       if (shapes[i].orientation == Orientation::Vertical &&
-          before[j] == PlaneKind::Wall && continues (shapes[i], shapes[j]))
+          before[j] == PlaneKind::Wall && isPartOfWall (shapes[i], shapes[j]))
         kinds[i] = PlaneKind::Wall;
 }
 
@@ -481,7 +481,7 @@ planeKinds (const std::vector<PlaneSegment>& planes,
   const Scene scene = uprightScene (
       planes, extents, up.stableNormalized(), meter, nearSensor (viewpoint, extents));
   const std::vector<PlaneShape>& shapes = scene.shapes;
-  const std::vector<Story> stories = storiesOf (shapes);
+  const std::vector<Story> stories = storiesIn (shapes);
   std::vector<PlaneKind> kinds;
   for (const PlaneShape& shape : shapes)
     kinds.push_back (kindOf (shape, shapes, stories));

@@ -365,6 +365,34 @@ TEST (FloorPlan, OfAHouseWithEavesOnItsGroundHasTheRoomUnderTheRoof)
   EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
 }
 
+TEST (FloorPlan, HasARoomUpToAWallBehindAFloorThatWasNotSeen)
+{
+  // The last 0.3 m lie in the shadow of a bench.
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 2.7});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  room.wall ({3.7, 2.7}, {3, 2.7});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.3);
+}
+
+TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWall)
+{
+  // The cell between them goes on to the next wall, and is left out as a whole.
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
+  room.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 3});
+  room.wall ({8, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  room.wall ({4, 0}, {4, 2}).wall ({4.3, 2}, {4.3, 0});
+  const FloorPlan plan = room.plan();
+  double area = 0.0;
+  for (const PlanRoom& one : plan.rooms)
+    area += one.area;
+  EXPECT_NEAR (area, 24.0 - 0.3 * 3.0, 0.01);
+}
+
 TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
 {
   Building room;

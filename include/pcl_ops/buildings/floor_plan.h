@@ -113,10 +113,10 @@ struct FloorPlan {
  * Walls that continue one another become one line each; their points at the height of
  * the cut say where they are and where their openings are, unless something stands
  * before the gap. Ends are drawn to the walls next to them. The lines of all walls
- * divide the plan into cells, of which those under a ceiling or over a floor are rooms,
- * together with those beside them unless a wall is between (as Ochmann, Vock, Wessel &
- * Klein, *Automatic reconstruction of parametric building models from indoor point
- * clouds*, Computers & Graphics 54, 2016, without their optimization).
+ * divide the plan into cells. Those under a ceiling or over a floor are in rooms, and
+ * those beside them up to a wall: a minimum cut tells it for all cells at once (after
+ * Ochmann, Vock, Wessel & Klein, *Automatic reconstruction of parametric building
+ * models from indoor point clouds*, Computers & Graphics 54, 2016).
  * \param[in] cloud the input cloud the planes were found in
  * \param[in] planes as a detector gives them
  * \param[in] kinds what they are, as \ref planeKinds says; walls, floors, ceilings and
