@@ -6,12 +6,12 @@
 
 #include <io/shifted_cloud.h>
 #include <nlohmann/json.hpp>
+#include <pcl_ops/buildings/plane_kinds.h>
+#include <pcl_ops/buildings/plane_regularization.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_extent.h>
-#include <pcl_ops/plane_kinds.h>
-#include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/up_axis.h>
 
 #include <cstdint>

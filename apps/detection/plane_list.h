@@ -6,10 +6,10 @@
 
 #include <io/cloud_file.h>
 #include <nlohmann/json.hpp>
+#include <pcl_ops/buildings/plane_kinds.h>
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
-#include <pcl_ops/plane_kinds.h>
 
 #include <cstddef>
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drawing.h"
-#include <pcl_ops/floor_plan.h>
+#include <pcl_ops/buildings/floor_plan.h>
 
 #include <cstdint>
 

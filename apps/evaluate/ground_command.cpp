@@ -10,8 +10,8 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
+#include <pcl_ops/buildings/plane_kinds.h>
 #include <pcl_ops/plane_extent.h>
-#include <pcl_ops/plane_kinds.h>
 
 #include <limits>
 #include <map>

@@ -7,9 +7,9 @@
 #include "point_sample.h"
 #include <io/shifted_cloud.h>
 #include <nlohmann/json.hpp>
+#include <pcl_ops/buildings/plane_kinds.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
-#include <pcl_ops/plane_kinds.h>
 
 #include <cstdint>
 #include <string>

@@ -5,7 +5,7 @@
 #include <detection/methods.h>
 #include <detection/plane_choice.h>
 #include <detection/plane_list.h>
-#include <pcl_ops/floor_plan.h>
+#include <pcl_ops/buildings/floor_plan.h>
 #include <pcl_ops/plane_matching.h>
 #include <pcl_ops/plane_pieces.h>
 

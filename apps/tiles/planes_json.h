@@ -7,7 +7,7 @@
 #include "plane_sample.h"
 #include <detection/plane_choice.h>
 #include <detection/plane_list.h>
-#include <pcl_ops/floor_plan.h>
+#include <pcl_ops/buildings/floor_plan.h>
 #include <pcl_ops/result_warnings.h>
 
 namespace pcl_ops::apps {

@@ -9,11 +9,10 @@
 #include <pcl/PointIndices.h>
 
 #include <pcl_ops/detail/detection.h>
+#include <pcl_ops/detection_report.h>
 #include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector_parameters.h>
-#include <pcl_ops/stage_durations.h>
-#include <pcl_ops/used_lengths.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -21,18 +21,23 @@ pcl_ops_install_library(pcl_ops_core dev pcl_ops-targets)
 install(TARGETS pcl_ops_headers EXPORT pcl_ops-targets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
-  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "surface" EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "surface" EXCLUDE PATTERN "buildings" EXCLUDE)
 
 set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
 install(EXPORT pcl_ops-targets NAMESPACE pcl_ops::
   DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
-# Exported apart, as the package of Debian may be missing.
-if(TARGET pcl_ops_surface)
-  pcl_ops_install_library(pcl_ops_surface surface pcl_ops-surface-targets)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops/surface
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pcl_ops COMPONENT dev)
-  install(EXPORT pcl_ops-surface-targets NAMESPACE pcl_ops::
-    DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
+# Exported apart, as the packages of Debian may be missing.
+foreach(part surface buildings)
+  if(TARGET pcl_ops_${part})
+    pcl_ops_install_library(pcl_ops_${part} ${part} pcl_ops-${part}-targets)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops/${part}
+      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pcl_ops COMPONENT dev)
+    install(EXPORT pcl_ops-${part}-targets NAMESPACE pcl_ops::
+      DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
+  endif()
+endforeach()
+if(TARGET pcl_ops_buildings)
+  pcl_ops_install_library(pcl_ops_buildings_core dev pcl_ops-buildings-targets)
 endif()
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/pcl_ops-config.cmake.in
@@ -61,7 +66,12 @@ endforeach()
 file(RELATIVE_PATH PCL_OPS_PC_TO_PREFIX
   ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/pcl_ops.pc.in pcl_ops.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops.pc
+set(pcl_ops_pc_files ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops.pc)
+if(TARGET pcl_ops_buildings)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/pcl_ops_buildings.pc.in pcl_ops_buildings.pc @ONLY)
+  list(APPEND pcl_ops_pc_files ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops_buildings.pc)
+endif()
+install(FILES ${pcl_ops_pc_files}
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
 # REP 136 and the ament resource index: package.xml and an empty marker.

@@ -5,12 +5,12 @@
 #include "interpreter.h"
 #include "parameters.h"
 #include <metrics/metrics.h>
+#include <pcl_ops/buildings/floor_plan.h>
+#include <pcl_ops/buildings/plane_kinds.h>
+#include <pcl_ops/buildings/plane_regularization.h>
 #include <pcl_ops/detect_planes.h>
-#include <pcl_ops/floor_plan.h>
 #include <pcl_ops/plane_extent.h>
-#include <pcl_ops/plane_kinds.h>
 #include <pcl_ops/plane_pieces.h>
-#include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/plane_tracker.h>
 #include <pcl_ops/result_warnings.h>
 #include <pcl_ops/surface/concave_hull.h>

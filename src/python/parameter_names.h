@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_ops/buildings/floor_plan.h>
+#include <pcl_ops/buildings/plane_regularization.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/floor_plan.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane_edges.h>
 #include <pcl_ops/plane_filter.h>
 #include <pcl_ops/plane_matching.h>
-#include <pcl_ops/plane_regularization.h>
 #include <pcl_ops/up_axis.h>
 
 #include <string>

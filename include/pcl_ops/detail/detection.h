@@ -3,10 +3,9 @@
 #pragma once
 
 #include <pcl_ops/cloud_view.h>
+#include <pcl_ops/detection_report.h>
 #include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
-#include <pcl_ops/stage_durations.h>
-#include <pcl_ops/used_lengths.h>
 
 #include <functional>
 #include <string>

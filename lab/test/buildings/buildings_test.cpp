@@ -5,9 +5,9 @@
 // print: ctest --test-dir build -R lab_buildings_test -V
 #include <gtest/gtest.h>
 
+#include <pcl_ops/buildings/floor_plan.h>
+#include <pcl_ops/buildings/plane_kinds.h>
 #include <pcl_ops/detect_planes.h>
-#include <pcl_ops/floor_plan.h>
-#include <pcl_ops/plane_kinds.h>
 #include <simulation/scenes.h>
 
 #include <array>

@@ -23,6 +23,18 @@ them into surfaces: outlines with holes, and triangles.
 This package has the shared library.")
 endif()
 
+if(TARGET pcl_ops_buildings)
+  list(APPEND libraries buildings)
+  pcl_ops_add_library_package(pcl_ops_buildings buildings
+    COMPONENTS library
+    SUMMARY "kinds of planes and floor plans for pcl_ops"
+    DESCRIPTION "pcl_ops finds all planes of a point cloud in one call. This part of it says
+what they are in a building: floors, ceilings, walls, roofs. It makes walls
+parallel and orthogonal, and draws floor plans.
+.
+This package has the shared library.")
+endif()
+
 pcl_ops_add_package(dev NAME libpcl-ops-dev SECTION libdevel
   DEPENDS libpcl-dev
   COMPONENTS ${libraries}

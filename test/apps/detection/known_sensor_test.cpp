@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <detection/known_sensor.h>
+#include <pcl_ops/buildings/plane_kinds.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/oriented_point_sampling.h>
-#include <pcl_ops/plane_kinds.h>
 #include <support/lidar_scans.h>
 
 using Eigen::Vector3d;

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "continuation.h"
+
+#include "constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace pcl_ops::internal::buildings {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/** \brief From above; 0 within the outline, which is convex. */
+double
+distanceToOutline (const std::vector<Vector3d>& hull, const Vector2d& place)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  bool is_left_of_all = true;
+  bool is_right_of_all = true;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vector2d from = hull[i].head<2>();
+    const Vector2d along = hull[(i + 1) % hull.size()].head<2>() - from;
+    const Vector2d off = place - from;
+    const double side = along.x() * off.y() - along.y() * off.x();
+    is_left_of_all = is_left_of_all && side >= 0.0;
+    is_right_of_all = is_right_of_all && side <= 0.0;
+    const double length = along.squaredNorm();
+    const double share =
+        length > 0.0 ? std::clamp (along.dot (off) / length, 0.0, 1.0) : 0.0;
+    nearest = std::min (nearest, (off - share * along).norm());
+  }
+  return is_left_of_all || is_right_of_all ? 0.0 : nearest;
+}
+
+/** \brief From above, a circle around the outline. */
+double
+reachOf (const PlaneFromAbove& plane)
+{
+  double reach = 0.0;
+  for (const Vector3d& corner : plane.hull)
+    reach = std::max (reach, (corner - plane.center).head<2>().norm());
+  return reach;
+}
+
+std::vector<PlaneFromAbove>
+neighborsOf (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
+{
+  const double reach = reachOf (plane);
+  std::vector<PlaneFromAbove> neighbors;
+  for (const PlaneFromAbove& other : all)
+    if (&other != &plane && other.area >= constants.min_area_beside_outline &&
+        other.hull.size() > 2 &&
+        (other.center - plane.center).head<2>().norm() <=
+            reach + reachOf (other) + constants.max_beside_outline)
+      neighbors.push_back (other);
+  return neighbors;
+}
+
+/** \brief Places along an outline, in even steps. */
+std::vector<Vector3d>
+placesAlong (const std::vector<Vector3d>& hull)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
+  std::vector<Vector3d> places;
+  const double step = length / static_cast<double> (constants.places_of_outline);
+  double next = 0.5 * step; // along the outline, from the corner on
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vector3d side = hull[(i + 1) % hull.size()] - hull[i];
+    const double end = side.norm();
+    for (; next < end && places.size() < constants.places_of_outline; next += step)
+      places.push_back (hull[i] + next / end * side);
+    next -= end;
+  }
+  return places;
+}
+
+double
+heightAt (const PlaneFromAbove& plane, const Vector3d& place)
+{
+  const Vector2d off = (place - plane.center).head<2>();
+  return plane.center.z() - plane.normal.head<2>().dot (off) / plane.normal.z();
+}
+
+/** \brief Whether a plane is far above a place beside it, and stays so: the other side
+ * of a gable falls from the ridge. */
+bool
+risesAbove (const Vector3d& place, const PlaneFromAbove& plane)
+{
+  return std::min (plane.center.z(), heightAt (plane, place)) - place.z() >=
+         constants.headroom;
+}
+
+} // namespace
+
+bool
+isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
+{
+  const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
+  int at_steps = 0;
+  int flush = 0;
+  int below = 0;
+  for (const Vector3d& place : placesAlong (plane.hull)) {
+    bool is_at_step = false;
+    bool is_flush = false;
+    bool is_below = false;
+    for (const PlaneFromAbove& other : neighbors) {
+      if (distanceToOutline (other.hull, place.head<2>()) >
+          constants.max_beside_outline)
+        continue;
+      const double drop = place.z() - heightAt (other, place);
+      is_at_step = is_at_step || drop >= constants.headroom;
+      is_flush = is_flush ||
+                 (std::abs (drop) < constants.same_height &&
+                  plane.normal.dot (other.normal) > constants.min_cosine_of_same_slope);
+      is_below = is_below || risesAbove (place, other);
+    }
+    at_steps += is_at_step ? 1 : 0;
+    flush += is_flush && !is_at_step ? 1 : 0;
+    below += is_below && !is_at_step ? 1 : 0;
+  }
+  return 2 * (flush + below) > at_steps;
+}
+
+} // namespace pcl_ops::internal::buildings

@@ -1,0 +1,424 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
+#include "arguments.h"
+#include "constants.h"
+#include "plan_rooms.h"
+#include "plan_walls.h"
+#include "wall_faces.h"
+#include "wall_fronts.h"
+#include <pcl_ops/buildings/floor_plan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal::buildings;
+using Eigen::Vector3d;
+
+/** \brief Finite points of a cloud in the frame of the plan, but for the shift. */
+class PlanCloud {
+public:
+  PlanCloud (const CloudView& cloud, const Eigen::Matrix3d& to_plan)
+  : cloud_ (cloud), to_plan_ (to_plan)
+  {}
+
+  void
+  add (std::size_t i, PlanPoints& points) const
+  {
+    const float* const point = cloud_[i];
+    const Vector3d place (point[0], point[1], point[2]);
+    if (place.allFinite())
+      points.push_back (to_plan_ * place);
+  }
+
+  PlanPoints
+  pointsOf (const PlaneSegment& plane) const
+  {
+    PlanPoints points;
+    points.reserve (plane.inliers.size());
+    for (const pcl::index_t i : plane.inliers)
+      add (static_cast<std::size_t> (i), points);
+    return points;
+  }
+
+  PlanPoints
+  pointsAt (double height) const
+  {
+    PlanPoints points;
+    PlanPoints one;
+    for (std::size_t i = 0; i < cloud_.size; ++i) {
+      one.clear();
+      add (i, one);
+      if (!one.empty() &&
+          std::abs (one.front().z() - height) <= constants.half_band_of_cloud)
+        points.push_back (one.front());
+    }
+    return points;
+  }
+
+private:
+  const CloudView& cloud_;
+  Eigen::Matrix3d to_plan_;
+};
+
+/** \brief Turns up to z the shortest way: x and y stay where up is z. */
+Eigen::Matrix3d
+turnUpright (const Vector3d& up)
+{
+  const Vector3d axis = up.stableNormalized();
+  if (axis == Vector3d::UnitZ())
+    return Eigen::Matrix3d::Identity();
+  return Eigen::Quaterniond::FromTwoVectors (axis, Vector3d::UnitZ())
+      .toRotationMatrix();
+}
+
+/** \brief Planes with their kinds and their points in the frame of the plan. */
+struct Seen {
+  PlaneKind kind;
+  Vector3d normal;
+  PlanPoints points;
+  double height;
+};
+
+std::vector<Seen>
+seenPlanes (const PlanCloud& cloud,
+            const std::vector<PlaneSegment>& planes,
+            const std::vector<PlaneKind>& kinds,
+            const Eigen::Matrix3d& to_plan)
+{
+  std::vector<Seen> all;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    Seen seen{kinds[i], to_plan * planes[i].normal, cloud.pointsOf (planes[i]), 0.0};
+    for (const Vector3d& point : seen.points)
+      seen.height += point.z() / static_cast<double> (seen.points.size());
+    all.push_back (std::move (seen));
+  }
+  return all;
+}
+
+/** \brief The height of the lowest floor that is no small part; without one that of the
+ * lowest point of a wall. */
+double
+lowestFloor (const std::vector<Seen>& planes)
+{
+  std::size_t largest = 0;
+  double lowest_point = 0.0;
+  bool has_wall = false;
+  for (const Seen& plane : planes) {
+    if (plane.kind == PlaneKind::Floor)
+      largest = std::max (largest, plane.points.size());
+    if (plane.kind == PlaneKind::Wall)
+      for (const Vector3d& point : plane.points) {
+        lowest_point = has_wall ? std::min (lowest_point, point.z()) : point.z();
+        has_wall = true;
+      }
+  }
+  double lowest = lowest_point;
+  bool has_floor = false;
+  for (const Seen& plane : planes)
+    if (plane.kind == PlaneKind::Floor &&
+        static_cast<double> (plane.points.size()) >=
+            constants.min_share_of_lowest_floor * static_cast<double> (largest)) {
+      lowest = has_floor ? std::min (lowest, plane.height) : plane.height;
+      has_floor = true;
+    }
+  return lowest;
+}
+
+/** \brief The floor that is next below the cut. */
+double
+floorBelow (const std::vector<Seen>& planes, double height, double lowest)
+{
+  double floor = lowest;
+  for (const Seen& plane : planes)
+    if (plane.kind == PlaneKind::Floor && plane.height < height)
+      floor = std::max (floor, plane.height);
+  // Parts of one floor are not at one height.
+  return floor - lowest < constants.step ? lowest : floor;
+}
+
+void
+append (PlanPoints& points, const PlanPoints& others)
+{
+  points.insert (points.end(), others.begin(), others.end());
+}
+
+bool
+isLevel (PlaneKind kind)
+{
+  return kind == PlaneKind::Table || kind == PlaneKind::Slab || kind == PlaneKind::Ramp;
+}
+
+/** \brief The points of all planes that are such. */
+template <typename IsSuch>
+PlanPoints
+pointsOf (const std::vector<Seen>& planes, const IsSuch& isSuch)
+{
+  PlanPoints points;
+  for (const Seen& plane : planes)
+    if (isSuch (plane))
+      append (points, plane.points);
+  return points;
+}
+
+/** \brief Squares of a grid from above, as wide as eaves are. */
+using EavesSquares = std::set<std::pair<long, long>>;
+
+std::pair<long, long>
+eavesSquareAt (const Vector3d& point)
+{
+  return {std::lround (point.x() / constants.max_eaves),
+          std::lround (point.y() / constants.max_eaves)};
+}
+
+/** \brief Those with points of roofs, and those beside them. */
+EavesSquares
+squaresUnder (const PlanPoints& roofs)
+{
+  EavesSquares with_points;
+  for (const Vector3d& point : roofs)
+    with_points.insert (eavesSquareAt (point));
+  EavesSquares under;
+  for (const auto& [x, y] : with_points)
+    for (const long dx : {-1, 0, 1})
+      for (const long dy : {-1, 0, 1})
+        under.emplace (x + dx, y + dy);
+  return under;
+}
+
+/** \brief Whether a building stands under roofs: most points of its walls do, or are
+ * below the eaves. A sloping piece of a room's ceiling covers few of them. */
+bool
+coverWalls (const PlanPoints& roofs, const std::vector<Seen>& planes)
+{
+  const EavesSquares under_roofs = squaresUnder (roofs);
+  double all = 0.0;
+  double under = 0.0;
+  for (const Seen& plane : planes)
+    if (plane.kind == PlaneKind::Wall)
+      for (const Vector3d& point : plane.points) {
+        all += 1.0;
+        under += static_cast<double> (under_roofs.count (eavesSquareAt (point)));
+      }
+  return under > constants.min_walls_under_roofs * all;
+}
+
+/** \brief What covers the rooms at a cut: roofs where there are no ceilings and a
+ * building stands under them, as the ground lies around a house; else floors and
+ * ceilings. */
+Cover
+coverAt (const std::vector<Seen>& planes, double floor, double height)
+{
+  const auto is_below = [&] (const Seen& plane) {
+    return plane.height <= height && plane.height > floor - constants.max_below_floor;
+  };
+  Cover cover;
+  cover.floor = pointsOf (planes, [&] (const Seen& plane) {
+    return plane.kind == PlaneKind::Floor && is_below (plane);
+  });
+  cover.ceiling = pointsOf (planes, [&] (const Seen& plane) {
+    return plane.kind == PlaneKind::Ceiling && plane.height > height &&
+           plane.height < height + constants.max_ceiling_over_cut;
+  });
+  PlanPoints roofs = pointsOf (planes, [&] (const Seen& plane) {
+    return plane.kind == PlaneKind::Roof && plane.height > height;
+  });
+  if (cover.ceiling.empty() && coverWalls (roofs, planes)) {
+    cover.points = std::move (roofs);
+    return cover;
+  }
+  const PlanPoints level = pointsOf (planes, [&] (const Seen& plane) {
+    return isLevel (plane.kind) && is_below (plane);
+  });
+  append (cover.points, cover.floor);
+  append (cover.points, cover.ceiling);
+  append (cover.points, level);
+  return cover;
+}
+
+/** \brief Turns the walls to the rooms whose floors and ceilings end at them. */
+void
+turnToRooms (const Cover& cover, std::vector<Seen>& planes)
+{
+  const RoomSides rooms ({&cover.floor, &cover.ceiling});
+  for (Seen& plane : planes)
+    if (plane.kind == PlaneKind::Wall &&
+        rooms.areBehind (plane.normal.head<2>().normalized(), plane.points))
+      plane.normal = -plane.normal;
+}
+
+/** \brief One for each plane that is such. */
+template <typename IsSuch>
+std::vector<WallFace>
+facesOf (const std::vector<Seen>& planes, double height, const IsSuch& isSuch)
+{
+  std::vector<WallFace> faces;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (isSuch (planes[i]) && !planes[i].points.empty())
+      faces.push_back (faceOf (planes[i].normal, planes[i].points, i, height));
+  return faces;
+}
+
+bool
+isSeenWall (const Seen& plane)
+{
+  return plane.kind == PlaneKind::Wall;
+}
+
+/** \brief What may be the leaf of a door, or a pane. */
+bool
+isUpright (const Seen& plane)
+{
+  return plane.kind == PlaneKind::Other &&
+         std::abs (plane.normal.z()) < constants.max_sine_of_upright;
+}
+
+/** \brief Tells by the points at the height of the cut: something before or in most of
+ * a gap hides it, unless as much is seen through it. */
+IsHidden
+hiddenBy (PlanPoints points)
+{
+  return [points = std::move (points)] (const PlanLine& line, const Interval& gap) {
+    const std::size_t bins =
+        static_cast<std::size_t> (gap.length() / constants.edge_of_gap_bin) + 1;
+    std::vector<char> before (bins, 0);
+    std::vector<char> behind (bins, 0);
+    for (const Vector3d& point : points) {
+      const double distance = line.distance (point.head<2>());
+      const double place = line.place (point.head<2>());
+      if (std::abs (distance) > constants.max_off_gap || place < gap.from ||
+          place > gap.to)
+        continue;
+      const auto bin =
+          static_cast<std::size_t> ((place - gap.from) / constants.edge_of_gap_bin);
+      (distance > -constants.max_depth_in_wall ? before : behind)[bin] = 1;
+    }
+    const auto hidden = std::count (before.begin(), before.end(), 1);
+    const auto through = std::count (behind.begin(), behind.end(), 1);
+    const auto half = static_cast<std::ptrdiff_t> (bins) / 2;
+    return hidden > half && through <= half;
+  };
+}
+
+/** \brief Moves what was found from the frame of the cloud to that of the planes. */
+void
+moveBy (const Vector3d& shift, FloorPlan& plan)
+{
+  const Eigen::Vector2d level = shift.head<2>();
+  plan.floor += shift.z();
+  plan.height += shift.z();
+  for (PlanWall& wall : plan.walls) {
+    wall.from += level;
+    wall.to += level;
+    for (PlanOpening& opening : wall.openings) {
+      opening.from += level;
+      opening.to += level;
+    }
+  }
+  for (PlanRoom& room : plan.rooms) {
+    room.middle += level;
+    for (PlanarPoints& ring : room.rings)
+      for (Eigen::Vector2d& corner : ring)
+        corner += level;
+    for (std::optional<double>* height : {&room.floor, &room.ceiling})
+      if (*height)
+        **height += shift.z();
+  }
+}
+
+void
+checkInput (const CloudView& cloud,
+            const std::vector<PlaneSegment>& planes,
+            const std::vector<PlaneKind>& kinds,
+            const Vector3d& up,
+            const FloorPlanParameters& parameters)
+{
+  throwOn (validate (parameters));
+  if (planes.size() != kinds.size())
+    throw std::invalid_argument ("each plane has to have its kind");
+  if (!up.allFinite() || up.isZero (0.0))
+    throw std::invalid_argument ("the up axis must be a direction");
+  for (const PlaneSegment& plane : planes)
+    checkInliers (cloud, plane);
+}
+
+} // namespace
+
+std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>
+PlanWall::solidParts() const
+{
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> parts;
+  Eigen::Vector2d begin = from;
+  const auto add = [&] (const Eigen::Vector2d& end) {
+    constexpr double shortest = 1e-3; // [m]
+    if ((end - begin).norm() > shortest)
+      parts.emplace_back (begin, end);
+  };
+  for (const PlanOpening& opening : openings) {
+    add (opening.from);
+    begin = opening.to;
+  }
+  add (to);
+  return parts;
+}
+
+std::string
+validate (const FloorPlanParameters& parameters)
+{
+  const auto is_length = [] (double length) {
+    return length > 0.0 && std::isfinite (length);
+  };
+  if (!std::isfinite (parameters.cut_height))
+    return "the height of the cut must be a number";
+  if (!is_length (parameters.min_opening) || !is_length (parameters.max_opening) ||
+      parameters.min_opening > parameters.max_opening)
+    return "openings must have lengths above 0, the largest not below the smallest";
+  if (!is_length (parameters.max_snap))
+    return "how far ends of walls are moved must be a length above 0";
+  if (!is_length (parameters.min_room))
+    return "the smallest room must have an area above 0";
+  // Lengths of other units would be zero or infinite in meters.
+  constexpr double longest = 1e9;
+  if (!(parameters.meter <= longest && parameters.meter >= 1.0 / longest))
+    return "a meter must be a length from 1e-9 to 1e9";
+  return {};
+}
+
+FloorPlan
+findFloorPlan (const CloudView& cloud,
+               const std::vector<PlaneSegment>& planes,
+               const std::vector<PlaneKind>& kinds,
+               const Eigen::Vector3d& up,
+               const FloorPlanParameters& parameters,
+               const Eigen::Vector3d& shift)
+{
+  checkInput (cloud, planes, kinds, up, parameters);
+  FloorPlan plan;
+  const Eigen::Matrix3d turn = turnUpright (up);
+  plan.to_plan = turn / parameters.meter;
+  const PlanCloud points (cloud, plan.to_plan);
+  std::vector<Seen> seen = seenPlanes (points, planes, kinds, turn);
+  const double lowest = lowestFloor (seen);
+  plan.height = lowest + parameters.cut_height;
+  plan.floor = floorBelow (seen, plan.height, lowest);
+  const Cover cover = coverAt (seen, plan.floor, plan.height);
+  turnToRooms (cover, seen);
+  const std::vector<WallFace> faces =
+      withoutRecesses (joinFaces (facesOf (seen, plan.height, isSeenWall)),
+                       facesOf (seen, plan.height, isUpright));
+  std::vector<WallSpan> spans = spansOf (faces, parameters);
+  addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
+  plan.walls = toWalls (faces, spans, plan.floor, plan.height);
+  plan.rooms = roomsOf (faces, spans, cover, parameters.min_room);
+  moveBy (plan.to_plan * shift, plan);
+  return plan;
+}
+
+} // namespace pcl_ops

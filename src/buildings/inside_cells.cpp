@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "inside_cells.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+
+#include "constants.h"
+
+#include <cmath>
+
+namespace pcl_ops::internal::buildings {
+namespace {
+
+/** \brief In whole units, so that sums are exact and equal cuts are told the same way.
+ */
+using Capacity = long long;
+
+using CutTraits =
+    boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
+using CutGraph = boost::adjacency_list<
+    boost::vecS,
+    boost::vecS,
+    boost::directedS,
+    boost::property<boost::vertex_color_t,
+                    boost::default_color_type,
+                    boost::property<boost::vertex_predecessor_t,
+                                    CutTraits::edge_descriptor,
+                                    boost::property<boost::vertex_distance_t, long>>>,
+    boost::property<boost::edge_capacity_t,
+                    Capacity,
+                    boost::property<boost::edge_residual_capacity_t,
+                                    Capacity,
+                                    boost::property<boost::edge_reverse_t,
+                                                    CutTraits::edge_descriptor>>>>;
+
+Capacity
+toCapacity (double square_meters)
+{
+  constexpr double units = 1e6; // of a square millimeter
+  return std::llround (units * square_meters);
+}
+
+/** \brief Two arcs, each the reverse of the other. */
+void
+addArcs (
+    std::size_t from, std::size_t to, Capacity there, Capacity back, CutGraph& graph)
+{
+  const auto first = boost::add_edge (from, to, graph).first;
+  const auto second = boost::add_edge (to, from, graph).first;
+  boost::put (boost::edge_capacity, graph, first, there);
+  boost::put (boost::edge_capacity, graph, second, back);
+  boost::put (boost::edge_reverse, graph, first, second);
+  boost::put (boost::edge_reverse, graph, second, first);
+}
+
+} // namespace
+
+std::vector<char>
+cellsInside (const std::vector<CellEvidence>& cells,
+             const std::vector<CellBorder>& borders)
+{
+  const std::size_t inside = cells.size();
+  const std::size_t outside = cells.size() + 1;
+  CutGraph graph (cells.size() + 2);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& [covered, uncovered, rim] = cells[i];
+    const Capacity against = toCapacity (uncovered + constants.max_unseen * rim);
+    addArcs (inside, i, toCapacity (covered), 0, graph);
+    addArcs (i, outside, against, 0, graph);
+  }
+  for (const auto& [first, second, open] : borders) {
+    const Capacity cost = toCapacity (constants.max_unseen * open);
+    addArcs (first, second, cost, cost, graph);
+  }
+  boost::boykov_kolmogorov_max_flow (graph, inside, outside);
+  std::vector<char> is_inside;
+  const auto colors = boost::get (boost::vertex_color, graph);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    is_inside.push_back (colors[i] ==
+                         boost::color_traits<boost::default_color_type>::black());
+  return is_inside;
+}
+
+} // namespace pcl_ops::internal::buildings

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace pcl_ops::internal::buildings {
+
+/** \brief A part of a line, by places along it [m]. */
+struct Interval {
+  double from, to;
+
+  double
+  length () const
+  {
+    return to - from;
+  }
+};
+
+/** \brief Ascending, none touching another. */
+using Intervals = std::vector<Interval>;
+
+/** \brief Those of both lists as one, with gaps up to \p max_gap closed. */
+inline Intervals
+unionOf (Intervals intervals, const Intervals& others, double max_gap)
+{
+  intervals.insert (intervals.end(), others.begin(), others.end());
+  std::sort (intervals.begin(),
+             intervals.end(),
+             [] (const Interval& a, const Interval& b) { return a.from < b.from; });
+  Intervals all;
+  for (const Interval& interval : intervals)
+    if (all.empty() || interval.from - all.back().to > max_gap)
+      all.push_back (interval);
+    else
+      all.back().to = std::max (all.back().to, interval.to);
+  return all;
+}
+
+/** \brief Intervals from place to place; a gap that is larger than \p max_gap begins
+ * another. */
+inline Intervals
+intervalsOf (const std::vector<double>& places, double max_gap)
+{
+  Intervals points;
+  points.reserve (places.size());
+  for (const double place : places)
+    points.push_back ({place, place});
+  return unionOf (std::move (points), {}, max_gap);
+}
+
+/** \brief What of some intervals others do not cover. */
+inline Intervals
+without (const Intervals& intervals, const Intervals& others)
+{
+  Intervals left;
+  for (Interval rest : intervals) {
+    for (const Interval& other : others) {
+      if (other.to <= rest.from || other.from >= rest.to)
+        continue;
+      if (other.from > rest.from)
+        left.push_back ({rest.from, other.from});
+      rest.from = std::min (rest.to, other.to);
+    }
+    if (rest.from < rest.to)
+      left.push_back (rest);
+  }
+  return left;
+}
+
+/** \brief How much of an interval the others cover [m]. */
+inline double
+lengthWithin (const Interval& interval, const Intervals& others)
+{
+  double length = 0.0;
+  for (const Interval& other : others)
+    length += std::max (
+        0.0, std::min (interval.to, other.to) - std::max (interval.from, other.from));
+  return length;
+}
+
+} // namespace pcl_ops::internal::buildings

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_cells.h"
+
+#include "planar_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace pcl_ops::internal::buildings {
+namespace {
+
+/** \brief What is nearer to a line than this lies on it [m]. */
+constexpr double on_line = 1e-7;
+
+/** \brief Whether a line lies between two points, by their signed distances to it. */
+bool
+isBetween (double begin, double end)
+{
+  return (begin > on_line && end < -on_line) || (begin < -on_line && end > on_line);
+}
+
+/** \brief The part of a cell on one side of a line.
+ * \param[in] sign 1: before it, -1: behind it
+ * \param[in] number of the line
+ * \return without corners where there is none */
+PlanCell
+partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t number)
+{
+  PlanCell part;
+  const std::size_t corners = cell.corners.size();
+  for (std::size_t i = 0; i < corners; ++i) {
+    const Eigen::Vector2d& from = cell.corners[i];
+    const Eigen::Vector2d& to = cell.corners[(i + 1) % corners];
+    const double begin = sign * line.distance (from);
+    const double end = sign * line.distance (to);
+    const bool is_in = begin >= -on_line;
+    const bool is_next_in = end >= -on_line;
+    if (is_in) {
+      part.corners.push_back (from);
+      // Along the line itself the side stays what it was.
+      const bool leaves = !is_next_in && begin <= on_line;
+      part.lines.push_back (leaves ? number : cell.lines[i]);
+    }
+    if (isBetween (begin, end)) {
+      part.corners.push_back (from + begin / (begin - end) * (to - from));
+      part.lines.push_back (is_in ? number : cell.lines[i]);
+    }
+  }
+  constexpr double smallest = 1e-10; // [m^2]
+  if (part.corners.size() < 3 || areaOf (part.corners) < smallest)
+    return {};
+  return part;
+}
+
+/** \brief Whether a line divides a cell. */
+bool
+divides (const PlanLine& line, const PlanCell& cell)
+{
+  bool is_before = false;
+  bool is_behind = false;
+  for (const Eigen::Vector2d& corner : cell.corners) {
+    const double distance = line.distance (corner);
+    is_before = is_before || distance > on_line;
+    is_behind = is_behind || distance < -on_line;
+  }
+  return is_before && is_behind;
+}
+
+/** \brief What tells a side, whichever cell has it. */
+struct SideKey {
+  std::size_t line;
+  long long x, y;
+  std::size_t cell, side;
+};
+
+} // namespace
+
+std::vector<PlanCell>
+cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines)
+{
+  const Eigen::Vector2d low = box.min();
+  const Eigen::Vector2d high = box.max();
+  std::vector<PlanCell> cells = {{{low, {high.x(), low.y()}, high, {low.x(), high.y()}},
+                                  {no_line, no_line, no_line, no_line}}};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<PlanCell> next;
+    for (const PlanCell& cell : cells) {
+      if (!divides (lines[i], cell)) {
+        next.push_back (cell);
+        continue;
+      }
+      for (const double sign : {1.0, -1.0})
+        if (PlanCell part = partOf (cell, lines[i], sign, i); !part.corners.empty())
+          next.push_back (std::move (part));
+    }
+    cells = std::move (next);
+  }
+  return cells;
+}
+
+std::vector<CommonSide>
+commonSides (const std::vector<PlanCell>& cells)
+{
+  constexpr double step = 1e-4; // [m]
+  std::vector<SideKey> keys;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t i = 0; i < cells[c].corners.size(); ++i) {
+      if (cells[c].lines[i] == no_line)
+        continue;
+      const Eigen::Vector2d sum =
+          cells[c].corners[i] + cells[c].corners[(i + 1) % cells[c].corners.size()];
+      keys.push_back ({cells[c].lines[i],
+                       std::llround (sum.x() / step),
+                       std::llround (sum.y() / step),
+                       c,
+                       i});
+    }
+  std::sort (keys.begin(), keys.end(), [] (const SideKey& a, const SideKey& b) {
+    return std::tie (a.line, a.x, a.y, a.cell) < std::tie (b.line, b.x, b.y, b.cell);
+  });
+  // Middles may be rounded apart by one step.
+  std::vector<CommonSide> sides;
+  std::vector<char> is_taken (keys.size(), 0);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    for (std::size_t j = i + 1;
+         !is_taken[i] && j < keys.size() && keys[j].line == keys[i].line &&
+         keys[j].x - keys[i].x <= 1;
+         ++j)
+      if (!is_taken[j] && std::llabs (keys[j].y - keys[i].y) <= 1 &&
+          keys[j].cell != keys[i].cell) {
+        is_taken[i] = is_taken[j] = 1;
+        sides.push_back ({keys[i].cell, keys[j].cell, keys[i].side});
+      }
+  return sides;
+}
+
+} // namespace pcl_ops::internal::buildings

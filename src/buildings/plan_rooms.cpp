@@ -1,0 +1,561 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_rooms.h"
+
+#include "constants.h"
+#include "inside_cells.h"
+#include "plan_cells.h"
+#include "planar_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace pcl_ops::internal::buildings {
+namespace {
+
+using Eigen::Vector2d;
+
+/** \brief Points on a square meter, of those that have some; of no points infinite. */
+double
+densityOf (const PlanPoints& points, const Eigen::AlignedBox2d& box)
+{
+  double inside = 0.0;
+  std::set<std::pair<long, long>> meters;
+  for (const Eigen::Vector3d& point : points)
+    if (box.contains (point.head<2>().eval())) {
+      inside += 1.0;
+      meters.emplace (std::lround (point.x()), std::lround (point.y()));
+    }
+  if (meters.empty())
+    return std::numeric_limits<double>::infinity();
+  return inside / static_cast<double> (meters.size());
+}
+
+/** \brief Which squares of a grid have points. */
+class CoveredSquares {
+public:
+  CoveredSquares (const PlanPoints& points, const Eigen::AlignedBox2d& box)
+  {
+    const Vector2d sizes = box.sizes();
+    edge_ = std::max (
+        {constants.min_edge_of_cover,
+         std::sqrt (sizes.x() * sizes.y() / constants.max_cover_squares),
+         std::sqrt (constants.points_of_cover_square / densityOf (points, box))});
+    low_ = box.min();
+    columns_ = static_cast<std::size_t> (sizes.x() / edge_) + 1;
+    rows_ = static_cast<std::size_t> (sizes.y() / edge_) + 1;
+    has_points_.assign (columns_ * rows_, 0);
+    for (const Eigen::Vector3d& point : points)
+      if (box.contains (point.head<2>().eval()))
+        has_points_[squareAt (point.head<2>())] = 1;
+  }
+
+  /** \brief How much of a convex cell has points, 0 to 1. */
+  double
+  shareOf (const PlanCell& cell) const
+  {
+    Eigen::AlignedBox2d box;
+    Vector2d middle = Vector2d::Zero();
+    for (const Vector2d& corner : cell.corners) {
+      box.extend (corner);
+      middle += corner / static_cast<double> (cell.corners.size());
+    }
+    // Samples in proportion to the cell; of a sliver that none is in, its middle.
+    constexpr int max_samples = constants.max_samples_of_cell;
+    const Vector2d wanted = (box.sizes() / edge_).array().ceil();
+    const int columns = std::clamp (static_cast<int> (wanted.x()), 1, max_samples);
+    const int rows = std::clamp (static_cast<int> (wanted.y()), 1, max_samples);
+    int all = 0;
+    int covered = 0;
+    const auto ask = [&] (const Vector2d& place) {
+      ++all;
+      covered += has_points_[squareAt (place)];
+    };
+    for (int i = 0; i < columns; ++i)
+      for (int j = 0; j < rows; ++j) {
+        const Vector2d place =
+            box.min() + Vector2d ((i + 0.5) / columns * box.sizes().x(),
+                                  (j + 0.5) / rows * box.sizes().y());
+        if (isWithin (cell, place))
+          ask (place);
+      }
+    if (all == 0)
+      ask (middle);
+    return static_cast<double> (covered) / all;
+  }
+
+private:
+  static bool
+  isWithin (const PlanCell& cell, const Vector2d& place)
+  {
+    const std::size_t corners = cell.corners.size();
+    for (std::size_t i = 0; i < corners; ++i) {
+      const Vector2d& from = cell.corners[i];
+      if (cross (cell.corners[(i + 1) % corners] - from, place - from) < 0.0)
+        return false;
+    }
+    return true;
+  }
+
+  std::size_t
+  squareAt (const Vector2d& place) const
+  {
+    const Vector2d square = ((place - low_) / edge_).array().max (0.0);
+    return std::min (columns_ - 1, static_cast<std::size_t> (square.x())) * rows_ +
+           std::min (rows_ - 1, static_cast<std::size_t> (square.y()));
+  }
+
+  double edge_;
+  Vector2d low_;
+  std::size_t columns_, rows_;
+  std::vector<char> has_points_;
+};
+
+/** \brief The cells of each room: sets that no wall divides. */
+class CellSets {
+public:
+  explicit CellSets (std::size_t cells) : parents_ (cells)
+  {
+    std::iota (parents_.begin(), parents_.end(), std::size_t (0));
+  }
+
+  std::size_t
+  rootOf (std::size_t cell)
+  {
+    while (parents_[cell] != cell) {
+      parents_[cell] = parents_[parents_[cell]];
+      cell = parents_[cell];
+    }
+    return cell;
+  }
+
+  void
+  join (std::size_t first, std::size_t second)
+  {
+    const std::size_t one = rootOf (first);
+    const std::size_t other = rootOf (second);
+    parents_[std::max (one, other)] = std::min (one, other);
+  }
+
+private:
+  std::vector<std::size_t> parents_;
+};
+
+/** \brief Where each line has walls. */
+std::vector<Intervals>
+wallsOnLines (std::size_t lines, const std::vector<WallSpan>& spans)
+{
+  std::vector<Intervals> walls (lines);
+  for (const WallSpan& span : spans)
+    walls[span.face].push_back (span.whole);
+  return walls;
+}
+
+struct Side {
+  Vector2d from, to;
+  std::size_t line;
+};
+
+/** \brief How much of a side is a wall [m]. */
+double
+walledLength (const Side& side,
+              const std::vector<WallFace>& faces,
+              const std::vector<Intervals>& walls)
+{
+  if (side.line == no_line)
+    return 0.0;
+  const PlanLine& line = faces[side.line].line;
+  const double from = line.place (side.from);
+  const double to = line.place (side.to);
+  return lengthWithin ({std::min (from, to), std::max (from, to)}, walls[side.line]);
+}
+
+Side
+sideOf (const PlanCell& cell, std::size_t i)
+{
+  return {cell.corners[i], cell.corners[(i + 1) % cell.corners.size()], cell.lines[i]};
+}
+
+/** \brief A ring without corners on straight sides. */
+PlanarPoints
+withoutStraightCorners (const PlanarPoints& ring)
+{
+  constexpr double straight = 1e-5; // sine of the turn
+  PlanarPoints corners;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vector2d before = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
+    const Vector2d after = ring[(i + 1) % ring.size()] - ring[i];
+    if (std::abs (cross (before, after)) > straight * before.norm() * after.norm())
+      corners.push_back (ring[i]);
+  }
+  return corners;
+}
+
+/** \brief Sides by where they begin, each to be taken once. */
+class SidesByBegin {
+public:
+  explicit SidesByBegin (const std::vector<Side>& sides) : is_used_ (sides.size(), 0)
+  {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      by_begin_.emplace (placeOf (sides[i].from), i);
+  }
+
+  bool
+  take (std::size_t side)
+  {
+    if (is_used_[side] != 0)
+      return false;
+    is_used_[side] = 1;
+    return true;
+  }
+
+  /** \brief A side that begins at an end and is left. */
+  std::optional<std::size_t>
+  nextOf (const Vector2d& end) const
+  {
+    // Coordinates may be rounded apart by one step.
+    const auto [x, y] = placeOf (end);
+    for (long long dx = -1; dx <= 1; ++dx)
+      for (long long dy = -1; dy <= 1; ++dy)
+        if (const auto side = leftAt ({x + dx, y + dy}))
+          return side;
+    return {};
+  }
+
+private:
+  using Place = std::pair<long long, long long>;
+
+  static Place
+  placeOf (const Vector2d& point)
+  {
+    constexpr double step = 1e-4; // [m]
+    return {std::llround (point.x() / step), std::llround (point.y() / step)};
+  }
+
+  std::optional<std::size_t>
+  leftAt (const Place& place) const
+  {
+    const auto [first, last] = by_begin_.equal_range (place);
+    for (auto found = first; found != last; ++found)
+      if (is_used_[found->second] == 0)
+        return found->second;
+    return {};
+  }
+
+  std::multimap<Place, std::size_t> by_begin_;
+  std::vector<char> is_used_;
+};
+
+/** \brief Sides put end to end. */
+PlanarRings
+ringsOf (const std::vector<Side>& sides)
+{
+  SidesByBegin left (sides);
+  PlanarRings rings;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    PlanarPoints ring;
+    for (std::optional<std::size_t> side = i; side && left.take (*side);
+         side = left.nextOf (sides[*side].to))
+      ring.push_back (sides[*side].from);
+    if (PlanarPoints corners = withoutStraightCorners (ring); corners.size() >= 3)
+      rings.push_back (std::move (corners));
+  }
+  return rings;
+}
+
+bool
+isWithin (const PlanarPoints& ring, const Vector2d& place)
+{
+  bool is_within = false;
+  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
+    const Vector2d& a = ring[i];
+    const Vector2d& b = ring[last];
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
+      is_within = !is_within;
+  }
+  return is_within;
+}
+
+/** \brief The center of area of a room, where that is in it. */
+std::optional<Vector2d>
+centerOf (const PlanarRings& rings)
+{
+  Vector2d sum = Vector2d::Zero();
+  double twice_area = 0.0;
+  const Vector2d& origin = rings.front().front();
+  for (const PlanarPoints& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector2d from = ring[i] - origin;
+      const Vector2d to = ring[(i + 1) % ring.size()] - origin;
+      twice_area += cross (from, to);
+      sum += cross (from, to) * (from + to);
+    }
+  const Vector2d center = origin + sum / (3.0 * twice_area);
+  for (const PlanarPoints& ring : rings)
+    if (isWithin (ring, center) != (&ring == &rings.front()))
+      return {};
+  return center;
+}
+
+/** \brief Outline and holes of a room, and a place in it; no area if there is none.
+ * \param[in] largest its largest cell */
+PlanRoom
+roomWithin (const std::vector<Side>& sides, const PlanCell& largest)
+{
+  PlanarRings rings = ringsOf (sides);
+  std::sort (rings.begin(), rings.end(), [] (const auto& a, const auto& b) {
+    return areaOf (a) > areaOf (b);
+  });
+  PlanRoom room;
+  for (PlanarPoints& ring : rings) {
+    const double area = areaOf (ring);
+    if (!room.rings.empty() && area > -constants.min_hole_area)
+      continue;
+    room.area += area;
+    room.rings.push_back (std::move (ring));
+  }
+  for (const Vector2d& corner : largest.corners)
+    room.middle += corner / static_cast<double> (largest.corners.size());
+  if (!room.rings.empty())
+    room.middle = centerOf (room.rings).value_or (room.middle);
+  return room;
+}
+
+/** \brief The median height of the points in a ring. */
+std::optional<double>
+heightIn (const PlanarPoints& ring, const PlanPoints& points)
+{
+  Eigen::AlignedBox2d box;
+  for (const Vector2d& corner : ring)
+    box.extend (corner);
+  std::vector<double> heights;
+  for (const Eigen::Vector3d& point : points)
+    if (box.contains (point.head<2>().eval()) && isWithin (ring, point.head<2>()))
+      heights.push_back (point.z());
+  if (heights.empty())
+    return {};
+  const auto middle =
+      heights.begin() + static_cast<std::ptrdiff_t> (heights.size() / 2);
+  std::nth_element (heights.begin(), middle, heights.end());
+  return *middle;
+}
+
+Eigen::AlignedBox2d
+boxAround (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
+{
+  Eigen::AlignedBox2d box;
+  for (const WallSpan& span : spans)
+    for (const double end : {span.whole.from, span.whole.to})
+      box.extend (faces[span.face].line.at (end));
+  return {box.min().array() - constants.margin_of_plan,
+          box.max().array() + constants.margin_of_plan};
+}
+
+/** \brief Lines of faces that have walls; of others the rim's, which cut nothing. */
+std::vector<PlanCell>
+cellsBetween (const std::vector<WallFace>& faces,
+              const std::vector<Intervals>& walls,
+              const Eigen::AlignedBox2d& box)
+{
+  std::vector<PlanLine> lines;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    lines.push_back (walls[i].empty()
+                         ? PlanLine{box.min() - Vector2d (1.0, 1.0), Vector2d::UnitX()}
+                         : faces[i].line);
+  return cellsOf (box, lines);
+}
+
+/** \brief Walls and the cells that their lines divide a plan into. */
+struct DividedPlan {
+  const std::vector<WallFace>& faces;
+  std::vector<Intervals> walls;
+  std::vector<PlanCell> cells;
+  std::vector<char> is_inside; // of each cell
+};
+
+/** \brief How much of the border of a cell is what. */
+struct CellOutline {
+  double length = 0.0;
+  double walled = 0.0;
+  double rim = 0.0;
+  /** \brief Without the side that has most of a wall. */
+  double other_length = 0.0;
+  double other_walled = 0.0;
+};
+
+CellOutline
+borderOfCell (const PlanCell& cell, const DividedPlan& plan)
+{
+  CellOutline outline;
+  double most_walled = -1.0;
+  double length_of_most = 0.0;
+  for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+    const Side side = sideOf (cell, i);
+    const double length = (side.to - side.from).norm();
+    const double walled = walledLength (side, plan.faces, plan.walls);
+    outline.length += length;
+    outline.walled += walled;
+    outline.rim += side.line == no_line ? length : 0.0;
+    if (walled > most_walled) {
+      most_walled = walled;
+      length_of_most = length;
+    }
+  }
+  outline.other_length = outline.length - length_of_most;
+  outline.other_walled = outline.walled - most_walled;
+  return outline;
+}
+
+/** \brief What speaks for a cell, and against it. Narrow ones with walls on both sides
+ * are within a wall. */
+CellEvidence
+evidenceOfCell (const PlanCell& cell,
+                const DividedPlan& plan,
+                const CoveredSquares& squares)
+{
+  const double area = areaOf (cell.corners);
+  const CellOutline outline = borderOfCell (cell, plan);
+  const bool is_narrow = 2.0 * area < constants.min_room_width * outline.length;
+  if (is_narrow && outline.other_walled > constants.min_walled * outline.other_length)
+    return {0.0, area, outline.length};
+  const double share = squares.shareOf (cell);
+  return {share * area, (1.0 - share) * area, outline.rim};
+}
+
+/** \brief Which cells are in rooms, by what covers them and where walls are. */
+std::vector<char>
+cellsInRooms (const DividedPlan& plan, const CoveredSquares& squares)
+{
+  std::vector<CellEvidence> evidence;
+  for (const PlanCell& cell : plan.cells)
+    evidence.push_back (evidenceOfCell (cell, plan, squares));
+  std::vector<CellBorder> borders;
+  for (const auto& [first, second, i] : commonSides (plan.cells)) {
+    const Side side = sideOf (plan.cells[first], i);
+    const double walled = walledLength (side, plan.faces, plan.walls);
+    borders.push_back (
+        {first, second, std::max (0.0, (side.to - side.from).norm() - walled)});
+  }
+  return cellsInside (evidence, borders);
+}
+
+/** \brief Cells that no wall divides are of one room. */
+CellSets
+joinCells (const DividedPlan& plan)
+{
+  CellSets sets (plan.cells.size());
+  for (const auto& [first, second, i] : commonSides (plan.cells)) {
+    const Side side = sideOf (plan.cells[first], i);
+    const double length = (side.to - side.from).norm();
+    if (plan.is_inside[first] && plan.is_inside[second] &&
+        walledLength (side, plan.faces, plan.walls) < constants.min_walled * length)
+      sets.join (first, second);
+  }
+  return sets;
+}
+
+/** \brief The cell beyond each side of a cell, by the numbers of both. */
+std::map<std::pair<std::size_t, std::size_t>, std::size_t>
+cellsBeyondSides (const std::vector<PlanCell>& cells)
+{
+  constexpr double rounding = 1e-3; // [m]
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> neighbors;
+  for (const auto& [first, second, i] : commonSides (cells)) {
+    neighbors[{first, i}] = second;
+    const Side side = sideOf (cells[first], i);
+    for (std::size_t j = 0; j < cells[second].corners.size(); ++j)
+      if (const Side other = sideOf (cells[second], j);
+          (other.from - side.to).norm() < rounding &&
+          (other.to - side.from).norm() < rounding)
+        neighbors[{second, j}] = first;
+  }
+  return neighbors;
+}
+
+/** \brief What the cells of one room have together. */
+struct JoinedCells {
+  std::size_t largest;
+  std::vector<Side> outline; // between the room and what is not of it
+};
+
+std::map<std::size_t, JoinedCells>
+outlinesOf (const DividedPlan& plan, CellSets& sets)
+{
+  const std::vector<PlanCell>& cells = plan.cells;
+  const auto neighbors = cellsBeyondSides (cells);
+  std::map<std::size_t, JoinedCells> rooms;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!plan.is_inside[c])
+      continue;
+    const std::size_t root = sets.rootOf (c);
+    JoinedCells& room = rooms.emplace (root, JoinedCells{c, {}}).first->second;
+    if (areaOf (cells[c].corners) > areaOf (cells[room.largest].corners))
+      room.largest = c;
+    for (std::size_t i = 0; i < cells[c].corners.size(); ++i) {
+      const auto neighbor = neighbors.find ({c, i});
+      if (neighbor == neighbors.end() || !plan.is_inside[neighbor->second] ||
+          sets.rootOf (neighbor->second) != root)
+        room.outline.push_back (sideOf (cells[c], i));
+    }
+  }
+  return rooms;
+}
+
+/** \brief A room of joined cells; without rings where walls are too few or it is
+ * smaller than asked. */
+PlanRoom
+roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest)
+{
+  double length = 0.0;
+  double walled = 0.0;
+  for (const Side& side : joined.outline) {
+    length += (side.to - side.from).norm();
+    walled += walledLength (side, plan.faces, plan.walls);
+  }
+  PlanRoom room = roomWithin (joined.outline, plan.cells[joined.largest]);
+  const bool is_narrow = 2.0 * room.area < constants.min_room_width * length;
+  if (room.area < smallest || is_narrow || walled < constants.min_walled * length)
+    return {};
+  room.enclosed = walled / length;
+  return room;
+}
+
+} // namespace
+
+std::vector<PlanRoom>
+roomsOf (const std::vector<WallFace>& faces,
+         const std::vector<WallSpan>& spans,
+         const Cover& cover,
+         double smallest)
+{
+  if (spans.empty() || spans.size() > constants.max_walls)
+    return {};
+  DividedPlan plan{faces, wallsOnLines (faces.size(), spans), {}, {}};
+  const Eigen::AlignedBox2d box = boxAround (faces, spans);
+  plan.cells = cellsBetween (faces, plan.walls, box);
+  const CoveredSquares squares (cover.points, box);
+  plan.is_inside = cellsInRooms (plan, squares);
+  CellSets sets = joinCells (plan);
+  std::vector<PlanRoom> rooms;
+  for (const auto& [root, joined] : outlinesOf (plan, sets)) {
+    PlanRoom room = roomOf (joined, plan, smallest);
+    if (room.rings.empty())
+      continue;
+    room.floor = heightIn (room.rings.front(), cover.floor);
+    room.ceiling = heightIn (room.rings.front(), cover.ceiling);
+    rooms.push_back (std::move (room));
+  }
+  std::stable_sort (rooms.begin(), rooms.end(), [] (const auto& a, const auto& b) {
+    return a.area > b.area;
+  });
+  return rooms;
+}
+
+} // namespace pcl_ops::internal::buildings

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan_walls.h"
+
+#include "constants.h"
+#include "planar_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pcl_ops::internal::buildings {
+namespace {
+
+/** \brief Where along a line it meets another one; nothing for nearly parallel ones. */
+std::optional<double>
+meetingPlace (const PlanLine& line, const PlanLine& other)
+{
+  const double sine = cross (line.along, other.along);
+  if (std::abs (sine) < constants.min_sine_of_meeting)
+    return {};
+  return cross (other.origin - line.origin, other.along) / sine;
+}
+
+/** \brief The place of an end of a wall: where the nearest other wall crosses its line,
+ * if it has points that near; else the end itself. */
+double
+snapped (double end,
+         const WallFace& face,
+         const std::vector<WallFace>& faces,
+         double max_snap)
+{
+  double nearest = end;
+  double least = max_snap;
+  for (const WallFace& other : faces) {
+    const std::optional<double> place = meetingPlace (face.line, other.line);
+    if (!place || std::abs (*place - end) > least)
+      continue;
+    const double there = other.line.place (face.line.at (*place));
+    const bool comes_there = std::any_of (
+        other.seen.begin(), other.seen.end(), [&] (const Interval& interval) {
+          return there >= interval.from - max_snap && there <= interval.to + max_snap;
+        });
+    if (comes_there) {
+      nearest = *place;
+      least = std::abs (*place - end);
+    }
+  }
+  return nearest;
+}
+
+/** \brief Parts of a face that are one wall: gaps between them are openings at most,
+ * and no other wall ends in them. */
+Intervals
+wallsOn (const WallFace& face,
+         const std::vector<WallFace>& faces,
+         const FloorPlanParameters& parameters)
+{
+  Intervals walls;
+  for (const Interval& seen : face.seen) {
+    bool is_new = walls.empty() || seen.from - walls.back().to > parameters.max_opening;
+    if (!is_new)
+      for (const double end : {walls.back().to, seen.from})
+        is_new = is_new || snapped (end, face, faces, parameters.max_snap) != end;
+    if (is_new)
+      walls.push_back (seen);
+    else
+      walls.back().to = seen.to;
+  }
+  return walls;
+}
+
+/** \brief What of a wall is not covered at the height of the cut. */
+Intervals
+gapsOf (const Interval& whole, const Intervals& cut)
+{
+  Intervals gaps;
+  double covered_to = whole.from;
+  for (const Interval& part : cut) {
+    if (part.to <= whole.from || part.from >= whole.to)
+      continue;
+    if (part.from > covered_to)
+      gaps.push_back ({covered_to, part.from});
+    covered_to = std::max (covered_to, part.to);
+  }
+  if (covered_to < whole.to)
+    gaps.push_back ({covered_to, whole.to});
+  return gaps;
+}
+
+/** \brief Heights of the wall over the middle of an opening, next to the cut. */
+PlanOpening
+openingOf (const WallFace& face, const Interval& gap, double floor, double height)
+{
+  const double low = gap.from + constants.margin_of_opening * gap.length();
+  const double high = gap.to - constants.margin_of_opening * gap.length();
+  PlanOpening opening{face.line.at (gap.from), face.line.at (gap.to), {}, {}};
+  for (const Eigen::Vector2d& point : face.points) {
+    if (point.x() < low || point.x() > high)
+      continue;
+    const double over_floor = point.y() - floor;
+    if (point.y() < height)
+      opening.sill = std::max (opening.sill.value_or (over_floor), over_floor);
+    else
+      opening.head = std::min (opening.head.value_or (over_floor), over_floor);
+  }
+  return opening;
+}
+
+/** \brief How far behind a wall the nearest one is that faces the other way. */
+std::optional<double>
+thicknessOf (const WallSpan& wall,
+             const std::vector<WallFace>& faces,
+             const std::vector<WallSpan>& spans)
+{
+  const PlanLine& line = faces[wall.face].line;
+  std::optional<double> thickness;
+  for (const WallSpan& other : spans) {
+    const PlanLine& back = faces[other.face].line;
+    if (line.along.dot (back.along) > constants.max_cosine_of_opposite)
+      continue;
+    const Interval there{line.place (back.at (other.whole.to)),
+                         line.place (back.at (other.whole.from))};
+    const double from = std::max (wall.whole.from, there.from);
+    const double to = std::min (wall.whole.to, there.to);
+    if (to - from < constants.min_common_length)
+      continue;
+    const Eigen::Vector2d middle = line.at (0.5 * (from + to));
+    const double apart = -back.distance (middle);
+    if (apart >= constants.min_thickness &&
+        apart <= std::min (constants.max_thickness,
+                           thickness.value_or (constants.max_thickness)))
+      thickness = apart;
+  }
+  return thickness;
+}
+
+} // namespace
+
+std::vector<WallSpan>
+spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& parameters)
+{
+  std::vector<WallSpan> spans;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (const Interval& wall : wallsOn (faces[i], faces, parameters)) {
+      const Interval whole{snapped (wall.from, faces[i], faces, parameters.max_snap),
+                           snapped (wall.to, faces[i], faces, parameters.max_snap)};
+      // What is as short as the way its ends are moved is no wall.
+      const bool has_cut =
+          lengthWithin (whole, faces[i].cut) > constants.min_cut_share * whole.length();
+      if (whole.length() > parameters.max_snap && has_cut)
+        spans.push_back ({i, whole, {}});
+    }
+  return spans;
+}
+
+void
+addOpenings (const std::vector<WallFace>& faces,
+             const FloorPlanParameters& parameters,
+             const IsHidden& is_hidden,
+             std::vector<WallSpan>& spans)
+{
+  for (WallSpan& span : spans)
+    for (const Interval& gap : gapsOf (span.whole, faces[span.face].cut)) {
+      const double least = std::max (parameters.min_opening, faces[span.face].spacing);
+      if (gap.length() >= least && gap.length() <= parameters.max_opening &&
+          !is_hidden (faces[span.face].line, gap))
+        span.openings.push_back (gap);
+    }
+}
+
+std::vector<PlanWall>
+toWalls (const std::vector<WallFace>& faces,
+         const std::vector<WallSpan>& spans,
+         double floor,
+         double height)
+{
+  std::vector<PlanWall> walls;
+  for (const WallSpan& span : spans) {
+    const WallFace& face = faces[span.face];
+    PlanWall wall;
+    wall.from = face.line.at (span.whole.from);
+    wall.to = face.line.at (span.whole.to);
+    wall.thickness = thicknessOf (span, faces, spans);
+    for (const Interval& gap : span.openings)
+      wall.openings.push_back (openingOf (face, gap, floor, height));
+    wall.planes = face.planes;
+    walls.push_back (std::move (wall));
+  }
+  return walls;
+}
+
+} // namespace pcl_ops::internal::buildings

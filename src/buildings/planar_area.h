@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_ops::internal::buildings {
+
+/** \brief Twice the area between two directions; above 0 where the second is to the
+ * left of the first. */
+inline double
+cross (const Eigen::Vector2d& first, const Eigen::Vector2d& second)
+{
+  return first.x() * second.y() - first.y() * second.x();
+}
+
+/** \brief Area of a polygon; above 0 where it runs counter-clockwise. */
+inline double
+areaOf (const std::vector<Eigen::Vector2d>& polygon)
+{
+  double twice = 0.0;
+  // From the first corner: areas far from zero would have few digits left.
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    twice += cross (polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+  return 0.5 * twice;
+}
+
+} // namespace pcl_ops::internal::buildings

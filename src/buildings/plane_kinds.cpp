@@ -1,0 +1,493 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
+#include "constants.h"
+#include "continuation.h"
+#include "stories.h"
+#include <pcl_ops/buildings/plane_kinds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal::buildings;
+using Eigen::Vector3d;
+
+using Viewpoint = std::optional<Vector3d>;
+
+/** \brief How a sensor saw a plane. */
+struct Sight {
+  bool is_below = false;
+  double solid_angle = 0.0; // [sr], of a plane that is small for its distance
+};
+
+/** \brief A plane as the rules see it, in meters. */
+struct PlaneShape {
+  Orientation orientation;
+  Vector3d normal, center, long_axis, short_axis;
+  double length, width, area;
+  /** \brief Between the plane and the horizontal [rad]. */
+  double slope;
+  /** \brief Heights of the middle and of the lowest and highest corner. */
+  double middle, low, high;
+  bool faces_down;
+  Sight sight;
+
+  /** \brief Of a vertical plane: its level side. */
+  double
+  span () const
+  {
+    const double rise = high - low;
+    return rise > 0.0 ? area / rise : length;
+  }
+};
+
+Sight
+sightOf (const PlaneSegment& plane,
+         const PlaneExtent& extent,
+         const Vector3d& up,
+         double meter,
+         const Viewpoint& sensor)
+{
+  if (!sensor)
+    return {};
+  const Vector3d to_sensor = (*sensor - plane.centroid) / meter;
+  const double distance = to_sensor.norm();
+  const double height =
+      (plane.normal.dot (up) < 0.0 ? -1.0 : 1.0) * plane.normal.dot (to_sensor);
+  const bool is_edge_on = std::abs (height) <= constants.min_sine_of_sight * distance;
+  Sight sight{is_edge_on ? to_sensor.dot (up) > constants.min_drop_below_sensor
+                         : height > 0.0};
+  if (!is_edge_on)
+    sight.solid_angle =
+        extent.area / (meter * meter) * std::abs (height) / std::pow (distance, 3);
+  return sight;
+}
+
+struct Scene {
+  std::vector<PlaneShape> shapes;
+  /** \brief Unit vector that their heights are along. */
+  Vector3d up;
+};
+
+/** \brief Nothing where a sensor is farther away than any sees, as zero is from a map.
+ */
+Viewpoint
+nearSensor (const Viewpoint& sensor, const std::vector<PlaneExtent>& extents)
+{
+  double reach = 0.0;
+  for (const PlaneExtent& extent : extents)
+    reach = std::max (reach,
+                      (extent.center - extents.front().center).norm() + extent.length);
+  const bool is_far = !sensor || extents.empty() ||
+                      (*sensor - extents.front().center).norm() >
+                          constants.max_distance_by_reach * reach;
+  return is_far ? std::nullopt : sensor;
+}
+
+PlaneShape
+shapeOf (const PlaneSegment& plane,
+         const PlaneExtent& extent,
+         const Vector3d& up,
+         double meter,
+         const Viewpoint& sensor)
+{
+  PlaneShape shape{plane.orientation,
+                   plane.normal,
+                   extent.center / meter,
+                   extent.long_axis,
+                   extent.short_axis,
+                   extent.length / meter,
+                   extent.width / meter,
+                   extent.area / (meter * meter),
+                   slopeOf (plane.normal, up),
+                   plane.centroid.dot (up) / meter,
+                   0.0,
+                   0.0,
+                   plane.normal.dot (up) < 0.0,
+                   sightOf (plane, extent, up, meter, sensor)};
+  shape.low = shape.high = shape.middle;
+  for (const Vector3d& corner : extent.hull) {
+    const double height = corner.dot (up) / meter;
+    shape.low = std::min (shape.low, height);
+    shape.high = std::max (shape.high, height);
+  }
+  return shape;
+}
+
+/** \brief Heights that are no numbers have no order, and make stories without end. */
+void
+checkIsFinite (const PlaneShape& shape)
+{
+  const Vector3d all = shape.normal + shape.center + shape.long_axis + shape.short_axis;
+  const double sum = shape.length + shape.width + shape.area + shape.slope +
+                     shape.middle + shape.low + shape.high;
+  if (!all.allFinite() || !std::isfinite (sum))
+    throw std::invalid_argument ("planes and their extents must be finite in meters");
+}
+
+std::vector<PlaneShape>
+shapesOf (const std::vector<PlaneSegment>& planes,
+          const std::vector<PlaneExtent>& extents,
+          const Vector3d& up,
+          double meter,
+          const Viewpoint& sensor)
+{
+  std::vector<PlaneShape> shapes;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    shapes.push_back (shapeOf (planes[i], extents[i], up, meter, sensor));
+    checkIsFinite (shapes.back());
+  }
+  return shapes;
+}
+
+/** \brief The ground under a sensor that leans: what it saw most of below it, level but
+ * for some degrees, where it saw hardly anything that is more level. */
+const PlaneShape*
+leaningGround (const std::vector<PlaneShape>& shapes)
+{
+  const PlaneShape* ground = nullptr;
+  double most_seen = constants.min_sight_of_leaning_ground;
+  for (const PlaneShape& shape : shapes)
+    if (shape.sight.is_below && shape.slope <= constants.max_lean &&
+        shape.area >= constants.min_area_of_leaning_ground &&
+        shape.sight.solid_angle > most_seen) {
+      most_seen = shape.sight.solid_angle;
+      ground = &shape;
+    }
+  if (ground == nullptr || ground->slope < constants.min_lean)
+    return nullptr;
+  const auto is_level = [&] (const PlaneShape& shape) {
+    return shape.slope <= constants.max_slope_of_level * ground->slope &&
+           shape.sight.solid_angle >= constants.min_sight_of_level * most_seen;
+  };
+  return std::any_of (shapes.begin(), shapes.end(), is_level) ? nullptr : ground;
+}
+
+std::vector<Story>
+storiesIn (const std::vector<PlaneShape>& shapes)
+{
+  std::vector<LevelPlane> level;
+  double lowest = shapes.empty() ? 0.0 : shapes.front().low;
+  for (const PlaneShape& shape : shapes) {
+    if (shape.orientation == Orientation::Horizontal)
+      level.push_back (
+          {shape.middle, shape.area, shape.faces_down, shape.sight.is_below});
+    // A road falls by more than a step, and lies no deeper for it.
+    const double bottom =
+        shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
+    if (shape.area >= constants.min_area_of_depth)
+      lowest = std::min (lowest, bottom);
+  }
+  return storiesOf (levelsOf (std::move (level)), lowest);
+}
+
+bool
+isInRectangle (const PlaneShape& shape, const Vector3d& point)
+{
+  const Vector3d off = point - shape.center;
+  return std::abs (off.dot (shape.long_axis)) <= 0.5 * shape.length &&
+         std::abs (off.dot (shape.short_axis)) <= 0.5 * shape.width;
+}
+
+/** \brief Whether most of a vertical plane stands close before a larger one that faces
+ * the same way, as the front of a cupboard before a wall. */
+bool
+standsBefore (const PlaneShape& front, const PlaneShape& wall)
+{
+  constexpr int steps = constants.front_samples;
+  constexpr double share = 0.5 * constants.sampled_share_of_front;
+  const double cosine = front.normal.dot (wall.normal);
+  if (cosine < constants.min_cosine_of_front || wall.area <= front.area ||
+      wall.high < front.high)
+    return false;
+  int before = 0;
+  int all = 0;
+  for (int i = -steps; i <= steps; ++i)
+    for (int j = -steps; j <= steps; ++j) {
+      const Vector3d sample = front.center +
+                              share * front.length * i / steps * front.long_axis +
+                              share * front.width * j / steps * front.short_axis;
+      const double distance = wall.normal.dot (sample - wall.center);
+      const bool is_before = distance >= constants.min_before_wall &&
+                             distance <= constants.max_before_wall &&
+                             isInRectangle (wall, sample);
+      before += is_before ? 1 : 0;
+      ++all;
+    }
+  return 2 * before > all;
+}
+
+bool
+isWall (const PlaneShape& shape,
+        const std::vector<PlaneShape>& shapes,
+        const std::vector<Story>& stories)
+{
+  const double rise = shape.high - shape.low;
+  for (const Story& story : stories)
+    if (story.ceiling && rise >= constants.min_height_at_ceiling &&
+        shape.high >= *story.ceiling - constants.max_gap_above_wall &&
+        shape.low <= *story.ceiling - constants.min_height_at_ceiling)
+      return true;
+  if (rise < constants.min_wall_height || shape.span() < constants.min_wall_width)
+    return false;
+  return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& other) {
+    return other.orientation == Orientation::Vertical && standsBefore (shape, other);
+  });
+}
+
+/** \brief Whether a floor above others has no wall that rises from it. */
+bool
+isRoofAt (double height, const std::vector<PlaneShape>& shapes)
+{
+  return std::none_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& shape) {
+    return shape.orientation == Orientation::Vertical &&
+           shape.low <= height + constants.step &&
+           shape.high >= height + constants.headroom;
+  });
+}
+
+bool
+isCeiling (const PlaneShape& shape, const Story& story)
+{
+  const double rise = shape.middle - story.floor;
+  if (rise < constants.headroom || shape.sight.is_below)
+    return false;
+  if (!story.ceiling)
+    return shape.faces_down && shape.area >= (rise < constants.high_ceiling
+                                                  ? constants.min_area_of_low_ceiling
+                                                  : constants.min_area_of_high_ceiling);
+  const double below = *story.ceiling - shape.middle;
+  return shape.area >= constants.min_area_of_ceiling_part &&
+         below <=
+             (shape.faces_down ? constants.max_drop_of_ceiling : constants.same_level);
+}
+
+bool
+isTable (const PlaneShape& shape, double rise)
+{
+  return !shape.faces_down && rise >= constants.min_table_height &&
+         rise <= constants.max_table_height && shape.area >= constants.min_table_area &&
+         shape.area <= constants.max_table_area &&
+         shape.width >= constants.min_table_width;
+}
+
+bool
+isRamp (const PlaneShape& shape, const Story& story)
+{
+  return !shape.faces_down && shape.slope >= constants.min_ramp_slope &&
+         shape.slope <= constants.max_ramp_slope &&
+         shape.area >= constants.min_ramp_area &&
+         shape.high - shape.low >= constants.min_ramp_rise &&
+         std::abs (shape.low - story.floor) <= constants.max_ramp_above_floor;
+}
+
+bool
+isSlopingRoof (const PlaneShape& shape, const Story& story)
+{
+  return shape.area >= constants.min_roof_area &&
+         shape.middle - story.floor >= constants.headroom &&
+         (!story.ceiling ||
+          shape.high >= *story.ceiling - constants.max_gap_above_wall);
+}
+
+PlaneKind
+levelKind (const PlaneShape& shape,
+           const std::vector<PlaneShape>& shapes,
+           const std::vector<Story>& stories)
+{
+  const Story& story = storyAt (stories, shape.middle);
+  const double rise = shape.middle - story.floor;
+  if (rise < constants.same_floor ||
+      (rise < constants.step && shape.area >= constants.min_step_area)) {
+    const bool is_upper = &story != &stories.front();
+    return is_upper && isRoofAt (story.floor, shapes) ? PlaneKind::Roof
+                                                      : PlaneKind::Floor;
+  }
+  if (isCeiling (shape, story))
+    return PlaneKind::Ceiling;
+  if (isRamp (shape, story))
+    return PlaneKind::Ramp;
+  if (isTable (shape, rise))
+    return PlaneKind::Table;
+  if (rise < constants.step || shape.area < constants.min_slab_area)
+    return PlaneKind::Other;
+  if (shape.sight.is_below && shape.area >= constants.min_ground_area &&
+      rise < constants.headroom)
+    return PlaneKind::Floor; // the ground beyond a kerb or a slope
+  const bool is_outdoors =
+      rise >= constants.headroom && !story.ceiling && !shape.faces_down;
+  return is_outdoors ? PlaneKind::Roof : PlaneKind::Slab;
+}
+
+PlaneKind
+kindOf (const PlaneShape& shape,
+        const std::vector<PlaneShape>& shapes,
+        const std::vector<Story>& stories)
+{
+  if (shape.orientation == Orientation::Horizontal)
+    return levelKind (shape, shapes, stories);
+  if (shape.orientation == Orientation::Vertical)
+    return isWall (shape, shapes, stories) ? PlaneKind::Wall : PlaneKind::Other;
+  const Story& story = storyAt (stories, shape.low);
+  if (isRamp (shape, story))
+    return PlaneKind::Ramp;
+  return isSlopingRoof (shape, story) ? PlaneKind::Roof : PlaneKind::Other;
+}
+
+/** \brief Whether a plane has a relief of its own, as a hillside has: it is no part of
+ * a building. */
+bool
+hasRelief (const PlaneSegment& plane, double meter)
+{
+  const double rms = plane.rms();
+  return rms > constants.max_rms_of_roof * meter ||
+         (plane.noise && rms > constants.max_noises_of_roof * *plane.noise);
+}
+
+/** \brief One for each plane, in a frame whose z is up; walls without an outline. */
+std::vector<PlaneFromAbove>
+planesFromAbove (const Scene& scene,
+                 const std::vector<PlaneExtent>& extents,
+                 double meter)
+{
+  const auto turn = Eigen::Quaterniond::FromTwoVectors (scene.up, Vector3d::UnitZ());
+  std::vector<PlaneFromAbove> planes;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    const PlaneShape& shape = scene.shapes[i];
+    const Vector3d normal = turn * shape.normal;
+    PlaneFromAbove& plane = planes.emplace_back();
+    plane.normal = normal.z() < 0.0 ? -normal : normal;
+    plane.center = turn * shape.center;
+    plane.area = shape.area;
+    if (plane.normal.z() >= constants.min_cosine_from_above)
+      for (const Vector3d& corner : extents[i].hull)
+        plane.hull.push_back (turn * corner / meter);
+  }
+  return planes;
+}
+
+/** \brief Has hillsides be no roofs. Walls keep their names: in depth images they bend
+ * by as much; of 20 rooms .17 of the walls were left. */
+void
+denyHills (const std::vector<PlaneSegment>& planes,
+           const std::vector<PlaneFromAbove>& from_above,
+           double meter,
+           std::vector<PlaneKind>& kinds)
+{
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (kinds[i] == PlaneKind::Roof &&
+        (hasRelief (planes[i], meter) || isContinued (from_above[i], from_above)))
+      kinds[i] = PlaneKind::Other;
+}
+
+/** \brief Whether a vertical plane is a part of another one, in its plane. */
+bool
+isPartOfWall (const PlaneShape& part, const PlaneShape& wall)
+{
+  return part.normal.dot (wall.normal) >= constants.min_cosine_of_part &&
+         std::abs (wall.normal.dot (part.center - wall.center)) <=
+             constants.max_off_wall;
+}
+
+/** \brief Parts of walls that are too small to be told by themselves. */
+void
+nameParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
+{
+  const std::vector<PlaneKind> before = kinds;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (std::size_t j = 0; j < shapes.size(); ++j)
+      if (shapes[i].orientation == Orientation::Vertical &&
+          before[j] == PlaneKind::Wall && isPartOfWall (shapes[i], shapes[j]))
+        kinds[i] = PlaneKind::Wall;
+}
+
+void
+checkArguments (const std::vector<PlaneSegment>& planes,
+                const std::vector<PlaneExtent>& extents,
+                const Vector3d& up,
+                double meter,
+                const Viewpoint& viewpoint)
+{
+  if (planes.size() != extents.size())
+    throw std::invalid_argument ("each plane has to have its extent");
+  if (!up.allFinite() || up.isZero (0.0))
+    throw std::invalid_argument ("the up axis must be a direction");
+  if (!(meter > 0.0 && std::isfinite (meter)))
+    throw std::invalid_argument ("a meter must be a length above 0");
+  if (viewpoint && !viewpoint->allFinite())
+    throw std::invalid_argument ("the viewpoint must be finite");
+}
+
+/** \brief Over the ground where a sensor leans. \param[in] up unit vector */
+Scene
+uprightScene (const std::vector<PlaneSegment>& planes,
+              const std::vector<PlaneExtent>& extents,
+              const Vector3d& up,
+              double meter,
+              const Viewpoint& sensor)
+{
+  Scene scene{shapesOf (planes, extents, up, meter, sensor), up};
+  const PlaneShape* const ground = leaningGround (scene.shapes);
+  if (ground == nullptr)
+    return scene;
+  const Vector3d upright =
+      ground->normal.dot (up) < 0.0 ? -ground->normal : ground->normal;
+  scene = {shapesOf (planes, extents, upright, meter, sensor), upright};
+  for (PlaneShape& shape : scene.shapes)
+    shape.orientation = orientationOf (shape.normal, upright, paper_angle_tolerance);
+  return scene;
+}
+
+} // namespace
+
+const char*
+toString (PlaneKind kind)
+{
+  switch (kind) {
+  case PlaneKind::Floor:
+    return "floor";
+  case PlaneKind::Ceiling:
+    return "ceiling";
+  case PlaneKind::Wall:
+    return "wall";
+  case PlaneKind::Slab:
+    return "slab";
+  case PlaneKind::Roof:
+    return "roof";
+  case PlaneKind::Ramp:
+    return "ramp";
+  case PlaneKind::Table:
+    return "table";
+  case PlaneKind::Other:
+    break;
+  }
+  return "other";
+}
+
+std::vector<PlaneKind>
+planeKinds (const std::vector<PlaneSegment>& planes,
+            const std::vector<PlaneExtent>& extents,
+            const Eigen::Vector3d& up,
+            double meter,
+            const std::optional<Eigen::Vector3d>& viewpoint)
+{
+  checkArguments (planes, extents, up, meter, viewpoint);
+  const Scene scene = uprightScene (
+      planes, extents, up.stableNormalized(), meter, nearSensor (viewpoint, extents));
+  const std::vector<PlaneShape>& shapes = scene.shapes;
+  const std::vector<Story> stories = storiesIn (shapes);
+  std::vector<PlaneKind> kinds;
+  for (const PlaneShape& shape : shapes)
+    kinds.push_back (kindOf (shape, shapes, stories));
+  nameParts (shapes, kinds);
+  denyHills (planes, planesFromAbove (scene, extents, meter), meter, kinds);
+  return kinds;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Dense>
+
+#include "arguments.h"
+#include "constants.h"
+#include <pcl_ops/buildings/plane_regularization.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal::buildings;
+using Eigen::Vector3d;
+
+/** \brief Planes of one direction. */
+struct DirectionGroup {
+  Vector3d direction;
+  double points = 0.0;
+  /** \brief Positions in the list of planes. */
+  std::vector<std::size_t> members = {};
+};
+
+/** \brief A direction towards the side that another one points to. */
+Vector3d
+towards (const Vector3d& direction, const Vector3d& side)
+{
+  return direction.dot (side) < 0.0 ? Vector3d (-direction) : direction;
+}
+
+std::vector<std::size_t>
+bySize (const std::vector<PlaneSegment>& planes)
+{
+  std::vector<std::size_t> order (planes.size());
+  std::iota (order.begin(), order.end(), std::size_t (0));
+  std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
+    return planes[a].moments.count > planes[b].moments.count;
+  });
+  return order;
+}
+
+/** \brief The direction that normals have in common, whatever their signs: that with
+ * the largest sum of squared cosines, weighted by points. */
+Vector3d
+meanDirection (const std::vector<PlaneSegment>& planes,
+               const std::vector<std::size_t>& members)
+{
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const std::size_t i : members)
+    sum += planes[i].moments.count * planes[i].normal * planes[i].normal.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (sum);
+  return towards (axes.eigenvectors().col (2), planes[members.front()].normal);
+}
+
+/** \brief Groups of nearly parallel planes, each within the angle of its largest one.
+ */
+std::vector<DirectionGroup>
+parallelGroups (const std::vector<PlaneSegment>& planes,
+                const std::vector<std::size_t>& order,
+                double max_angle)
+{
+  std::vector<DirectionGroup> groups;
+  for (const std::size_t i : order) {
+    const auto group =
+        std::find_if (groups.begin(), groups.end(), [&] (const DirectionGroup& known) {
+          return angleBetween (planes[i], planes[known.members.front()]) <= max_angle;
+        });
+    DirectionGroup& own = group == groups.end()
+                              ? groups.emplace_back (DirectionGroup{planes[i].normal})
+                              : *group;
+    own.members.push_back (i);
+    own.points += planes[i].moments.count;
+  }
+  for (DirectionGroup& group : groups)
+    group.direction = meanDirection (planes, group.members);
+  std::stable_sort (groups.begin(), groups.end(), [] (const auto& a, const auto& b) {
+    return a.points > b.points;
+  });
+  return groups;
+}
+
+/** \brief Makes each direction orthogonal to larger ones that it nearly is orthogonal
+ * to: to two of them, which are so to each other, as their cross product. */
+void
+orthogonalize (std::vector<DirectionGroup>& groups, double max_angle)
+{
+  constexpr double exact = 1e-9;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    std::vector<Vector3d> across;
+    for (std::size_t j = 0; j < i && across.size() < 2; ++j) {
+      const Vector3d& larger = groups[j].direction;
+      const double cosine = std::abs (groups[i].direction.dot (larger));
+      const bool fits = across.empty() || std::abs (across[0].dot (larger)) <= exact;
+      if (std::asin (std::min (1.0, cosine)) <= max_angle && fits)
+        across.push_back (larger);
+    }
+    Vector3d& direction = groups[i].direction;
+    if (across.size() == 2)
+      direction = towards (across[0].cross (across[1]).normalized(), direction);
+    else if (across.size() == 1)
+      direction = (direction - direction.dot (across[0]) * across[0]).normalized();
+  }
+}
+
+/** \brief Whether a direction, turned to a right angle, became that of a larger group:
+ * then they are one. */
+void
+joinEqual (std::vector<DirectionGroup>& groups)
+{
+  constexpr double exact = 1e-9;
+  std::vector<DirectionGroup> joined;
+  for (const DirectionGroup& group : groups) {
+    const auto equal =
+        std::find_if (joined.begin(), joined.end(), [&] (const DirectionGroup& known) {
+          return known.direction.cross (group.direction).norm() <= exact;
+        });
+    if (equal == joined.end()) {
+      joined.push_back (group);
+      continue;
+    }
+    equal->members.insert (
+        equal->members.end(), group.members.begin(), group.members.end());
+  }
+  groups = std::move (joined);
+}
+
+/** \brief How far a plane is moved by a turn about its centroid and an offset along the
+ * new normal. */
+PlaneMove
+moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
+{
+  PlaneMove move;
+  move.angle = slopeOf (plane.normal, normal);
+  move.offset = offset;
+  // The difference of a point's distances is linear in its place.
+  const Vector3d turn = normal - plane.normal;
+  const Vector3d mean = plane.moments.centroid() - plane.centroid;
+  const double of_mean = turn.dot (mean) - offset;
+  const double spread = turn.dot (plane.moments.covariance() * turn);
+  const double squared = of_mean * of_mean + std::max (0.0, spread);
+  if (squared > 0.0)
+    move.displacement = std::sqrt (squared) / plane.rms(); // infinite without noise
+  return move;
+}
+
+class Regularization {
+public:
+  Regularization (const std::vector<PlaneSegment>& planes,
+                  const PlaneRegularizationParameters& parameters)
+  : planes_ (planes)
+  , parameters_ (parameters)
+  , found_{planes, std::vector<PlaneMove> (planes.size())}
+  {}
+
+  RegularizedPlanes
+  run ()
+  {
+    // Planes that cannot follow have no say in the directions of the others.
+    std::vector<std::size_t> members = bySize (planes_);
+    std::vector<DirectionGroup> groups;
+    for (std::size_t before = members.size() + 1; members.size() < before;) {
+      before = members.size();
+      groups = parallelGroups (planes_, members, parameters_.max_angle);
+      orthogonalize (groups, parameters_.max_angle);
+      joinEqual (groups);
+      members = thoseThatFollow (groups, members);
+    }
+    for (const DirectionGroup& group : groups)
+      levelOut (group);
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+      if (!is_done_[i]) {
+        found_.moves[i].angle = found_.moves[i].offset = 0.0;
+        found_.moves[i].direction = found_.moves[i].level = next_++;
+      }
+    return std::move (found_);
+  }
+
+private:
+  bool
+  isWithin (const PlaneMove& move) const
+  {
+    return move.displacement <= parameters_.max_displacement;
+  }
+
+  /** \brief Of each group all but the one that would have to move farthest, if that is
+   * too far: without it the others may do. */
+  std::vector<std::size_t>
+  thoseThatFollow (const std::vector<DirectionGroup>& groups,
+                   const std::vector<std::size_t>& members)
+  {
+    std::vector<char> stays (planes_.size(), 0);
+    for (const DirectionGroup& group : groups) {
+      for (const std::size_t i : group.members)
+        found_.moves[i] =
+            moveTo (planes_[i], towards (group.direction, planes_[i].normal), 0.0);
+      const std::size_t farthest = *std::max_element (
+          group.members.begin(),
+          group.members.end(),
+          [&] (std::size_t a, std::size_t b) {
+            return found_.moves[a].displacement < found_.moves[b].displacement;
+          });
+      stays[farthest] = isWithin (found_.moves[farthest]) ? 0 : 1;
+    }
+    std::vector<std::size_t> kept;
+    for (const std::size_t i : members)
+      if (!stays[i])
+        kept.push_back (i);
+    return kept;
+  }
+
+  double
+  placeOf (std::size_t i, const DirectionGroup& group) const
+  {
+    const Vector3d& origin = planes_[group.members.front()].centroid;
+    return group.direction.dot (planes_[i].centroid - origin);
+  }
+
+  double
+  maxOffset (std::size_t first, std::size_t second) const
+  {
+    return parameters_.max_offset.value_or (
+        constants.noises_of_offset *
+        std::hypot (planes_[first].rms(), planes_[second].rms()));
+  }
+
+  /** \brief Gives the planes of a direction their normals, and those of one level one
+   * offset. */
+  void
+  levelOut (const DirectionGroup& group)
+  {
+    std::vector<std::size_t> members = group.members;
+    std::sort (members.begin(), members.end(), [&] (std::size_t a, std::size_t b) {
+      return std::pair (placeOf (a, group), a) < std::pair (placeOf (b, group), b);
+    });
+    const std::size_t direction = next_++;
+    for (std::size_t first = 0, next = 0; first < members.size(); first = next) {
+      std::vector<std::size_t> level;
+      while (next < members.size() &&
+             (level.empty() || areLevel (level, members[next], group)))
+        level.push_back (members[next++]);
+      place (level, group, direction);
+    }
+  }
+
+  /** \brief Whether a plane is as near to all of a level as planes that are one, so
+   * that levels do not grow from plane to plane. */
+  bool
+  areLevel (const std::vector<std::size_t>& level,
+            std::size_t plane,
+            const DirectionGroup& group) const
+  {
+    return std::all_of (level.begin(), level.end(), [&] (std::size_t other) {
+      return std::abs (placeOf (plane, group) - placeOf (other, group)) <=
+             maxOffset (plane, other);
+    });
+  }
+
+  void
+  place (const std::vector<std::size_t>& level,
+         const DirectionGroup& group,
+         std::size_t direction)
+  {
+    double points = 0.0;
+    double mean = 0.0;
+    for (const std::size_t i : level) {
+      points += planes_[i].moments.count;
+      mean += planes_[i].moments.count * placeOf (i, group);
+    }
+    mean /= points;
+    const std::size_t number = next_++;
+    for (const std::size_t i : level) {
+      const Vector3d normal = towards (group.direction, planes_[i].normal);
+      const double side = normal.dot (group.direction) < 0.0 ? -1.0 : 1.0;
+      const double offset = level.size() > 1 ? side * (mean - placeOf (i, group)) : 0.0;
+      PlaneMove move = moveTo (planes_[i], normal, offset);
+      move.level = number;
+      if (!isWithin (move)) { // it is parallel, but at a place of its own
+        move = moveTo (planes_[i], normal, 0.0);
+        move.level = next_++;
+      }
+      move.direction = direction;
+      move.is_moved = move.angle > 0.0 || move.offset != 0.0;
+      found_.planes[i].normal = normal;
+      found_.planes[i].centroid += move.offset * normal;
+      found_.moves[i] = move;
+      is_done_[i] = 1;
+    }
+  }
+
+  const std::vector<PlaneSegment>& planes_;
+  const PlaneRegularizationParameters& parameters_;
+  RegularizedPlanes found_;
+  std::vector<char> is_done_ = std::vector<char> (planes_.size(), 0);
+  std::size_t next_ = 0;
+};
+
+} // namespace
+
+std::string
+validate (const PlaneRegularizationParameters& parameters)
+{
+  constexpr double largest = M_PI / 4.0;
+  if (!(parameters.max_angle > 0.0 && parameters.max_angle < largest))
+    return "the largest angle must be above 0 and below pi/4 (radians)";
+  if (parameters.max_offset &&
+      !(*parameters.max_offset >= 0.0 && std::isfinite (*parameters.max_offset)))
+    return "the largest offset must be a length from 0, or not be given";
+  if (!(parameters.max_displacement > 0.0))
+    return "the largest displacement must be above 0";
+  return {};
+}
+
+RegularizedPlanes
+regularizePlanes (const std::vector<PlaneSegment>& planes,
+                  const PlaneRegularizationParameters& parameters)
+{
+  throwOn (validate (parameters));
+  for (const PlaneSegment& plane : planes)
+    if (!plane.centroid.allFinite() || !std::isfinite (plane.normal.squaredNorm()))
+      throw std::invalid_argument ("planes must have finite centroids and normals");
+  return Regularization (planes, parameters).run();
+}
+
+} // namespace pcl_ops

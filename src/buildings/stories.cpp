@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stories.h"
+
+#include "constants.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+
+namespace pcl_ops::internal::buildings {
+namespace {
+
+/** \brief Levels that count beside the largest one. */
+std::vector<Level>
+largeOnes (const std::vector<Level>& levels)
+{
+  double largest = 0.0;
+  for (const Level& level : levels)
+    largest = std::max (largest, level.area);
+  std::vector<Level> large;
+  for (const Level& level : levels)
+    if (level.area >=
+        std::max (constants.min_level_area, constants.min_level_share * largest))
+      large.push_back (level);
+  return large;
+}
+
+/** \brief What a level that was seen from above, or from an unknown side, is to the
+ * story below it.
+ * \param[in] next the large level above it; nullptr for none */
+void
+addUpperLevel (const Level& level, const Level* next, std::vector<Story>& stories)
+{
+  Story& story = stories.back();
+  const bool is_top = next == nullptr;
+  const bool is_deck =
+      !is_top && !next->faces_down && next->height - level.height <= constants.max_deck;
+  const bool is_overhead = !level.is_below_sensor && (is_top || is_deck);
+  if (is_top && !story.ceiling &&
+      level.area < constants.min_cover_of_floor * story.area)
+    return;
+  if (is_overhead && !story.ceiling)
+    story.ceiling = level.height;
+  else
+    stories.push_back ({level.height, {}, level.area});
+}
+
+} // namespace
+
+std::vector<Level>
+levelsOf (std::vector<LevelPlane> planes)
+{
+  std::sort (
+      planes.begin(), planes.end(), [] (const LevelPlane& a, const LevelPlane& b) {
+        return std::tie (a.height, a.area, a.faces_down) <
+               std::tie (b.height, b.area, b.faces_down);
+      });
+  std::vector<Level> levels;
+  for (std::size_t first = 0, next = 0; first < planes.size(); first = next) {
+    double area = 0.0;
+    double moment = 0.0;
+    double area_from_below = 0.0;
+    double area_below_sensor = 0.0;
+    while (next < planes.size() &&
+           planes[next].height - planes[first].height <= constants.same_level) {
+      area += planes[next].area;
+      moment += planes[next].area * planes[next].height;
+      area_from_below += planes[next].faces_down ? planes[next].area : 0.0;
+      area_below_sensor += planes[next].is_below_sensor ? planes[next].area : 0.0;
+      ++next;
+    }
+    const double height = area > 0.0 ? moment / area : planes[first].height;
+    levels.push_back (
+        {height, area, area_from_below > 0.5 * area, area_below_sensor > 0.5 * area});
+  }
+  return levels;
+}
+
+std::vector<Story>
+storiesOf (const std::vector<Level>& levels, double lowest)
+{
+  const std::vector<Level> large = largeOnes (levels);
+  std::vector<Story> stories = {{lowest}};
+  for (std::size_t i = 0; i < large.size(); ++i) {
+    const Level& level = large[i];
+    Story& story = stories.back();
+    const double rise = level.height - story.floor;
+    // Although the foot of a wall or a ditch is deeper.
+    const bool is_ground = level.area >= constants.min_ground_area;
+    const bool is_near = rise < (is_ground ? constants.headroom : constants.step) ||
+                         (is_ground && level.is_below_sensor);
+    if (i == 0 && !level.faces_down && is_near)
+      story = {level.height, {}, level.area};
+    else if (rise < constants.headroom)
+      continue;
+    else if (level.faces_down)
+      story.ceiling = level.height;
+    else
+      addUpperLevel (level, i + 1 < large.size() ? &large[i + 1] : nullptr, stories);
+  }
+  return stories;
+}
+
+const Story&
+storyAt (const std::vector<Story>& stories, double height)
+{
+  const Story* at = &stories.front();
+  for (const Story& story : stories)
+    if (story.floor <= height + constants.same_level)
+      at = &story;
+  return *at;
+}
+
+} // namespace pcl_ops::internal::buildings

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "buildings/continuation.h"
+
+#include <cmath>
+
+using namespace pcl_ops::internal::buildings;
+using Eigen::Vector3d;
+
+namespace {
+
+/** \brief A rectangle that is level along x. \param[in] rise along y, over its depth */
+PlaneFromAbove
+rectangle (double x, double y, double z, double width, double depth, double rise = 0.0)
+{
+  PlaneFromAbove plane;
+  plane.hull = {{x, y, z},
+                {x + width, y, z},
+                {x + width, y + depth, z + rise},
+                {x, y + depth, z + rise}};
+  plane.center = 0.5 * (plane.hull[0] + plane.hull[2]);
+  plane.normal = Vector3d (0.0, -rise, depth).normalized();
+  plane.area = width * std::hypot (depth, rise);
+  return plane;
+}
+
+/** \brief Whether a level square of 10 m, 5 m high, goes on beside others. */
+bool
+isSquareContinued (std::vector<PlaneFromAbove> others)
+{
+  others.insert (others.begin(), rectangle (0, 0, 5, 10, 10));
+  return isContinued (others.front(), others);
+}
+
+} // namespace
+
+TEST (Continuation, IsWhereAPlaneOfThatHeightIsWithin4Meters)
+{
+  for (const double gap : {0.0, 3.8})
+    EXPECT_TRUE (isSquareContinued ({rectangle (10 + gap, 0, 5, 10, 10)})) << gap;
+  EXPECT_FALSE (isSquareContinued ({rectangle (14.2, 0, 5, 10, 10)}));
+  EXPECT_FALSE (isSquareContinued ({}));
+}
+
+TEST (Continuation, IsWhereThatPlaneIsWithinAMeterOfTheHeight)
+{
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 5 + 0.95 * sign, 10, 10)}));
+    EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 5 + 1.05 * sign, 10, 10)}));
+  }
+}
+
+TEST (Continuation, IsWhereThatPlaneHasNearlyTheSlope)
+{
+  const auto beside = [] (double degrees) {
+    const double rise = 8.0 * std::tan (degrees * M_PI / 180.0);
+    // At the height of the square where it begins, at the end of its y axis.
+    return isSquareContinued ({rectangle (0, 10, 5, 10, 8, rise)});
+  };
+  EXPECT_TRUE (beside (19.0));
+  EXPECT_FALSE (beside (21.0)) << "the other side of a gable";
+}
+
+TEST (Continuation, IsNotAtAPlaneOfLessThan2SquareMeters)
+{
+  EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 5, 0.21, 10)}));
+  EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 5, 0.19, 10)}));
+}
+
+TEST (Continuation, IsNotWhereSomethingFarBelowGoesOnUnderneath)
+{
+  const auto over_ground = [] (double depth) {
+    return isSquareContinued (
+        {rectangle (10, 0, 5, 10, 10), rectangle (-20, -20, 5 - depth, 60, 60)});
+  };
+  EXPECT_FALSE (over_ground (2.0));
+  EXPECT_TRUE (over_ground (1.8));
+}
+
+TEST (Continuation, IsNotWhereStepsAreAtTwiceAsMuchOfTheOutline)
+{
+  // Flush at one of four sides; steps at one or at two others.
+  const PlaneFromAbove flush = rectangle (14, 5, 5, 10, 0.5);
+  const PlaneFromAbove step = rectangle (-14, -2, 0, 10.1, 14);
+  EXPECT_TRUE (isSquareContinued ({rectangle (10.1, 0, 5, 10, 10), step}));
+  EXPECT_FALSE (isSquareContinued ({flush, step}));
+}
+
+TEST (Continuation, IsOnATerraceOfASlope)
+{
+  const PlaneFromAbove uphill = rectangle (-5, 10, 8, 20, 20, 12);
+  const PlaneFromAbove downhill = rectangle (-5, -20, -10, 20, 20, 12);
+  EXPECT_TRUE (isSquareContinued ({uphill, downhill}));
+}
+
+TEST (Continuation, IsNotOnARoofBesideAHigherOne)
+{
+  const PlaneFromAbove ground = rectangle (-20, -20, 0, 60, 60);
+  EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 8, 10, 10), ground}));
+}
+
+TEST (Continuation, IsNotBesideTheRidgeOfAnotherRoof)
+{
+  // Two sides of a gable: 4 m below it the ridge is 2.4 m higher.
+  const std::vector<PlaneFromAbove> gable = {rectangle (0, 0, 5, 10, 10, 6),
+                                             rectangle (0, 10, 11, 10, 10, -6)};
+  EXPECT_FALSE (isContinued (gable.front(), gable));
+}
+
+TEST (Continuation, IsNotBelowWhatRisesByLessThanHeadroom)
+{
+  EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 7, 10, 10)}));
+  EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 6.8, 10, 10)}));
+}
+
+TEST (Continuation, IsTheSameInEitherOrderOfCorners)
+{
+  for (const bool is_reversed : {false, true}) {
+    PlaneFromAbove ground = rectangle (-20, -20, 0, 60, 60);
+    if (is_reversed)
+      std::reverse (ground.hull.begin(), ground.hull.end());
+    EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 5, 10, 10), ground}));
+  }
+}

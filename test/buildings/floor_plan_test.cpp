@@ -1,0 +1,611 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/buildings/floor_plan.h>
+
+#include <stdexcept>
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using namespace pcl_ops;
+
+namespace {
+
+/** \brief Grids of points on level and upright rectangles, each a plane with a kind. */
+struct Building {
+  pcl::PointCloud<pcl::PointXYZ> cloud = {};
+  std::vector<PlaneSegment> planes = {};
+  std::vector<PlaneKind> kinds = {};
+
+  Building&
+  add (PlaneKind kind, const Vector3d& normal, const std::vector<Vector3d>& points)
+  {
+    pcl::Indices inliers;
+    for (const Vector3d& point : points) {
+      inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+      cloud.push_back (toPoint (point));
+    }
+    planes.push_back (planeOfPoints (cloud, inliers, normal));
+    kinds.push_back (kind);
+    return *this;
+  }
+
+  Building&
+  level (PlaneKind kind, double height, const Vector2d& low, const Vector2d& high)
+  {
+    std::vector<Vector3d> points;
+    for (double x = low.x() + 0.025; x < high.x(); x += 5_cm)
+      for (double y = low.y() + 0.025; y < high.y(); y += 5_cm)
+        points.emplace_back (x, y, height);
+    return add (
+        kind, Vector3d (0.0, 0.0, kind == PlaneKind::Ceiling ? -1.0 : 1.0), points);
+  }
+
+  /** \brief A wall of 2.5 m with its front to the left of the way; without points in
+   * openings, which are given as begin, end, sill and head. */
+  Building&
+  wall (const Vector2d& from,
+        const Vector2d& to,
+        const std::vector<Eigen::Vector4d>& openings = {})
+  {
+    const Vector2d along = (to - from).normalized();
+    std::vector<Vector3d> points;
+    for (double s = 0.025; s < (to - from).norm(); s += 5_cm)
+      for (double z = 0.025; z < 2.5; z += 5_cm)
+        if (std::none_of (openings.begin(), openings.end(), [&] (const auto& hole) {
+              return s > hole[0] && s < hole[1] && z > hole[2] && z < hole[3];
+            }))
+          points.emplace_back (from.x() + s * along.x(), from.y() + s * along.y(), z);
+    return add (PlaneKind::Wall, {-along.y(), along.x(), 0.0}, points);
+  }
+
+  FloorPlan
+  plan (const FloorPlanParameters& parameters = {}) const
+  {
+    return findFloorPlan (cloud, planes, kinds, Vector3d::UnitZ(), parameters);
+  }
+};
+
+const Eigen::Vector4d door (1.0, 1.9, 0.0, 2.05), window (1.0, 2.5, 0.9, 2.1);
+
+/** \brief Floor, ceiling and four walls from (0, 0) to (4, 3), the first with a door.
+ */
+Building
+roomOf4By3 ()
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  room.level (PlaneKind::Ceiling, 2.5, {0, 0}, {4, 3});
+  room.wall ({0, 0}, {4, 0}, {door}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  return room;
+}
+
+double
+sumOfLengths (const FloorPlan& plan)
+{
+  double sum = 0.0;
+  for (const PlanWall& wall : plan.walls)
+    sum += wall.length();
+  return sum;
+}
+
+std::size_t
+openingsOf (const FloorPlan& plan)
+{
+  std::size_t number = 0;
+  for (const PlanWall& wall : plan.walls)
+    number += wall.openings.size();
+  return number;
+}
+
+} // namespace
+
+TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
+{
+  const FloorPlan plan = roomOf4By3().plan();
+  ASSERT_EQ (plan.walls.size(), 4u);
+  EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_mm) << "from corner to corner";
+  ASSERT_EQ (openingsOf (plan), 1u);
+  const PlanOpening& gap = plan.walls[0].openings.at (0);
+  EXPECT_NEAR (gap.width(), 0.9_m, 6_cm);
+  EXPECT_NEAR (gap.from.x(), 1_m, 3_cm);
+  EXPECT_FALSE (gap.sill) << "a door";
+  EXPECT_NEAR (gap.head.value_or (0.0), 2.05, 6_cm);
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_EQ (plan.rooms[0].rings.at (0).size(), 4u);
+  EXPECT_NEAR (*plan.rooms[0].ceiling - *plan.rooms[0].floor, 2.5_m, 1_mm);
+  EXPECT_NEAR (plan.height, 1.2_m, 1_mm);
+}
+
+TEST (FloorPlan, OfAWallWithAWindowSaysWhereItsSillAndHeadAre)
+{
+  Building house = roomOf4By3();
+  house.wall ({0, 9}, {4, 9}, {window});
+  const FloorPlan plan = house.plan();
+  const PlanOpening& gap = plan.walls.at (4).openings.at (0);
+  EXPECT_NEAR (gap.width(), 1.5_m, 6_cm);
+  EXPECT_NEAR (gap.sill.value_or (0.0), 0.9_m, 6_cm);
+  EXPECT_NEAR (gap.head.value_or (0.0), 2.1_m, 6_cm);
+}
+
+TEST (FloorPlan, OfAnUpperStoryHasSillsOverItsFloor)
+{
+  Building house = roomOf4By3();
+  house.wall ({0, 9}, {4, 9}, {window});
+  for (pcl::PointXYZ& point : house.cloud)
+    point.z += 6.0f;
+  for (PlaneSegment& plane : house.planes)
+    plane.moveBy ({0, 0, 6});
+  const FloorPlan plan = house.plan();
+  const PlanOpening& gap = plan.walls.at (4).openings.at (0);
+  EXPECT_NEAR (gap.sill.value_or (0.0), 0.9_m, 6_cm);
+  EXPECT_NEAR (gap.head.value_or (0.0), 2.1_m, 6_cm);
+}
+
+TEST (FloorPlan, HasPartsOfWallsBetweenOpenings)
+{
+  const auto parts = roomOf4By3().plan().walls.at (0).solidParts();
+  ASSERT_EQ (parts.size(), 2u);
+  EXPECT_NEAR (parts[0].second.x(), 1_m, 3_cm);
+  EXPECT_NEAR (parts[1].first.x(), 1.9_m, 3_cm);
+  EXPECT_NEAR (parts[1].second.x(), 4_m, 1_mm);
+}
+
+TEST (FloorPlan, HasNoOpeningWhereTheCutPassesOverIt)
+{
+  FloorPlanParameters high;
+  high.cut_height = 2.3_m;
+  EXPECT_EQ (openingsOf (roomOf4By3().plan (high)), 0u);
+}
+
+TEST (FloorPlan, HasNoOpeningBehindFurniture)
+{
+  Building furnished = roomOf4By3();
+  std::vector<Vector3d> front;
+  for (double x = 0.9_m; x < 2.0; x += 5_cm)
+    for (double z = 0.0; z < 2.0; z += 5_cm)
+      front.emplace_back (x, 0.4, z);
+  furnished.add (PlaneKind::Other, Vector3d::UnitY(), front);
+  EXPECT_EQ (openingsOf (furnished.plan()), 0u);
+}
+
+TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
+{
+  Building closed = roomOf4By3();
+  closed.wall ({1.0, -0.1}, {1.9, -0.1}); // the leaf of the door
+  const FloorPlan plan = closed.plan();
+  EXPECT_EQ (plan.walls.size(), 4u);
+  EXPECT_EQ (openingsOf (plan), 1u);
+}
+
+TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
+{
+  // The counter, at the height of the cut, has its back edge in the plane of the wall.
+  Building room;
+  room.wall ({0, 0},
+             {4, 0},
+             {{1.0, 2.5, 0.9, 1.1},
+              {1.0, 2.5, 1.3, 2.1},
+              {1.0, 1.4, 1.0, 1.4},
+              {2.1, 2.5, 1.0, 1.4}});
+  std::vector<Vector3d> pane;
+  for (double x = 1.025; x < 2.5; x += 5_cm)
+    for (double z = 0.925; z < 2.1; z += 5_cm)
+      pane.emplace_back (x, -0.2, z);
+  room.add (PlaneKind::Other, Vector3d::UnitY(), pane);
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.walls.size(), 1u);
+  ASSERT_EQ (plan.walls[0].openings.size(), 1u);
+  EXPECT_NEAR (plan.walls[0].openings[0].width(), 1.5, 0.06);
+}
+
+TEST (FloorPlan, HasNoOpeningWhereAnotherPlaneFillsTheGap)
+{
+  // The back of a cupboard, 2 cm before the wall.
+  Building room;
+  room.wall ({0, 0}, {4, 0}, {{1.0, 2.5, 0.0, 2.1}});
+  std::vector<Vector3d> back;
+  for (double x = 1.025; x < 2.5; x += 5_cm)
+    for (double z = 0.025; z < 2.1; z += 5_cm)
+      back.emplace_back (x, 0.02, z);
+  room.add (PlaneKind::Other, Vector3d::UnitY(), back);
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  EXPECT_EQ (openingsOf (room.plan()), 0u);
+}
+
+TEST (FloorPlan, HasNoRoomBetweenTheTwoSidesOfAWall)
+{
+  // The wall is 7 m long, and floors end at it to the centimeter.
+  for (const double thickness : {0.15, 0.3}) {
+    Building flat;
+    for (const double y : {0.0, 3.0 + thickness}) {
+      flat.level (PlaneKind::Floor, 0.0, {0, y}, {7, y + 3});
+      flat.wall ({0, y}, {7, y}).wall ({7, y}, {7, y + 3});
+      flat.wall ({7, y + 3}, {0, y + 3}).wall ({0, y + 3}, {0, y});
+    }
+    FloorPlanParameters parameters;
+    parameters.min_room = 0.5;
+    const FloorPlan plan = flat.plan (parameters);
+    ASSERT_EQ (plan.rooms.size(), 2u) << thickness;
+    EXPECT_NEAR (plan.rooms[1].area, 21.0, 0.01);
+  }
+}
+
+TEST (FloorPlan, HasNoOpeningWhereTheOtherSideOfAWallWasSeen)
+{
+  Building flat;
+  flat.wall ({0, 0}, {4, 0}).wall ({3, -0.1}, {1, -0.1});
+  EXPECT_EQ (openingsOf (flat.plan()), 0u);
+}
+
+TEST (FloorPlan, DrawsEndsOfWallsToTheCornersBetween)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  // Furniture hides the last 20 cm of each.
+  room.wall ({0.2, 0}, {3.8, 0}).wall ({4, 0.2}, {4, 2.8});
+  room.wall ({3.8, 3}, {0.2, 3}).wall ({0, 2.8}, {0, 0.2});
+  const FloorPlan plan = room.plan();
+  EXPECT_NEAR (sumOfLengths (plan), 14_m, 1_mm);
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+}
+
+/** \brief Two rooms of 4 m x 3 m and a wall of 10 cm with a door between them. */
+Building
+twoRooms ()
+{
+  Building flat;
+  for (const double x : {0.0, 4.1}) {
+    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
+    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
+  }
+  flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
+  flat.wall ({4, 0}, {4, 3}, {door}).wall ({4.1, 3}, {4.1, 0}, {{1.1, 2.0, 0.0, 2.05}});
+  return flat;
+}
+
+TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
+{
+  Building flat = twoRooms();
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].area, 12.0, 0.01);
+  EXPECT_EQ (openingsOf (plan), 2u) << "one of each side";
+  std::size_t thick = 0;
+  for (const PlanWall& wall : plan.walls)
+    if (wall.thickness) {
+      EXPECT_NEAR (*wall.thickness, 10_cm, 1_mm);
+      ++thick;
+    }
+  EXPECT_EQ (thick, 2u);
+}
+
+TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
+{
+  Building flat = twoRooms();
+  const FloorPlan before = flat.plan();
+  // As if all had been seen from the far left, below.
+  for (PlaneSegment& plane : flat.planes)
+    if (plane.normal.dot (Vector3d (1.0, 0.5, 0.0)) > 0.0)
+      plane.normal = -plane.normal;
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  ASSERT_EQ (plan.walls.size(), before.walls.size());
+  for (std::size_t i = 0; i < plan.walls.size(); ++i) {
+    EXPECT_TRUE (plan.walls[i].from.isApprox (before.walls[i].from)) << i;
+    EXPECT_EQ (plan.walls[i].thickness.has_value(),
+               before.walls[i].thickness.has_value());
+  }
+}
+
+TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
+{
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
+  flat.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 3}).wall ({8, 3}, {0, 3});
+  flat.wall ({0, 3}, {0, 0}).wall ({5, 0}, {5, 3});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 15.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].area, 9.0, 0.01);
+}
+
+TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
+{
+  // Six on a square meter, as a survey from the air has them.
+  Building house;
+  std::vector<Vector3d> roof;
+  for (double x = 0.2; x < 8.0; x += 40_cm)
+    for (double y = 0.2; y < 6.0; y += 40_cm)
+      roof.emplace_back (x, y, 3.0 + 0.2 * y);
+  house.add (PlaneKind::Roof, Vector3d (0.0, -0.2, 1.0).normalized(), roof);
+  house.wall ({8, 0}, {0, 0}).wall ({8, 6}, {8, 0});
+  house.wall ({0, 6}, {8, 6}).wall ({0, 0}, {0, 6});
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
+TEST (FloorPlan, HasARoomWithoutCeilingUnderAPieceThatSlopes)
+{
+  // As of a lamp or a bulkhead, which is named a roof where no ceiling was seen.
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 6});
+  std::vector<Vector3d> piece;
+  for (double x = 0.1; x < 1.0; x += 10_cm)
+    for (double y = 0.1; y < 1.0; y += 10_cm)
+      piece.emplace_back (x, y, 2.2 + 0.3 * y);
+  room.add (PlaneKind::Roof, Vector3d (0.0, -0.3, 1.0).normalized(), piece);
+  room.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 6});
+  room.wall ({8, 6}, {0, 6}).wall ({0, 6}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
+TEST (FloorPlan, OfAHouseWithEavesOnItsGroundHasTheRoomUnderTheRoof)
+{
+  Building house;
+  house.level (PlaneKind::Floor, 0.0, {-10, -10}, {18, 16});
+  std::vector<Vector3d> roof;
+  for (double x = -0.4; x < 8.5; x += 20_cm)
+    for (double y = -0.4; y < 6.5; y += 20_cm)
+      roof.emplace_back (x, y, 3.0 + 0.2 * y);
+  house.add (PlaneKind::Roof, Vector3d (0.0, -0.2, 1.0).normalized(), roof);
+  house.wall ({8, 0}, {0, 0}).wall ({8, 6}, {8, 0});
+  house.wall ({0, 6}, {8, 6}).wall ({0, 0}, {0, 6});
+  const FloorPlan plan = house.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 48.0, 0.01);
+}
+
+TEST (FloorPlan, HasARoomUpToAWallBehindAFloorThatWasNotSeen)
+{
+  // The last 0.3 m lie in the shadow of a bench.
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 2.7});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  room.wall ({3.7, 2.7}, {3, 2.7});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.3);
+}
+
+TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWall)
+{
+  // The cell between them goes on to the next wall, and is left out as a whole.
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
+  room.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 3});
+  room.wall ({8, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  room.wall ({4, 0}, {4, 2}).wall ({4.3, 2}, {4.3, 0});
+  const FloorPlan plan = room.plan();
+  double area = 0.0;
+  for (const PlanRoom& one : plan.rooms)
+    area += one.area;
+  EXPECT_NEAR (area, 24.0 - 0.3 * 3.0, 0.01);
+}
+
+TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 2})
+      .level (PlaneKind::Floor, 0.0, {0, 2}, {2, 4});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 2}).wall ({4, 2}, {2, 2});
+  room.wall ({2, 2}, {2, 4}).wall ({2, 4}, {0, 4}).wall ({0, 4}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_EQ (plan.rooms[0].rings.at (0).size(), 6u);
+  EXPECT_TRUE (plan.rooms[0].middle.isApprox (Vector2d (5.0 / 3.0, 5.0 / 3.0), 1e-3));
+}
+
+TEST (FloorPlan, OfARoomAroundAShaftHasAHole)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {6, 2})
+      .level (PlaneKind::Floor, 0.0, {0, 4}, {6, 6});
+  room.level (PlaneKind::Floor, 0.0, {0, 2}, {2, 4})
+      .level (PlaneKind::Floor, 0.0, {4, 2}, {6, 4});
+  room.wall ({0, 0}, {6, 0})
+      .wall ({6, 0}, {6, 6})
+      .wall ({6, 6}, {0, 6})
+      .wall ({0, 6}, {0, 0});
+  room.wall ({2, 4}, {4, 4})
+      .wall ({4, 4}, {4, 2})
+      .wall ({4, 2}, {2, 2})
+      .wall ({2, 2}, {2, 4});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_EQ (plan.rooms[0].rings.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 32.0, 0.01);
+  const Vector2d off = plan.rooms[0].middle - Vector2d (3.0, 3.0);
+  EXPECT_GT (off.cwiseAbs().maxCoeff(), 1.0) << "not in the shaft";
+}
+
+TEST (FloorPlan, CutsOverTheLowestFloorWhereverThatIs)
+{
+  Building room = roomOf4By3();
+  for (pcl::PointXYZ& point : room.cloud)
+    point.z += 30.0f;
+  for (PlaneSegment& plane : room.planes)
+    plane.moveBy (Vector3d (0, 0, 30));
+  const FloorPlan plan = room.plan();
+  EXPECT_NEAR (plan.floor, 30_m, 1_mm);
+  EXPECT_NEAR (plan.height, 31.2_m, 1_mm);
+  EXPECT_EQ (openingsOf (plan), 1u);
+}
+
+TEST (FloorPlan, OfAnUpperStoryIsOverItsFloor)
+{
+  Building house = roomOf4By3();
+  house.level (PlaneKind::Floor, 2.8, {0, 0}, {4, 3});
+  FloorPlanParameters upstairs;
+  upstairs.cut_height = 4_m;
+  EXPECT_NEAR (house.plan (upstairs).floor, 2.8_m, 1_mm);
+}
+
+TEST (FloorPlan, HasARoomOverTablesSlabsAndRampsWithoutAFloor)
+{
+  const auto rooms_over = [] (PlaneKind kind) {
+    Building room;
+    room.level (kind, 0.5, {0, 0}, {4, 3});
+    room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+    room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+    return room.plan().rooms.size();
+  };
+  for (const PlaneKind kind : {PlaneKind::Table, PlaneKind::Slab, PlaneKind::Ramp})
+    EXPECT_EQ (rooms_over (kind), 1u) << toString (kind);
+  EXPECT_EQ (rooms_over (PlaneKind::Other), 0u);
+}
+
+TEST (FloorPlan, HasARoomWhoseFloorIsHiddenInTheMiddle)
+{
+  Building room;
+  for (const double y : {0.0, 2.0})
+    room.level (PlaneKind::Floor, 0.0, {0, y}, {4, y + 1});
+  for (const double x : {0.0, 3.0})
+    room.level (PlaneKind::Floor, 0.0, {x, 1}, {x + 1, 2});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+}
+
+TEST (FloorPlan, HasATriangularRoomThatIsCoveredAsFarAsItGoes)
+{
+  // The floor has three quarters of the triangle, less than half of the box around it.
+  std::vector<Vector3d> floor;
+  for (double x = 0.025; x < 2.0; x += 5_cm)
+    for (double y = 0.025; x + y < 4.0; y += 5_cm)
+      floor.emplace_back (x, y, 0.0);
+  Building room;
+  room.add (PlaneKind::Floor, Vector3d::UnitZ(), floor);
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {0, 4}).wall ({0, 4}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 8.0, 0.01);
+}
+
+TEST (FloorPlan, HasTheFloorOfEachRoomWhereOneLiesInTheCornerOfAnother)
+{
+  // An L of 9 m^2 around a room of 16 m^2 whose floor is 20 cm lower.
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {5, 1});
+  flat.level (PlaneKind::Floor, 0.0, {0, 1}, {1, 5});
+  flat.level (PlaneKind::Floor, -0.2, {1, 1}, {5, 5});
+  flat.wall ({0, 0}, {5, 0}).wall ({5, 0}, {5, 5});
+  flat.wall ({5, 5}, {0, 5}).wall ({0, 5}, {0, 0});
+  flat.wall ({1, 5}, {1, 1}).wall ({1, 1}, {5, 1});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 16.0, 0.01);
+  EXPECT_NEAR (plan.rooms[0].floor.value_or (9.0), -0.2, 1_mm);
+  EXPECT_NEAR (plan.rooms[1].area, 9.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].floor.value_or (9.0), 0.0, 1_mm);
+}
+
+TEST (FloorPlan, OfSparsePointsHasWholeWalls)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  std::vector<Vector3d> wall; // a point each 40 cm
+  for (double x = 0.0; x <= 4.0; x += 40_cm)
+    for (double z = 0.0; z < 2.5; z += 40_cm)
+      wall.emplace_back (x, 0.0, z);
+  room.add (PlaneKind::Wall, Vector3d::UnitY(), wall);
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.walls.size(), 1u);
+  EXPECT_NEAR (plan.walls[0].length(), 4_m, 1_mm);
+  EXPECT_EQ (openingsOf (plan), 0u);
+}
+
+TEST (FloorPlan, HasBothSidesOfAThinWall)
+{
+  Building flat;
+  flat.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
+  flat.wall ({4, 0}, {4, 3}).wall ({4.03, 3}, {4.03, 0});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.walls.size(), 2u);
+  for (const PlanWall& wall : plan.walls)
+    EXPECT_NEAR (wall.thickness.value_or (0.0), 3_cm, 1_mm);
+}
+
+TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
+{
+  const Building building = roomOf4By3();
+  const Vector3d shift (500'000, 5'400'000, 100);
+  std::vector<PlaneSegment> moved = building.planes;
+  for (PlaneSegment& plane : moved)
+    plane.moveBy (shift);
+  const FloorPlan far_off = findFloorPlan (
+      building.cloud, moved, building.kinds, Vector3d::UnitZ(), {}, shift);
+  EXPECT_NEAR (far_off.rooms.at (0).area, 12.0, 0.01);
+  EXPECT_NEAR (*far_off.rooms.at (0).floor, 100.0, 1_mm);
+  EXPECT_NEAR (far_off.walls.at (1).from.x(), 500'004.0, 1_mm);
+
+  Building turned = building; // y down, z ahead, as cameras have it
+  for (pcl::PointXYZ& point : turned.cloud)
+    point = toPoint ({point.x, -point.z, point.y});
+  for (PlaneSegment& plane : turned.planes)
+    plane.normal = {plane.normal.x(), -plane.normal.z(), plane.normal.y()};
+  const FloorPlan in_camera =
+      findFloorPlan (turned.cloud, turned.planes, turned.kinds, -Vector3d::UnitY());
+  EXPECT_NEAR (in_camera.rooms.at (0).area, 12.0, 0.01);
+  EXPECT_EQ (openingsOf (in_camera), 1u);
+}
+
+TEST (FloorPlan, OfMillimetersIsInMeters)
+{
+  Building building = roomOf4By3();
+  for (pcl::PointXYZ& point : building.cloud)
+    point.getVector3fMap() *= 1000.0f;
+  FloorPlanParameters millimeters;
+  millimeters.meter = 1000.0;
+  const FloorPlan plan = findFloorPlan (building.cloud,
+                                        building.planes,
+                                        building.kinds,
+                                        Vector3d::UnitZ(),
+                                        millimeters,
+                                        {7000.0, 0.0, 500.0});
+  const FloorPlan expected = roomOf4By3().plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, expected.rooms.at (0).area, 1e-4);
+  EXPECT_NEAR (plan.rooms[0].middle.x(), expected.rooms[0].middle.x() + 7_m, 1e-4);
+  EXPECT_NEAR (plan.rooms[0].floor.value(), 0.5, 1e-4);
+  EXPECT_EQ (openingsOf (plan), openingsOf (expected));
+}
+
+TEST (FloorPlan, OfNothingIsEmpty)
+{
+  const FloorPlan plan = Building().plan();
+  EXPECT_TRUE (plan.walls.empty());
+  EXPECT_TRUE (plan.rooms.empty());
+}
+
+TEST (FloorPlan, RefusesWhatHasNoMeaning)
+{
+  const Building building = roomOf4By3();
+  FloorPlanParameters wrong;
+  wrong.min_opening = -1.0;
+  EXPECT_THROW (building.plan (wrong), std::invalid_argument);
+  wrong = {};
+  wrong.meter = 1e-320;
+  EXPECT_THROW (building.plan (wrong), std::invalid_argument);
+  const Vector3d up = Vector3d::UnitZ();
+  EXPECT_THROW (findFloorPlan (building.cloud, building.planes, {}, up),
+                std::invalid_argument);
+  EXPECT_THROW (
+      findFloorPlan (building.cloud, building.planes, building.kinds, {0, 0, 0}),
+      std::invalid_argument);
+  EXPECT_THROW (findFloorPlan (Building().cloud, building.planes, building.kinds, up),
+                std::invalid_argument);
+}

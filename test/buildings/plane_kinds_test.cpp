@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rectangles.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+using Eigen::Vector3d;
+using namespace pcl_ops;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+} // namespace
+
+TEST (PlaneKinds, OfARoomAreFloorCeilingAndWalls)
+{
+  EXPECT_EQ (shell().kinds(),
+             (Names{"floor", "ceiling", "wall", "wall", "wall", "wall"}));
+}
+
+TEST (PlaneKinds, AreTheSameInFeetAndForATiltedUpAxis)
+{
+  Rectangles room = shell();
+  const Eigen::Quaterniond turn (
+      Eigen::AngleAxisd (1.0, Vector3d (1, 2, 3).normalized()));
+  constexpr double feet = 1.0 / 0.3048;
+  for (PlaneSegment& plane : room.planes) {
+    plane.centroid = feet * (turn * plane.centroid);
+    plane.normal = turn * plane.normal;
+  }
+  for (PlaneExtent& extent : room.extents) {
+    for (Vector3d& corner : extent.hull)
+      corner = feet * (turn * corner);
+    extent.center = feet * (turn * extent.center);
+    extent.long_axis = turn * extent.long_axis;
+    extent.short_axis = turn * extent.short_axis;
+    extent.length *= feet;
+    extent.width *= feet;
+    extent.area *= feet * feet;
+  }
+  EXPECT_EQ (planeKinds (room.planes, room.extents, turn * Vector3d (0, 0, 5), feet),
+             planeKinds (shell().planes, shell().extents, Vector3d::UnitZ()));
+}
+
+TEST (PlaneKinds, OfATopAtTheHeightOfTablesIsATable)
+{
+  EXPECT_EQ (shell().level (0.72, 1.4, 0.8, 1.0, 1.0).lastKind(), "table");
+  EXPECT_EQ (shell().level (0.45, 0.4, 0.4, 1.0, 1.0).lastKind(), "table") << "a seat";
+  EXPECT_EQ (shell().level (0.15, 0.8, 0.8, 1.0, 1.0).lastKind(), "other") << "too low";
+  EXPECT_EQ (shell().level (1.6, 1.4, 0.8, 1.0, 1.0).lastKind(), "other") << "a shelf";
+}
+
+TEST (PlaneKinds, OfTheFrontOfACupboardIsNoWall)
+{
+  Rectangles room = shell();
+  room.add ({1, 0.4, 0}, {1.2, 0, 0}, {0, 0, 1.8});
+  EXPECT_EQ (room.lastKind(), "other") << "0.4 m before a wall";
+  Rectangles built_in = shell();
+  built_in.add ({1, 0.4, 0}, {1.2, 0, 0}, {0, 0, 2.5});
+  EXPECT_EQ (built_in.lastKind(), "wall") << "it reaches the ceiling";
+}
+
+TEST (PlaneKinds, OfAWallBesideTheEndOfALargerOneIsAWall)
+{
+  // 40 cm nearer to the room than the larger wall, and lower.
+  const auto kind_at = [] (double x) {
+    Rectangles room;
+    room.level (0.0, 8_m, 3_m).add ({0, 3, 0}, {4, 0, 0}, {0, 0, 2.4});
+    room.add ({x, 2.6, 0}, {2, 0, 0}, {0, 0, 1.8});
+    return room.lastKind();
+  };
+  EXPECT_EQ (kind_at (5_m), "wall") << "beside it";
+  EXPECT_EQ (kind_at (1_m), "other") << "before it";
+}
+
+TEST (PlaneKinds, OfALevelAboveAStoryIsARoofWhereNoWallRisesFromIt)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 1e3};
+  house.level (2.8, 6_m, 5_m).level (0.0, 6_m, 5_m).level (2.5, 6_m, 5_m);
+  house.add ({0, 0, 0}, {6, 0, 0}, {0, 0, 2.5});
+  EXPECT_EQ (house.kinds().front(), "roof");
+  house.add ({0, 0, 2.8}, {6, 0, 0}, {0, 0, 2.5});
+  EXPECT_EQ (house.kinds().front(), "floor");
+}
+
+TEST (PlaneKinds, OfASidewayBoardIsNoWall)
+{
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 0.4, 0}, {0, 0, 1.8}).lastKind(), "other");
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0, 1.4, 0}, {0, 0, 0.9}).lastKind(), "other");
+}
+
+TEST (PlaneKinds, OfARoomWhoseCeilingIsOutOfSightAreFloorAndWalls)
+{
+  Rectangles image;
+  image.level (0.0, 4_m, 3_m).add ({0, 3, 0.1}, {4, 0, 0}, {0, 0, 1.9});
+  EXPECT_EQ (image.kinds(), (Names{"floor", "wall"}));
+}
+
+TEST (PlaneKinds, OfASmallPartOfAWallIsThatOfTheWall)
+{
+  EXPECT_EQ (shell().add ({4.02, 1, 0.4}, {0, 0.3, 0}, {0, 0, 0.3}).lastKind(), "wall");
+}
+
+TEST (PlaneKinds, OfTwoStoriesAreTwoFloorsAndTwoCeilings)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 1e3}; // all normals point up: where scans are from is not known
+  for (const double floor : {0.0, 2.8}) {
+    house.level (floor, 6_m, 5_m).level (floor + 2.5, 6_m, 5_m);
+    house.add ({0, 0, floor}, {6, 0, 0}, {0, 0, 2.5});
+  }
+  EXPECT_EQ (house.kinds(),
+             (Names{"floor", "ceiling", "wall", "floor", "ceiling", "wall"}));
+}
+
+TEST (PlaneKinds, OfAHouseFromAboveAreGroundWallsAndRoof)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 1e3};
+  house.level (0.0, 60_m, 40_m, -20.0, -20.0);
+  house.add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5}).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
+  house.level (5.0, 6_m, 6_m, 20.0, 0.0); // the flat roof of another one
+  EXPECT_EQ (house.kinds(), (Names{"floor", "wall", "roof", "roof"}));
+}
+
+TEST (PlaneKinds, OfAHillsideIsOther)
+{
+  Rectangles survey;
+  survey.sensor = {0, 0, 1e3};
+  survey.level (0.0, 60_m, 40_m).add ({0, 0, 5}, {30, 0, 0}, {0, 20, 6});
+  ASSERT_EQ (survey.lastKind(), "roof");
+  PlaneSegment& slope = survey.planes.back();
+  const auto has_rms = [&slope] (double rms) {
+    slope.moments = Moments::of (
+        1000.0, slope.centroid, rms * rms * slope.normal * slope.normal.transpose());
+  };
+  has_rms (0.5);
+  EXPECT_EQ (survey.lastKind(), "other") << "of half a meter, whatever the noise";
+  has_rms (0.2);
+  EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
+  slope.noise = 0.05;
+  EXPECT_EQ (survey.lastKind(), "other") << "its rms is four noises";
+  slope.noise = 0.1;
+  EXPECT_EQ (survey.lastKind(), "roof") << "its rms is two noises";
+}
+
+TEST (PlaneKinds, OfASlopeThatGoesOnAtItsEndsIsOther)
+{
+  // A valley of 40 m, and a hillside of 20 degrees in three strips above one another.
+  const auto strip = [] (Rectangles& hills, double from) {
+    hills.add ({0, from, 0.36 * from}, {40, 0, 0}, {0, 9, 0.36 * 9});
+  };
+  Rectangles hills;
+  hills.sensor = {0, 0, 1e3};
+  hills.level (0.0, 40_m, 40_m, 0.0, -40.0);
+  for (const double from : {0.0, 10.0, 20.0})
+    strip (hills, from);
+  EXPECT_EQ (hills.kinds()[2], "other");
+  Rectangles roof;
+  roof.sensor = {0, 0, 1e3};
+  roof.level (0.0, 40_m, 40_m, 0.0, -40.0);
+  strip (roof, 10.0);
+  EXPECT_EQ (roof.kinds()[1], "roof") << "alone";
+}
+
+TEST (PlaneKinds, OfTwoSidesOfAGableAreRoofs)
+{
+  for (const double rise : {0.5, 4.0}) { // of 7 and of 45 degrees
+    Rectangles house;
+    house.sensor = {0, 0, 1e3};
+    house.level (0.0, 40_m, 40_m, -15.0, -15.0);
+    house.add ({0, 0, 3}, {10, 0, 0}, {0, 4, rise});
+    house.add ({0, 8, 3}, {10, 0, 0}, {0, -4, rise});
+    EXPECT_EQ (house.kinds(), (Names{"floor", "roof", "roof"})) << rise;
+  }
+}
+
+TEST (PlaneKinds, OfARoofWithoutItsGroundIsARoof)
+{
+  Rectangles roof;
+  roof.sensor = {0, 0, 1e3};
+  roof.level (0.0, 2_m, 2_m, 30.0, 0.0); // a place of the ground elsewhere
+  roof.add ({0, 0, 5}, {10, 0, 0}, {0, 4, 2});
+  roof.add ({0, 8, 5}, {10, 0, 0}, {0, -4, 2});
+  EXPECT_EQ (roof.kinds(), (Names{"floor", "roof", "roof"}));
+}
+
+TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
+{
+  Rectangles terraces; // steps of a field, each lower by half a meter
+  terraces.sensor = {0, 0, 1e3};
+  for (const double step : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
+    terraces.level (0.5 * step, 30_m, 10_m, 0.0, 10.0 * step);
+  EXPECT_EQ (terraces.kinds()[5], "other");
+}
+
+TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
+{
+  EXPECT_EQ (shell().add ({1, 1, 0}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "ramp");
+  EXPECT_EQ (shell().add ({1, 1, 0.5}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "other")
+      << "a desk that is tilted";
+  EXPECT_EQ (shell().add ({1, 1, 0}, {0.5, 0, 1.0}, {0, 1.2, 0}).lastKind(), "other")
+      << "a board that leans";
+}
+
+TEST (PlaneKinds, OfARoadThatFallsIsAFloor)
+{
+  Rectangles road;
+  road.add ({0, 0, 1}, {100, 0, -2}, {0, 10, 0});
+  EXPECT_EQ (road.kinds(), Names{"floor"});
+}
+
+TEST (PlaneKinds, OfARoadAboveTheFootOfAWallIsAFloor)
+{
+  Rectangles road;
+  road.add ({0, 20, -1}, {20, 0, 0}, {0, 0, 4}).level (0.0, 20_m, 10_m);
+  EXPECT_EQ (road.kinds(), (Names{"wall", "floor"}));
+}
+
+TEST (PlaneKinds, OfDesksWhoseFloorIsOutOfSightAreTables)
+{
+  Rectangles office;
+  office.add ({0, 3, 0}, {8, 0, 0}, {0, 0, 2.5});
+  for (const double x : {0.0, 2.0, 4.0, 6.0})
+    office.level (0.75, 1.6_m, 0.8_m, x);
+  EXPECT_EQ (office.kinds(), (Names{"wall", "table", "table", "table", "table"}));
+}
+
+TEST (PlaneKinds, OfAGalleryIsASlab)
+{
+  Rectangles hall;
+  hall.level (0.0, 9_m, 9_m).level (1.5, 4_m, 3_m).level (6.0, 9_m, 9_m);
+  EXPECT_EQ (hall.kinds(), (Names{"floor", "slab", "ceiling"}));
+}
+
+TEST (PlaneKinds, OfWhatLiesBelowTheSensorAreNoCeilings)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.level (-4.0, 4_m, 4_m).level (-2.0, 20_m, 20_m, 5.0, 5.0); // a pit, the street
+  EXPECT_EQ (street.kinds().back(), "ceiling") << "the sensor may have been below it";
+  EXPECT_EQ (street.kindsFromSensor().back(), "floor");
+}
+
+TEST (PlaneKinds, OfAMapDoNotHangOnASensorThatIsNowhereNear)
+{
+  Rectangles map;
+  map.sensor = {0, 0, 1e6};
+  map.level (0.0, 8_m, 8_m).level (3.0, 8_m, 8_m);
+  EXPECT_EQ (map.kindsFromSensor(), (Names{"floor", "ceiling"}));
+}
+
+TEST (PlaneKinds, OfATerraceBelowTheSensorAreAFloorAndItsWall)
+{
+  Rectangles terrace;
+  terrace.sensor = {5, 5, 6};
+  terrace.level (0.0, 20_m, 10_m).level (4.0, 10_m, 10_m);
+  terrace.add ({0, 10, 4}, {10, 0, 0}, {0, 0, 3});
+  EXPECT_EQ (terrace.kindsFromSensor(), (Names{"floor", "floor", "wall"}));
+}
+
+TEST (PlaneKinds, OfAFlatRoofFarBelowTheSensorIsARoof)
+{
+  Rectangles house;
+  house.sensor = {0, 0, 30};
+  house.level (0.0, 20_m, 20_m).level (5.0, 10_m, 10_m);
+  EXPECT_EQ (house.kindsFromSensor(), (Names{"floor", "roof"}));
+}
+
+TEST (PlaneKinds, OfARoomAreTheSameWhereTheSensorIsKnown)
+{
+  EXPECT_EQ (shell().kindsFromSensor(), shell().kinds());
+  Rectangles image = shell();
+  image.sensor = {2, 1.5, 2.5}; // in the plane of the ceiling, which it does not see
+  EXPECT_EQ (image.kindsFromSensor(), shell().kinds());
+}
+
+TEST (PlaneKinds, OfPartsOfTheGroundAtTwoHeightsAreFloors)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 2};
+  street.level (0.0, 10_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
+  EXPECT_EQ (street.kinds(), (Names{"floor", "slab"}));
+  EXPECT_EQ (street.kindsFromSensor(), (Names{"floor", "floor"}));
+}
+
+TEST (PlaneKinds, OfARoomAreTheSameForASensorThatLeans)
+{
+  const Names upright = {"floor", "ceiling", "wall", "wall", "wall", "wall", "table"};
+  Rectangles room = shell();
+  room.level (0.72, 1.4, 0.8, 1.0, 1.0);
+  for (const double degrees : {5.0, 8.0, 11.0}) {
+    // The sensor's own axis, which it takes for up.
+    const Eigen::AngleAxisd lean (degrees * M_PI / 180.0, Vector3d::UnitX());
+    const Vector3d up = lean * Vector3d::UnitZ();
+    for (PlaneSegment& plane : room.planes)
+      plane.orientation = orientationOf (plane.normal, up, paper_angle_tolerance);
+    EXPECT_EQ (room.kindsFromSensor (up), upright) << degrees;
+    if (degrees > 7.0) {
+      EXPECT_NE (room.kinds (std::nullopt, up).front(), "floor")
+          << "of an unknown sensor nobody knows that it leans";
+    }
+  }
+}
+
+TEST (PlaneKinds, OfWallsAreWallsThoughSomeGroundFarAwaySlopes)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.add ({-3, 4, -1}, {6, 0, 0}, {0, 0.3, 3});  // leans by 6 degrees
+  street.add ({40, -3, -4}, {8, 0, 1.2}, {0, 6, 0}); // 48 m2, 8 degrees
+  EXPECT_EQ (street.kindsFromSensor().front(), "wall");
+}
+
+TEST (PlaneKinds, OfWallsAreWallsThoughASlopeIsSeenEdgeOn)
+{
+  Rectangles street;
+  street.sensor = {0, 0, 0};
+  street.add ({-3, -3, -1}, {0, 6, 0}, {0, 0, 3});
+  street.add (
+      {2, -3, -0.28}, {16, 0, -2.24}, {0, 6, 0}); // 8 degrees, through the sensor
+  EXPECT_EQ (street.kindsFromSensor().front(), "wall");
+}
+
+TEST (PlaneKinds, OfACeilingOfPanelsAtTheHeightOfTheSensorAreCeilings)
+{
+  Rectangles room;
+  room.sensor.z() = 2.5;
+  room.level (0.0, 3_m, 3_m);
+  for (const double x : {0.0, 1.0, 2.0, 3.0})
+    room.level (2.5, 0.9, 0.9, x);
+  EXPECT_EQ (room.kindsFromSensor(),
+             (Names{"floor", "ceiling", "ceiling", "ceiling", "ceiling"}));
+}
+
+TEST (PlaneKinds, OfASlopeBesideALevelFloorIsARampThoughItIsTheLarger)
+{
+  Rectangles garage;
+  garage.level (0.0, 4_m, 5_m).add ({4, 0, 0}, {10, 0, 1.4}, {0, 5, 0});
+  garage.sensor = {2, 2, 2};
+  EXPECT_EQ (garage.kindsFromSensor(), (Names{"floor", "ramp"}));
+}
+
+TEST (PlaneKinds, OfNoPlanesAreNone)
+{
+  EXPECT_TRUE (planeKinds ({}, {}, Vector3d::UnitZ()).empty());
+}
+
+TEST (PlaneKinds, RefuseWhatHasNoMeaning)
+{
+  const Rectangles room = shell();
+  const Vector3d up = Vector3d::UnitZ();
+  EXPECT_THROW (planeKinds (room.planes, {}, up), std::invalid_argument);
+  EXPECT_THROW (planeKinds (room.planes, room.extents, {0, 0, 0}),
+                std::invalid_argument);
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up, 0.0), std::invalid_argument);
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up, 1.0, Vector3d (0, NAN, 0)),
+                std::invalid_argument);
+}
+
+TEST (PlaneKinds, RefusePlanesWithoutAHeight)
+{
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  Rectangles room = shell();
+  const Vector3d up = Vector3d::UnitZ();
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up, 1e-320),
+                std::invalid_argument);
+  room.planes[0].centroid.z() = not_a_number;
+  EXPECT_THROW (planeKinds (room.planes, room.extents, up), std::invalid_argument);
+}
+
+TEST (PlaneKinds, FollowAnUpAxisOfAnyLength)
+{
+  const Rectangles room = shell();
+  const std::vector<PlaneKind> kinds =
+      planeKinds (room.planes, room.extents, Vector3d::UnitZ());
+  for (const double length : {1e-320, 1e300})
+    EXPECT_EQ (planeKinds (room.planes, room.extents, {0, 0, length}), kinds) << length;
+}

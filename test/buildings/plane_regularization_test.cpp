@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/buildings/plane_regularization.h>
+
+#include <limits>
+#include <stdexcept>
+
+using Eigen::Vector3d;
+using namespace pcl_ops;
+
+namespace {
+
+constexpr double noise = 3_mm;
+
+/** \brief Noisy squares of 2 m, each with a normal and a place. */
+struct Squares {
+  pcl::PointCloud<pcl::PointXYZ> cloud = {};
+  std::vector<PlaneSegment> planes = {};
+  RandomGenerator generator = RandomGenerator (seedOfTest());
+
+  Squares&
+  add (const Vector3d& normal, const Vector3d& center, int steps = 40)
+  {
+    const Vector3d u = normal.unitOrthogonal(), v = normal.cross (u).normalized();
+    pcl::Indices inliers;
+    for (int i = 0; i < steps; ++i)
+      for (int j = 0; j < steps; ++j) {
+        inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+        cloud.push_back (toPoint (
+            center + (2.0 * i / steps - 1.0) * u + (2.0 * j / steps - 1.0) * v +
+            noise * drawNormal (generator) * normal.normalized()));
+      }
+    planes.push_back (planeOfPoints (cloud, inliers, normal.normalized()));
+    const std::optional<PlaneFit> fit = fitPlane (planes.back().moments);
+    planes.back().normal =
+        fit->plane.normal.dot (normal) < 0.0 ? -fit->plane.normal : fit->plane.normal;
+    planes.back().centroid = fit->centroid;
+    return *this;
+  }
+
+  RegularizedPlanes
+  regularized (const PlaneRegularizationParameters& parameters = {}) const
+  {
+    return regularizePlanes (planes, parameters);
+  }
+};
+
+/** \brief Three sides of a box and one across, as noise has them. */
+Squares
+box ()
+{
+  Squares box;
+  box.add ({0, 0, 1}, {0, 0, 0})
+      .add ({1, 0, 0}, {-2, 0, 1})
+      .add ({-1, 0, 0}, {2, 0, 1});
+  return box.add ({0, 1, 0}, {0, -2, 1});
+}
+
+double
+cosine (const PlaneSegment& first, const PlaneSegment& second)
+{
+  return first.normal.dot (second.normal);
+}
+
+} // namespace
+
+TEST (PlaneRegularization, MakesWallsAndFloorExactlyOrthogonalAndOppositeWallsParallel)
+{
+  const RegularizedPlanes found = box().regularized();
+  EXPECT_NEAR (cosine (found.planes[0], found.planes[1]), 0.0, 1e-12);
+  EXPECT_NEAR (cosine (found.planes[0], found.planes[3]), 0.0, 1e-12);
+  EXPECT_NEAR (cosine (found.planes[1], found.planes[3]), 0.0, 1e-12);
+  EXPECT_NEAR (cosine (found.planes[1], found.planes[2]), -1.0, 1e-12);
+  EXPECT_EQ (found.moves[1].direction, found.moves[2].direction);
+  EXPECT_NE (found.moves[1].level, found.moves[2].level);
+}
+
+TEST (PlaneRegularization, LeavesPointsWithinTheNoiseOfTheirPlanes)
+{
+  const Squares scene = box();
+  const RegularizedPlanes found = scene.regularized();
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+    EXPECT_TRUE (found.moves[i].is_moved) << i;
+    EXPECT_LT (found.planes[i].rms(), 1.1 * scene.planes[i].rms()) << i;
+  }
+}
+
+TEST (PlaneRegularization, SaysByHowMuchPlanesWereMoved)
+{
+  const Squares scene = box();
+  const RegularizedPlanes found = scene.regularized();
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+    const double angle = angleBetween (scene.planes[i], found.planes[i]);
+    EXPECT_NEAR (found.moves[i].angle, angle, 1e-9);
+    EXPECT_GT (found.moves[i].displacement, 0.0);
+  }
+}
+
+TEST (PlaneRegularization, MakesPartsOfOneWallCoplanar)
+{
+  Squares scene;
+  scene.add ({1, 0, 0}, {0, 0, 1})
+      .add ({1, 0, 0}, {2_mm, 5, 1})
+      .add ({1, 0, 0}, {0.2, 9, 1});
+  const RegularizedPlanes found = scene.regularized();
+  const PlaneSegment &first = found.planes[0], &second = found.planes[1];
+  EXPECT_NEAR (first.normal.dot (second.centroid - first.centroid), 0.0, 1e-12);
+  EXPECT_EQ (found.moves[0].level, found.moves[1].level);
+  EXPECT_NE (found.moves[0].level, found.moves[2].level) << "20 cm before it";
+  EXPECT_EQ (found.moves[0].direction, found.moves[2].direction);
+}
+
+TEST (PlaneRegularization, LeavesARoofOf30DegreesAsItIs)
+{
+  Squares scene = box();
+  scene.add ({0, std::sin (30_deg), std::cos (30_deg)}, {0, 0, 4});
+  const RegularizedPlanes found = scene.regularized();
+  EXPECT_NEAR (angleBetween (found.planes[4], scene.planes[4]), 0.0, 0.2_deg);
+  EXPECT_NEAR (cosine (found.planes[4], found.planes[1]), 0.0, 1e-12)
+      << "its eaves are level";
+}
+
+TEST (PlaneRegularization, LeavesPlanesThatWouldMoveFartherThanTheirNoise)
+{
+  Squares scene = box();
+  scene.add ({1, std::tan (2.5_deg), 0}, {5, 0, 1}); // a wall that is not square
+  const RegularizedPlanes found = scene.regularized();
+  EXPECT_FALSE (found.moves[4].is_moved);
+  EXPECT_GT (found.moves[4].displacement, 1.0);
+  EXPECT_EQ (found.planes[4].normal, scene.planes[4].normal);
+  EXPECT_NEAR (cosine (found.planes[0], found.planes[1]), 0.0, 1e-12) << "the others";
+}
+
+TEST (PlaneRegularization, MakesWallsParallelThatLeanToBothSidesOfOneRightAngle)
+{
+  // Seven degrees apart, and 3.5 degrees from a right angle with the floor.
+  PlaneRegularizationParameters parameters;
+  parameters.max_angle = 5_deg;
+  parameters.max_displacement = 1e3;
+  Squares scene;
+  scene.add ({0, 0, 1}, {0, 0, 0}, 60).add ({0, 1, 0}, {0, 2, 1}, 60);
+  scene.add ({1, 0, std::tan (3.5_deg)}, {-2, 0, 1});
+  scene.add ({1, 0, -std::tan (3.5_deg)}, {2, 0, 1});
+  const RegularizedPlanes found = scene.regularized (parameters);
+  EXPECT_NEAR (cosine (found.planes[2], found.planes[3]), 1.0, 1e-12);
+  EXPECT_EQ (found.moves[2].direction, found.moves[3].direction);
+}
+
+TEST (PlaneRegularization, KeepsTheSidesThatNormalsPointTo)
+{
+  const Squares scene = box();
+  const RegularizedPlanes found = scene.regularized();
+  for (std::size_t i = 0; i < scene.planes.size(); ++i)
+    EXPECT_GT (cosine (found.planes[i], scene.planes[i]), 0.99);
+}
+
+TEST (PlaneRegularization, IsTheSameInUtmCoordinates)
+{
+  const Squares scene = box();
+  const Vector3d shift (500'000, 5'400'000, 100);
+  std::vector<PlaneSegment> moved = scene.planes;
+  for (PlaneSegment& plane : moved)
+    plane.moveBy (shift);
+  const RegularizedPlanes here = scene.regularized();
+  const RegularizedPlanes there = regularizePlanes (moved);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    EXPECT_LT ((here.planes[i].normal - there.planes[i].normal).norm(), 1e-9);
+}
+
+TEST (PlaneRegularization, OfNoPlanesIsNone)
+{
+  EXPECT_TRUE (Squares().regularized().planes.empty());
+}
+
+TEST (PlaneRegularization, RefusesWhatHasNoMeaning)
+{
+  const Squares scene = box();
+  PlaneRegularizationParameters wrong;
+  wrong.max_angle = 1.0;
+  EXPECT_THROW (scene.regularized (wrong), std::invalid_argument);
+  wrong = {};
+  wrong.max_displacement = 0.0;
+  EXPECT_THROW (scene.regularized (wrong), std::invalid_argument);
+  wrong = {};
+  wrong.max_offset = -1.0;
+  EXPECT_THROW (scene.regularized (wrong), std::invalid_argument);
+}
+
+TEST (PlaneRegularization, RefusesPlanesThatAreNotFinite)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double length : {1e200, infinite}) {
+    std::vector<PlaneSegment> planes = box().planes;
+    planes[0].normal = Vector3d (0.0, 0.0, length);
+    EXPECT_THROW (regularizePlanes (planes), std::invalid_argument) << length;
+  }
+  std::vector<PlaneSegment> planes = box().planes;
+  planes[0].centroid.x() = infinite;
+  EXPECT_THROW (regularizePlanes (planes), std::invalid_argument);
+}

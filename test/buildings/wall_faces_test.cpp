@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "buildings/wall_faces.h"
+#include "scene.h"
+
+using namespace pcl_ops::internal::buildings;
+
+namespace {
+
+/** \brief Adds a grid of an upright plane at some y. */
+void
+addUpright (double y, double from, double to, PlanPoints& points)
+{
+  for (double x = from; x < to + 1_mm; x += 1_cm)
+    for (double z = 0.025; z < 2.0; z += 5_cm)
+      points.emplace_back (x, y, z);
+}
+
+} // namespace
+
+TEST (WallFaces, KeepTheirEndsThoughALeafIsSeenBeyondTheGap)
+{
+  PlanPoints points;
+  addUpright (0.0, 0.0, 1_m, points);
+  addUpright (0.0, 2_m, 4_m, points);
+  const WallFace wall = faceOf ({0, 1, 0}, points, 0, 1.2);
+  PlanPoints of_leaf; // set back by 10 cm, and a centimeter wider than the gap
+  addUpright (-0.1, 0.99, 2.01, of_leaf);
+  const WallFace leaf = faceOf ({0, 1, 0}, of_leaf, 1, 1.2);
+  const std::vector<WallFace> walls = withoutRecesses ({wall, leaf}, {});
+  ASSERT_EQ (walls.size(), 1u) << "the leaf is none";
+  ASSERT_EQ (walls[0].cut.size(), 2u);
+  // Along the line of the wall, whichever way that goes.
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR (walls[0].cut[i].from, wall.cut[i].from, 1_mm);
+    EXPECT_NEAR (walls[0].cut[i].to, wall.cut[i].to, 1_mm);
+  }
+}
+
+TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
+{
+  PlanPoints points;
+  addUpright (0.0, 0.0, 1_m, points);
+  addUpright (0.0, 2_m, 4_m, points);
+  for (double x = 1_m; x < 1.4; x += 1_cm) // a counter at the height of the cut
+    points.emplace_back (x, 0.0, 1.2);
+  PlanPoints of_leaf;
+  addUpright (-0.1, 1_m, 2_m, of_leaf);
+  const std::vector<WallFace> walls = withoutRecesses (
+      {faceOf ({0, 1, 0}, points, 0, 1.2), faceOf ({0, 1, 0}, of_leaf, 1, 1.2)}, {});
+  ASSERT_EQ (walls.size(), 1u);
+  double length = 0.0;
+  for (const auto& [from, to] : walls[0].cut)
+    length += to - from;
+  EXPECT_NEAR (length, 3_m, 5_cm);
+}
+
+TEST (WallFaces, OfNoPointsAreNone)
+{
+  PlanPoints points;
+  addUpright (0.0, 0.0, 1_m, points);
+  const std::vector<WallFace> joined =
+      joinFaces ({faceOf ({0, 1, 0}, {}, 0, 1.2), faceOf ({0, 1, 0}, points, 1, 1.2)});
+  ASSERT_EQ (joined.size(), 1u);
+  EXPECT_EQ (joined[0].planes, std::vector<std::size_t>{1});
+}
+
+TEST (WallFaces, AreCutWithin5CentimetersOfTheHeight)
+{
+  const auto is_cut = [] (double top) {
+    PlanPoints points; // 1 cm apart, up to somewhere below the cut
+    for (double x = 0.0; x < 1.0; x += 1_cm)
+      for (double z = top; z > top - 0.5; z -= 1_cm)
+        points.emplace_back (x, 0.0, z);
+    return !faceOf ({0, 1, 0}, points, 0, 1.2).cut.empty();
+  };
+  EXPECT_TRUE (is_cut (1.16));
+  EXPECT_FALSE (is_cut (1.14));
+}

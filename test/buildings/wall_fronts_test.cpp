@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "buildings/wall_fronts.h"
+#include "scene.h"
+
+using namespace pcl_ops::internal::buildings;
+
+namespace {
+
+/** \brief A floor beside the x axis, from there on to 1 m away. \param[in] side 1:
+ * where y is above 0; -1: below */
+void
+addFloor (double side, double length, PlanPoints& points)
+{
+  for (double x = 0.025; x < length; x += 5_cm)
+    for (double y = 0.025; y < 1.0; y += 5_cm)
+      points.emplace_back (x, side * y, 0.0);
+}
+
+/** \brief Whether a wall of 4 m along the x axis, its front to above, has floors behind
+ * it. \param[in] before, behind how long the floors are there */
+bool
+isFloorBehind (double before, double behind)
+{
+  PlanPoints level;
+  addFloor (1.0, before, level);
+  addFloor (-1.0, behind, level);
+  PlanPoints wall;
+  for (double x = 0.025; x < 4.0; x += 5_cm)
+    for (double z = 0.025; z < 2.5; z += 5_cm)
+      wall.emplace_back (x, 0.0, z);
+  return RoomSides ({&level}).areBehind ({0.0, 1.0}, wall);
+}
+
+} // namespace
+
+TEST (WallFronts, AreTurnedWhereFloorsAreBehindTheWallAlone)
+{
+  EXPECT_TRUE (isFloorBehind (0.0, 4_m));
+  EXPECT_FALSE (isFloorBehind (4_m, 0.0));
+  EXPECT_FALSE (isFloorBehind (0.0, 0.0));
+}
+
+TEST (WallFronts, StayWhereFloorsAreOnBothSides)
+{
+  // Furniture hides a meter of that before the wall.
+  EXPECT_FALSE (isFloorBehind (3_m, 4_m));
+}
+
+TEST (WallFronts, StayWhereNextToNoFloorIsSeen)
+{
+  EXPECT_FALSE (isFloorBehind (0.0, 15_cm)) << "three squares of 5 cm";
+}
