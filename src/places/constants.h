@@ -57,6 +57,9 @@ struct PlaceConstants {
   /** \brief A place looks at its largest support that scatters by no more than this
    * many noises. */
   double max_noises_of_support = 1.8;
+  /** \brief Nearest points are in two layers if distances from the nearer one have this
+   * share of the variance at most: .36 of white noise, .25 of evenly spread ones. */
+  double max_rest_of_layers = 0.05;
 
   // Regions.
   /** \brief Largest distance of a place to the plane of its region in units of the

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_ops::internal {
 
@@ -166,6 +167,55 @@ limitByUsual (const Places& places, unsigned threads, std::vector<float>& noise)
   });
 }
 
+// The least sum of squares about the means of two groups of sorted values, over that
+// about the mean of all.
+double
+restOfTwoGroups (const std::vector<double>& sorted)
+{
+  constexpr std::size_t least = 3; // values of a group
+  const auto number = static_cast<double> (sorted.size());
+  const double sum = std::accumulate (sorted.begin(), sorted.end(), 0.0);
+  double between = 0.0;
+  double first = 0.0;
+  for (std::size_t k = 0; k + least < sorted.size(); ++k) {
+    first += sorted[k];
+    const auto in_first = static_cast<double> (k + 1);
+    if (k + 1 < least)
+      continue;
+    const double apart = first / in_first - (sum - first) / (number - in_first);
+    between =
+        std::max (between, in_first * (number - in_first) / number * apart * apart);
+  }
+  double squares = -sum * sum / number;
+  for (const double value : sorted)
+    squares += value * value;
+  return squares > 0.0 ? 1.0 - between / squares : 1.0;
+}
+
+// The flattest support of a place whose nearest points are in two layers: the sides of
+// a wall that is thinner than points are apart scatter by far more than their noise,
+// and only larger supports know where the wall goes. 0 if there are no layers.
+std::size_t
+flattestOfLayers (const Places& places, std::size_t place)
+{
+  std::size_t flattest = 0;
+  double least = 1.0;
+  for (std::size_t level = 0; level < places.supports.size(); ++level) {
+    const Support& support = places.supports[level][place];
+    if (support.is_flat && support.scatter < least * support.width) {
+      least = support.scatter / support.width;
+      flattest = level;
+    }
+  }
+  const Eigen::Vector3d normal = places.supports[flattest][place].normal.cast<double>();
+  std::vector<double> offset{0.0};
+  for (std::size_t k = 0; k < places.neighbors; ++k)
+    offset.push_back (normal.dot (places.position[places.nearestOf (place)[k]] -
+                                  places.position[place]));
+  std::sort (offset.begin(), offset.end());
+  return restOfTwoGroups (offset) < place_constants.max_rest_of_layers ? flattest : 0;
+}
+
 } // namespace
 
 PlaceNoise
@@ -192,16 +242,19 @@ chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
   chosen.scatter.resize (places.size());
   chosen.width.resize (places.size());
   chosen.is_flat.resize (places.size());
+  const auto isExplained = [&] (std::size_t i, std::size_t level) {
+    const Support& support = places.supports[level][i];
+    const double limit = std::max<double> (
+        place_constants.max_noises_of_support * noise.of_place[i],
+        place_constants.share_of_exact * place_constants.max_exact * support.width);
+    return support.scatter * noise.growth[level] <= limit;
+  };
   forEach (threads, places.size(), [&] (std::size_t i) {
     std::size_t level = places.supports.size() - 1;
-    for (; level > 0; --level) {
-      const Support& support = places.supports[level][i];
-      const double limit = std::max<double> (
-          place_constants.max_noises_of_support * noise.of_place[i],
-          place_constants.share_of_exact * place_constants.max_exact * support.width);
-      if (support.scatter * noise.growth[level] <= limit)
-        break;
-    }
+    while (level > 0 && !isExplained (i, level))
+      --level;
+    if (level == 0 && !isExplained (i, 0))
+      level = flattestOfLayers (places, i);
     const Support& support = places.supports[level][i];
     chosen.normal[i] = support.normal.cast<double>();
     chosen.scatter[i] = support.scatter;

@@ -368,6 +368,20 @@ TEST (DetectOnPlaces, PartsTheSidesOfAWallThatNeighborhoodsMix)
   EXPECT_EQ (found.planes.fits.size(), 2u);
 }
 
+TEST (DetectOnPlaces, FindsBothSidesOfWallsThinnerThanPointsAreApart)
+{
+  for (const double spacing : {4_cm, 7_cm, 12_cm})
+    for (const double thickness : {6_cm, 8_cm, 10_cm}) {
+      const Surface front = {{0, 0, 0}, {4, 0, 0}, {0, 0, 4}};
+      const Surface back = {{0, thickness, 0}, {4, 0, 0}, {0, 0, 4}};
+      const Surface ground = {{0, -1.5, -0.8}, {4, 0, 0}, {0, 3, 0}};
+      const Surface other = {{-1.1, -1.5, -1.5}, {0, 3, 0}, {0, 0, 4}};
+      const LabelledPlanes found =
+          detectIn (drawnPoints ({front, back, ground, other}, spacing, 2_mm));
+      EXPECT_EQ (found.planes.fits.size(), 4u) << spacing << ' ' << thickness;
+    }
+}
+
 TEST (DetectOnPlaces, FindsTheSameWhereTheCloudIsMoved)
 {
   const Points points = smallRoom();
