@@ -5,6 +5,7 @@
 #include <boost/format.hpp>
 
 #include "report.h"
+#include "stages.h"
 #include <drawing/edge_drawing.h>
 #include <drawing/plan_drawing.h>
 #include <io/las_file.h>
@@ -449,6 +450,15 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.planes_dir.empty())
     note (outputs.planes_dir,
           savePlaneClouds (outputs.planes_dir, cloud, report, options.fileFormat()));
+  if (!outputs.trace.empty())
+    note (outputs.trace,
+          saveStages (outputs.trace,
+                      cloud,
+                      report.detected.stages,
+                      CloudPicture (*shifted.cloud,
+                                    labelsOf (planes, cloud.size()),
+                                    planes,
+                                    report.detected.up)));
   // Last: a pipe gets its JSON when the files are there.
   if (outputs.planes.empty())
     return written;
