@@ -351,6 +351,20 @@ millisecondsOf (clockid_t clock)
          1e-6 * static_cast<double> (time.tv_nsec);
 }
 
+/** \brief What planes are searched for with: parameters with an observer where stages
+ * are asked for. Hints search a second time without. */
+template <typename Parameters>
+Parameters
+observed (Parameters parameters, bool keeps_stages, std::vector<StageResult>& stages)
+{
+  if constexpr (std::is_same_v<Parameters, OpsParameters>)
+    if (keeps_stages)
+      parameters.on_stage = [&stages] (const StageResult& result) {
+        stages.push_back (result);
+      };
+  return parameters;
+}
+
 template <typename Parameters>
 Detected
 detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
@@ -366,8 +380,11 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   const clockid_t clock =
       parameters.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID;
   const double start = millisecondsOf (clock);
-  auto found = detectPlanesInDetail (*cloud, parameters, sensorOf (*cloud));
   Detected detected;
+  auto found = detectPlanesInDetail (
+      *cloud,
+      observed (parameters, options.keeps_stages, detected.stages),
+      sensorOf (*cloud));
   detected.processor_time = millisecondsOf (clock) - start;
   detected.planes = std::move (found.planes);
   detected.timing = found.durations;
@@ -375,12 +392,10 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   detected.settings = reportOf (options.preset, parameters);
   reportUsed (detected.used, detected.settings);
   detected.up = parameters.up_axis;
+  detected.advice = adviceFor (parameters, *cloud, detected.planes);
   if constexpr (std::is_same_v<Parameters, OpsParameters>) {
     hintOnMinInliers (options.numbers, parameters, *cloud, detected);
     hintOnSamplingRate (options.numbers, detected);
-  }
-  detected.advice = adviceFor (parameters, *cloud, detected.planes);
-  if constexpr (std::is_same_v<Parameters, OpsParameters>)
     if (parameters.sampling != Sampling::Points &&
         options.numbers.count ("voxel-size") == 0) {
       detected.search = parameters;
@@ -388,6 +403,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
       if (!hint.empty())
         detected.hints.push_back (hint);
     }
+  }
   return detected;
 }
 
@@ -508,6 +524,7 @@ hintOnOverlap (const Method& method,
   if (!pair)
     return;
   DetectorOptions merging = options;
+  merging.keeps_stages = false;
   const double distance = roundedUp (pair->distance);
   merging.numbers[name] = distance;
   const std::vector<std::uint32_t> labels =
@@ -636,6 +653,13 @@ checkMethodOptions (const CommandLine& line, const Method& chosen)
                         "is an option of --method " + method.name + ", not of " +
                             chosen.name + "; leave it out");
   }
+}
+
+bool
+hasStages (const Method& method, const DetectorOptions& options)
+{
+  return method.name == allMethods().front().name && options.preset == "default" &&
+         !defaultWith (options.numbers).surfels.voxel_size;
 }
 
 double

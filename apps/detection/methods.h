@@ -39,6 +39,8 @@ struct DetectorOptions {
   bool sequence_has_up = false;
   std::optional<double> up_confidence;
   GivenNumbers numbers;
+  /** \brief Whether \ref Detected::stages are asked for. */
+  bool keeps_stages = false;
 };
 
 struct Detected {
@@ -51,6 +53,9 @@ struct Detected {
   std::vector<PlaneExtent> extents;
   /** \brief How each was moved by regularizePlanes; empty where none was. */
   std::vector<PlaneMove> moves;
+  /** \brief What each stage of the engine on neighborhoods made of the points; empty
+   * where nobody asked, and of other engines. */
+  std::vector<StageResult> stages;
   /** \brief Where \ref planes are pieces: for each the position of the plane it lies on
    * in \ref whole_planes, which have no inliers; else empty. */
   std::vector<std::size_t> lies_on;
@@ -131,6 +136,10 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
 /** \throws UsageError if options were given that only other methods understand */
 void
 checkMethodOptions (const CommandLine& line, const Method& chosen);
+
+/** \brief Whether they ask for the engine on neighborhoods, which alone has stages. */
+bool
+hasStages (const Method& method, const DetectorOptions& options);
 
 /** \brief Of what voxels begin at whole multiples; 0 where their size is not given. */
 double

@@ -7,6 +7,8 @@
 #include <boost/format.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace pcl_ops::apps {
 
@@ -25,6 +27,18 @@ palette ()
       colors.push_back (color);
   }
   return colors;
+}
+
+/** \brief The largest 1, 2 or 5 times a power of ten that is not above a number. */
+double
+roundBelow (double number)
+{
+  constexpr double of_rounding = 1.0 + 1e-6;
+  const double power = std::pow (10.0, std::floor (std::log10 (number * of_rounding)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= number * of_rounding)
+      return factor * power;
+  return power;
 }
 
 } // namespace
@@ -52,6 +66,40 @@ colorOf (Orientation orientation)
   return orientation == Orientation::Horizontal ? pcl::RGB (64, 160, 72)
          : orientation == Orientation::Vertical ? pcl::RGB (66, 120, 200)
                                                 : pcl::RGB (236, 148, 40);
+}
+
+ColorScale::ColorScale (const std::vector<float>& values)
+{
+  constexpr double left_out = 0.02;
+  std::vector<float> known;
+  std::copy_if (values.begin(),
+                values.end(),
+                std::back_inserter (known),
+                [] (float value) { return value > 0.0f && std::isfinite (value); });
+  if (known.empty())
+    return;
+  std::sort (known.begin(), known.end());
+  const auto last = static_cast<double> (known.size() - 1);
+  smallest = roundBelow (known[std::size_t (left_out * last)]);
+  largest =
+      1.0 / roundBelow (1.0 / double (known[std::size_t ((1.0 - left_out) * last)]));
+}
+
+pcl::RGB
+ColorScale::operator() (float value) const
+{
+  if (std::isnan (value))
+    return colorOfLabel (0);
+  if (!(value > smallest) || value >= largest)
+    return at (value > smallest ? 1.0f : 0.0f);
+  return at (float (std::log (value / smallest) / std::log (largest / smallest)));
+}
+
+pcl::RGB
+ColorScale::at (float share)
+{
+  constexpr float last = 255.0f;
+  return pcl::ViridisLUT::at (std::size_t (last * std::clamp (share, 0.0f, 1.0f)));
 }
 
 void

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include "colors.h"
 #include <cli/errors.h>
 #include <io/output_file.h>
 #include <png.h>
@@ -86,6 +85,17 @@ draw (const MapShape& shape, const MapScale& scale, Image& image)
   }
 }
 
+/** \brief A number that is 1, 2 or 5 times a power of ten, in the letters we have. */
+std::string
+roundText (double number)
+{
+  std::ostringstream text;
+  text << std::fixed;
+  text.precision (number < 1.0 ? int (std::ceil (-std::log10 (number))) : 0);
+  text << number;
+  return text.str();
+}
+
 /** \brief A bar of 1, 2 or 5 times a power of ten, at most a third of the width. */
 void
 addScaleBar (const MapScale& scale, Image& image)
@@ -96,15 +106,11 @@ addScaleBar (const MapScale& scale, Image& image)
   for (const double factor : {2.0, 5.0})
     if (factor * power <= longest)
       length = factor * power;
-  std::ostringstream text;
-  text << std::fixed;
-  text.precision (length < 1.0 ? int (std::ceil (-std::log10 (length))) : 0);
-  text << length;
   constexpr int bar = 6;
   constexpr int row = Image::height - 3 * margin;
   const int end = margin + int (std::lround (length * scale.per_unit));
   image.fill (margin, row, end, row + bar, {0, 0, 0});
-  image.write (end + margin, row - bar, text.str());
+  image.write (end + margin, row - bar, roundText (length));
 }
 
 } // namespace
@@ -164,17 +170,40 @@ Image::addLegend (int lines)
 }
 
 void
-savePng (const std::string& file, const Image& image)
+Image::addLegend (const ColorScale& scale)
+{
+  constexpr int letter = 4 * dot;
+  constexpr int line = 5 * dot;
+  constexpr int bar = 256;
+  const std::string from = roundText (scale.smallest);
+  const std::string to = roundText (scale.largest);
+  const int row = height - line - margin;
+  const int left = 2 * margin + letter * int (from.size());
+  const int end = left + bar + margin + letter * int (to.size());
+  fill (0, row - margin, end + margin, height, {255, 255, 255});
+  write (margin, row, from);
+  for (int i = 0; i < bar; ++i)
+    fill (left + i, row, left + i + 1, row + line, ColorScale::at (float (i) / bar));
+  write (left + bar + margin, row, to);
+}
+
+void
+savePng (const std::string& file, const Image& image, int columns)
 {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
-  header.width = Image::width;
+  header.width = columns;
   header.height = Image::height;
   header.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX (header);
   std::string png (size, '\0');
-  if (png_image_write_to_memory (
-          &header, png.data(), &size, 0, image.bytes.data(), 0, nullptr) == 0)
+  if (png_image_write_to_memory (&header,
+                                 png.data(),
+                                 &size,
+                                 0,
+                                 image.bytes.data(),
+                                 3 * Image::width,
+                                 nullptr) == 0)
     throw WorkError (
         file, std::string ("cannot be drawn (") + header.message + "); leave it out");
   png.resize (size);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "colors.h"
 #include <pcl_ops/orientation.h>
 
 #include <cstdint>
@@ -40,10 +41,15 @@ struct Image {
    * \param[in] lines all, or without the gray of no plane */
   void
   addLegend (int lines = 4);
+
+  /** \brief What the colors of a scale mean, in the left half. */
+  void
+  addLegend (const ColorScale& scale);
 };
 
+/** \param[in] columns so many from the left are written */
 void
-savePng (const std::string& file, const Image& image);
+savePng (const std::string& file, const Image& image, int columns = Image::width);
 
 /** \brief A plane as a map shows it. */
 struct MapShape {

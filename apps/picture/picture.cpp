@@ -4,7 +4,6 @@
 
 #include <pcl/common/point_tests.h>
 
-#include "colors.h"
 #include "image.h"
 
 #include <algorithm>
@@ -183,6 +182,36 @@ drawPoints (const XyzCloud& cloud,
   return raster;
 }
 
+CloudPicture::CloudPicture (const XyzCloud& cloud,
+                            const std::vector<std::uint32_t>& labels,
+                            const std::vector<PlaneSegment>& planes,
+                            const Eigen::Vector3f& up)
+: view_ (chooseView (cloud, planes, up, Image::half_width, Image::height))
+{
+  const auto is_shown = [&] (pcl::index_t point) {
+    const std::uint32_t label = labels[static_cast<std::size_t> (point)];
+    const Eigen::Vector3f to_eye = view_.eye - cloud[point].getVector3fMap();
+    return !view_.hides_backs || label == 0 ||
+           planes[label - 1].normal.cast<float>().dot (to_eye) > 0.0f;
+  };
+  raster_ = drawPoints (cloud, view_, Image::half_width, Image::height, is_shown);
+  brightness_ = shadeDepths (raster_);
+}
+
+void
+CloudPicture::save (const std::string& file,
+                    const std::vector<pcl::RGB>& colors,
+                    const ColorScale* scale) const
+{
+  Image image;
+  forEachPixel ([&] (int column, int row, pcl::index_t point, float) {
+    image.paint (column, row, colors[static_cast<std::size_t> (point)]);
+  });
+  if (scale != nullptr)
+    image.addLegend (*scale);
+  savePng (file, image, Image::half_width);
+}
+
 void
 savePicture (const std::string& file,
              const XyzCloud& cloud,
@@ -191,37 +220,21 @@ savePicture (const std::string& file,
              const Eigen::Vector3f& up,
              const std::vector<std::uint32_t>& ids)
 {
-  const View view = chooseView (cloud, planes, up, Image::half_width, Image::height);
-  const auto label = [&] (pcl::index_t point) {
-    return labels[static_cast<std::size_t> (point)];
-  };
-  const auto is_shown = [&] (pcl::index_t point) {
-    const Eigen::Vector3f to_eye = view.eye - cloud[point].getVector3fMap();
-    return !view.hides_backs || label (point) == 0 ||
-           planes[label (point) - 1].normal.cast<float>().dot (to_eye) > 0.0f;
-  };
-  const Raster raster =
-      drawPoints (cloud, view, Image::half_width, Image::height, is_shown);
-  const Eigen::ArrayXXf brightness = shadeDepths (raster);
+  const CloudPicture picture (cloud, labels, planes, up);
   Image image;
-  for (int row = 0; row < Image::height; ++row)
-    for (int column = 0; column < Image::half_width; ++column) {
-      const pcl::index_t point = raster.points (column, row);
-      if (point == Raster::nothing)
-        continue;
-      const std::uint32_t position = label (point);
-      pcl::RGB by_plane = colorOfLabel (0);
-      pcl::RGB by_class = by_plane;
-      float light = brightness (column, row);
-      if (position != 0) {
-        const PlaneSegment& plane = planes[position - 1];
-        by_plane = colorOfLabel (ids.empty() ? position : ids[position - 1]);
-        by_class = colorOf (plane.orientation);
-        light *= facing (plane, view, cloud[point].getVector3fMap());
-      }
-      image.paint (column, row, by_plane, light);
-      image.paint (Image::half_width + Image::gap + column, row, by_class, light);
+  picture.forEachPixel ([&] (int column, int row, pcl::index_t point, float light) {
+    const std::uint32_t position = labels[static_cast<std::size_t> (point)];
+    pcl::RGB by_plane = colorOfLabel (0);
+    pcl::RGB by_class = by_plane;
+    if (position != 0) {
+      const PlaneSegment& plane = planes[position - 1];
+      by_plane = colorOfLabel (ids.empty() ? position : ids[position - 1]);
+      by_class = colorOf (plane.orientation);
+      light *= facing (plane, picture.view(), cloud[point].getVector3fMap());
     }
+    image.paint (column, row, by_plane, light);
+    image.paint (Image::half_width + Image::gap + column, row, by_class, light);
+  });
   image.addLegend();
   savePng (file, image);
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "colors.h"
 #include "view.h"
 #include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
@@ -35,6 +36,50 @@ drawPoints (const XyzCloud& cloud,
             int width,
             int height,
             const std::function<bool (pcl::index_t)>& is_shown);
+
+/** \brief A cloud as \ref savePicture shows it, to be drawn in any colors. */
+class CloudPicture {
+public:
+  /** \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
+   * \param[in] planes those of a room that are seen from behind are left out
+   * \param[in] up direction against gravity */
+  CloudPicture (const XyzCloud& cloud,
+                const std::vector<std::uint32_t>& labels,
+                const std::vector<PlaneSegment>& planes,
+                const Eigen::Vector3f& up);
+
+  /** \brief Visits the pixels that show a point.
+   * \param[in] visit (column, row, point, brightness) */
+  template <typename Visit>
+  void
+  forEachPixel (Visit&& visit) const
+  {
+    for (int row = 0; row < raster_.points.cols(); ++row)
+      for (int column = 0; column < raster_.points.rows(); ++column)
+        if (const pcl::index_t point = raster_.points (column, row);
+            point != Raster::nothing)
+          visit (column, row, point, brightness_ (column, row));
+  }
+
+  const View&
+  view () const
+  {
+    return view_;
+  }
+
+  /** \brief Writes a PNG of the one picture, in exactly these colors, without shades.
+   * \param[in] colors per point
+   * \param[in] scale what the colors mean; nullptr: no legend */
+  void
+  save (const std::string& file,
+        const std::vector<pcl::RGB>& colors,
+        const ColorScale* scale = nullptr) const;
+
+private:
+  View view_;
+  Raster raster_;
+  Eigen::ArrayXXf brightness_;
+};
 
 /** \brief Writes a PNG with two pictures of a cloud (\ref chooseView): left each plane
  * in its own color, right in that of its orientation, with a legend; gray for no plane.

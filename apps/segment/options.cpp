@@ -5,6 +5,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include "report.h"
+#include "stages.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <io/inputs.h>
@@ -55,7 +56,8 @@ const OutputOption output_options[] = {
     {"edges", &Outputs::edges, {".ply", ".vtk", ".json", ".dxf", ".geojson", ".gpkg"}},
     {"plan", &Outputs::plan, {".dxf", ".svg", ".geojson", ".gpkg"}},
     {"rest", &Outputs::rest, {".pcd", ".ply"}},
-    {"planes-dir", &Outputs::planes_dir, {}}};
+    {"planes-dir", &Outputs::planes_dir, {}},
+    {"trace", &Outputs::trace, {}}};
 
 void
 declareOutputs (CommandLine& line, SegmentOptions& options)
@@ -106,6 +108,8 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
       .help ("write each plane: plane_001_horizontal.pcd, ...");
   line.add ("format", options.format, {"pcd", "ply"})
       .help ("of clouds in --output-dir and --planes-dir (pcd)");
+  line.add ("trace DIR", outputs.trace)
+      .help ("write what each stage made: 1_density.pcd, .png, ...");
 }
 
 void
@@ -172,6 +176,10 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
       {"jobs", is_batch, "several inputs; give --output-dir, too"},
       {"keep-color", has_cloud, "OUTPUT.pcd; give one"},
       {"distances", has_cloud, "OUTPUT; give one"},
+      {"trace",
+       hasStages (methodCalled (options.method), options.detector),
+       "the default engine, as others have no stages; leave out --method, --preset and "
+       "--voxel-size"},
       {"format",
        is_batch || !outputs.planes_dir.empty(),
        "--output-dir and --planes-dir; give one, or name OUTPUT and --rest by their "
@@ -330,6 +338,9 @@ Outputs::files() const
     if (const std::string& file = this->*option.output;
         !file.empty() && file != standard_stream && !option.extensions.empty())
       named.push_back (file);
+  if (!trace.empty())
+    for (const std::string& file : stageFiles())
+      named.push_back ((fs::path (trace) / file).string());
   return named;
 }
 
@@ -357,6 +368,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
                       "surface module; give convex");
   finishChoice (line, options.choice);
   options.has_meter = line.isGiven ("meter");
+  options.detector.keeps_stages = !options.outputs.trace.empty();
   checkMap (
       line, options.outputs.planes, {options.outputs.edges, options.outputs.plan});
   checkAreAbout (line, options);
@@ -371,8 +383,9 @@ taskOf (const SegmentOptions& options)
 {
   Task task{options.inputs[0], options.outputs};
   checkClashes ({task}, "", "give the output another name");
-  if (!task.outputs.planes_dir.empty())
-    makeFolder (task.outputs.planes_dir);
+  for (const std::string& folder : {task.outputs.planes_dir, task.outputs.trace})
+    if (!folder.empty())
+      makeFolder (folder);
   for (const std::string& file : task.outputs.files())
     checkWritable (file);
   return task;

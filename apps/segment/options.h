@@ -28,8 +28,11 @@ struct Outputs {
   std::string plan;
   std::string rest;
   std::string planes_dir;
+  /** \brief A folder for what each stage made. */
+  std::string trace;
 
-  /** \brief Those that are files, of all that are asked for. */
+  /** \brief The files of all that are asked for but planes_dir, whose names depend on
+   * what is found. */
   std::vector<std::string>
   files () const;
 };

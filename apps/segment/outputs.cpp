@@ -5,20 +5,18 @@
 #include <boost/format.hpp>
 
 #include "report.h"
-#include <cli/errors.h>
+#include "stages.h"
 #include <drawing/edge_drawing.h>
 #include <drawing/plan_drawing.h>
 #include <io/las_file.h>
 #include <io/output_file.h>
+#include <io/output_folder.h>
 #include <numbers/angles.h>
 #include <page/plane_page.h>
 #include <pcl_ops/plane_edges.h>
 #include <picture/colors.h>
 #include <picture/picture.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -26,8 +24,6 @@
 #include <numeric>
 #include <ostream>
 #include <regex>
-#include <set>
-#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -53,49 +49,6 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
     part.points.data.insert (part.points.data.end(), point, point + step);
   }
   return part;
-}
-
-std::set<std::string>
-planeFilesIn (const fs::path& folder)
-{
-  std::set<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator (folder))
-    if (const std::string name = entry.path().filename().string();
-        entry.is_regular_file() && isPlaneFile (name))
-      names.insert (name);
-  return names;
-}
-
-fs::path
-temporaryFolderIn (const std::string& folder)
-{
-  std::string name = (fs::path (folder) / ".pcl_ops.XXXXXX").string();
-  if (::mkdtemp (name.data()) == nullptr)
-    throw fs::filesystem_error (folder,
-                                std::error_code (errno, std::generic_category()));
-  return name;
-}
-
-/** \brief Moves the clouds of planes from one folder into another, and removes those
- * that an earlier run left there. */
-void
-exchangePlanes (const fs::path& folder, const fs::path& with)
-{
-  // Other runs that exchange the planes of the folder wait for this one.
-  const FolderLock lock (folder);
-  lock.wait();
-  std::set<std::string> stale = planeFilesIn (folder);
-  const std::set<std::string> written = planeFilesIn (with);
-  for (const std::string& name : written)
-    if (fs::is_directory (folder / name))
-      throw fs::filesystem_error (name,
-                                  std::make_error_code (std::errc::is_a_directory));
-  for (const std::string& name : written) {
-    fs::rename (with / name, folder / name);
-    stale.erase (name);
-  }
-  for (const std::string& name : stale)
-    fs::remove (folder / name);
 }
 
 /** \brief Polygons with a color for each corner, or lines. */
@@ -363,25 +316,14 @@ savePlaneClouds (const std::string& folder,
                  const std::string& extension)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  makeFolder (folder);
-  try {
-    const TemporaryPath written (temporaryFolderIn (folder));
+  fillFolder (folder, isPlaneFile, [&] (const fs::path& written) {
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const std::string name = str (boost::format ("plane_%03d_%s%s") % report.ids[i] %
                                     toString (planes[i].orientation) % extension);
-      saveCloud (written.path / name, pointsOf (cloud, planes[i].inliers));
+      saveCloud (written / name, pointsOf (cloud, planes[i].inliers));
     }
-    exchangePlanes (folder, written.path);
-    return counted (planes.size(), "plane") + ", each in a file";
-  }
-  catch (const fs::filesystem_error& error) {
-    throw OutputError (folder,
-                       "cannot be written to (" + error.code().message() +
-                           "); choose another folder");
-  }
-  catch (const OutputError& error) {
-    throw OutputError (folder, error.problem); // the file's name is a temporary one
-  }
+  });
+  return counted (planes.size(), "plane") + ", each in a file";
 }
 
 /** \brief Writes outlines in the colors of the labeled cloud; none without area.
@@ -508,6 +450,15 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.planes_dir.empty())
     note (outputs.planes_dir,
           savePlaneClouds (outputs.planes_dir, cloud, report, options.fileFormat()));
+  if (!outputs.trace.empty())
+    note (outputs.trace,
+          saveStages (outputs.trace,
+                      cloud,
+                      report.detected.stages,
+                      CloudPicture (*shifted.cloud,
+                                    labelsOf (planes, cloud.size()),
+                                    planes,
+                                    report.detected.up)));
   // Last: a pipe gets its JSON when the files are there.
   if (outputs.planes.empty())
     return written;

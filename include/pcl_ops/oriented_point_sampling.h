@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl_ops/plane_detector.h>
+#include <pcl_ops/stage_trace.h>
 
 #include <cmath>
 #include <optional>
@@ -120,6 +121,11 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   unsigned min_samples = 20;
   PaperParameters paper_only;
   Surfels surfels;
+  /** \brief Gets what each stage made of the points, to look at it or to draw it.
+   * Empty: nothing is computed or copied for it. Only Sampling::Neighborhoods has such
+   * stages; voxels and the paper's algorithm never call it. Its time counts as that of
+   * the stage, and nothing of the result depends on it. */
+  StageObserver on_stage;
 
   /** \brief The algorithm of the paper with its best row (Table III): 3 %, 30
    * neighbors, 0.05 m, 20 samples, p 0.99, 7 degrees, strategy 2. */

@@ -4,6 +4,7 @@
 
 #include "detection/plane_assignment.h"
 #include "detection/plane_layers.h"
+#include "ops/stage_reports.h"
 #include "places/constants.h"
 #include "places/region_evidence.h"
 #include "places/region_joining.h"
@@ -196,25 +197,32 @@ detectOnPlaces (const Points& points,
   if (distinct.size() < min_places ||
       parameters.sampling_rate * static_cast<double> (points.size()) < least_drawn)
     return found;
+  const StageReports report (parameters.on_stage, distinct.of_input);
   // k: the nearest points of each, and what larger supports are like
   const Places places =
       describePlaces (distinct,
                       neighborsOfCloud (distinct.size(), neighborsFactor (parameters)),
                       threads);
+  report (Stage::Density, places.density);
   clock.lap (times.search);
   // n_i: normals of the largest supports that the noise explains
   const PlaceNoise noise = noiseOfPlaces (places, threads);
+  report (Stage::Noise, noise.of_place);
   const ChosenSupports chosen = chooseSupports (places, noise, threads);
+  report (Stage::Supports, chosen.width, chosen.is_flat);
   clock.lap (times.normals);
   // Pi: regions from the flattest places on
   Regions regions = growRegions (places, noise, chosen, parameters.distance_threshold);
+  report (Stage::Regions, regions.of_place);
   clock.lap (times.extraction);
   // section III-C, by the noise instead of theta_h
   joinTouching (places, threads, regions);
   if (parameters.merging.enabled)
     joinOverGaps (noise, parameters.merging, regions);
+  report (Stage::Joined, regions.of_place);
   const std::vector<char> is_plane = planesAmong (
       places, noise, chosen, regions, minPointsFactor (parameters), threads);
+  report (Stage::Planes, regions.of_place, is_plane);
   clock.lap (times.merging);
   // every point of P to a plane
   found =

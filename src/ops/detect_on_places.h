@@ -9,7 +9,9 @@ namespace pcl_ops::internal {
 
 /** \brief The default: planes from the neighborhoods of points. Nothing in it divides
  * space, and no decision is one of the whole cloud, so that its planes stay the same
- * where the cloud is moved or turned, and nearly the same where points are left out. */
+ * where the cloud is moved or turned, and nearly the same where points are left out.
+ * OrientedPointSamplingParameters::on_stage gets all stages but the last, as of \p
+ * points. */
 LabelledPlanes
 detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,

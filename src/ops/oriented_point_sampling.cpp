@@ -4,6 +4,7 @@
 #include "ops/detect_as_in_paper.h"
 #include "ops/detect_on_places.h"
 #include "ops/detect_on_voxels.h"
+#include "ops/stage_reports.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <cmath>
@@ -13,19 +14,29 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
+// The engine behind Sampling::Automatic, too.
+Sampling
+usedSampling (const OrientedPointSamplingParameters& parameters)
+{
+  if (parameters.sampling != Sampling::Automatic)
+    return parameters.sampling;
+  return parameters.surfels.voxel_size ? Sampling::Surfels : Sampling::Neighborhoods;
+}
+
 LabelledPlanes
 detectBySampling (const DetectorInput& input,
                   const OrientedPointSamplingParameters& parameters,
                   const Points& points,
                   StageDurations& durations)
 {
-  if (parameters.sampling == Sampling::Points)
+  const Sampling sampling = usedSampling (parameters);
+  if (sampling == Sampling::Points)
     return detectAsInPaper (input, points, parameters, durations);
-  const bool has_one_size = parameters.surfels.voxel_size.has_value();
-  if (parameters.sampling == Sampling::Surfels ||
-      (parameters.sampling == Sampling::Automatic && has_one_size))
+  if (sampling == Sampling::Surfels)
     return detectOnVoxels (points, parameters, durations);
-  return detectOnPlaces (points, parameters, durations);
+  OrientedPointSamplingParameters of_points = parameters;
+  of_points.on_stage = observerOfPoints (parameters.on_stage, points, input.cloud.size);
+  return detectOnPlaces (points, of_points, durations);
 }
 
 } // namespace
@@ -36,13 +47,16 @@ detail::detect (const DetectorInput& input,
                 const OrientedPointSamplingParameters& parameters)
 {
   using namespace internal;
-  return detectInFinitePoints (
+  Detection found = detectInFinitePoints (
       input,
       parameters,
       [&] (const auto& points, auto& durations) {
         return detectBySampling (input, parameters, points, durations);
       },
       coarsestVoxel (parameters.surfels));
+  if (usedSampling (parameters) == Sampling::Neighborhoods)
+    reportLabels (parameters.on_stage, found.planes, input.cloud.size);
+  return found;
 }
 
 OrientedPointSamplingParameters

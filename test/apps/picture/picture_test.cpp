@@ -173,6 +173,80 @@ TEST (Colors, TellNeighboringLabelsAndNoPlaneApart)
   EXPECT_NO_THROW (colorOfLabel (1000000));
 }
 
+TEST (ColorScale, EndsAtRoundNumbersBeyondMostValues)
+{
+  std::vector<float> values = {0.0f, -1.0f, NAN, INFINITY};
+  values.insert (values.end(), 500, 0.003f);
+  values.insert (values.end(), 500, 0.07f);
+  values.insert (values.end(), 9, 1000.0f);
+  values.insert (values.end(), 9, 1e-6f);
+  const ColorScale scale (values);
+  EXPECT_NEAR (scale.smallest, 0.002, 1e-9);
+  EXPECT_NEAR (scale.largest, 0.1, 1e-9);
+}
+
+TEST (ColorScale, GoesFromTheSmallestToTheLargestValueByTheLogarithm)
+{
+  std::vector<float> values (100, 0.01f);
+  values.resize (200, 1.0f);
+  const ColorScale scale (values);
+  const auto same = [&] (float value, float share) {
+    return scale (value).rgba == ColorScale::at (share).rgba;
+  };
+  EXPECT_TRUE (same (0.0f, 0.0f));
+  EXPECT_TRUE (same (0.0099f, 0.0f));
+  EXPECT_TRUE (same (0.1f, 0.5f));
+  EXPECT_TRUE (same (1.0f, 1.0f));
+  EXPECT_TRUE (same (INFINITY, 1.0f));
+  EXPECT_EQ (scale (NAN).rgba, colorOfLabel (0).rgba);
+}
+
+TEST (ColorScale, HasColorsWhereAllValuesAreOneOrNone)
+{
+  EXPECT_NE (ColorScale ({0.2f, 0.2f}) (0.2f).rgba, colorOfLabel (0).rgba);
+  EXPECT_NE (ColorScale ({}) (0.0f).rgba, colorOfLabel (0).rgba);
+}
+
+TEST (CloudPicture, ShowsAPointInEachPixelOfItsSurface)
+{
+  XyzCloud cloud;
+  const PlaneSegment wall = addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, -1, 0});
+  add (cloud, {NAN, 0, 3});
+  const std::vector<std::uint32_t> labels (cloud.size(), 1);
+  const CloudPicture picture (cloud, labels, {wall}, z_axis);
+  std::set<pcl::index_t> shown;
+  int pixels = 0;
+  picture.forEachPixel ([&] (int column, int row, pcl::index_t point, float light) {
+    ++pixels;
+    shown.insert (point);
+    EXPECT_LT (column, Image::half_width);
+    EXPECT_LT (row, Image::height);
+    EXPECT_LE (light, 1.0f);
+  });
+  EXPECT_GT (pixels, 10000);
+  EXPECT_EQ (shown.size(), wall.inliers.size());
+}
+
+TEST (CloudPicture, IsSavedInAnyColorsAsOnePicture)
+{
+  XyzCloud cloud;
+  const PlaneSegment wall = addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, -1, 0});
+  const CloudPicture picture (
+      cloud, std::vector<std::uint32_t> (cloud.size(), 1), {wall}, z_axis);
+  const TemporaryFolder folder;
+  const std::vector<pcl::RGB> colors (cloud.size(), pcl::RGB (10, 20, 30));
+  const ColorScale scale ({0.002f, 0.1f});
+  picture.save (folder / "labels.png", colors);
+  picture.save (folder / "values.png", colors, &scale);
+  for (const char* file : {"labels.png", "values.png"}) {
+    const std::string png = contentOf (folder / file);
+    // The width, behind the signature and the head of the first chunk.
+    EXPECT_EQ (static_cast<unsigned char> (png.at (18)), Image::half_width / 256);
+    EXPECT_EQ (static_cast<unsigned char> (png.at (19)), Image::half_width % 256);
+  }
+  EXPECT_NE (contentOf (folder / "labels.png"), contentOf (folder / "values.png"));
+}
+
 TEST (MapPicture, ShowsTheUpperPlaneInBothColorsAndWhatIsInItsHole)
 {
   const auto square = [] (double from, double to) {

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/detect_planes.h>
+
+#include <limits>
+#include <string>
+
+using pcl_ops::no_plane;
+using pcl_ops::PlaneSegment;
+using pcl_ops::Stage;
+using pcl_ops::StageResult;
+
+namespace {
+
+using Traced = pcl_ops::OrientedPointSamplingParameters;
+
+constexpr float not_read = std::numeric_limits<float>::quiet_NaN();
+
+/** \brief A floor and a wall, every tenth point without a reading, and half of them a
+ * second time. */
+Cloud
+floorAndWallWithCopies ()
+{
+  Cloud cloud = *Scene()
+                     .floor (3, 3)
+                     .wall ({0, 0}, {0, 3}, 2)
+                     .spacing (0.04)
+                     .noise (0.003)
+                     .build()
+                     .cloud;
+  for (std::size_t i = 0; i < cloud.size(); i += 10)
+    cloud[i].y = not_read;
+  const std::size_t size = cloud.size();
+  for (std::size_t i = 0; i < size; i += 2)
+    cloud.push_back (cloud[i]);
+  return cloud;
+}
+
+struct Trace {
+  std::vector<PlaneSegment> planes;
+  std::vector<StageResult> stages;
+};
+
+Trace
+traceOf (const Cloud& cloud, Traced parameters = {})
+{
+  Trace trace;
+  parameters.on_stage = [&] (const auto& stage) { trace.stages.push_back (stage); };
+  trace.planes = detectPlanes (cloud, parameters);
+  return trace;
+}
+
+const StageResult&
+resultOf (Stage stage, const Trace& trace)
+{
+  return trace.stages.at (static_cast<std::size_t> (stage));
+}
+
+bool
+isRead (const pcl::PointXYZ& point)
+{
+  return !std::isnan (point.y);
+}
+
+} // namespace
+
+TEST (StageTrace, ReportsEachStageOnceInOrder)
+{
+  const Trace trace = traceOf (floorAndWallWithCopies());
+  ASSERT_EQ (trace.stages.size(), std::size (pcl_ops::all_stages));
+  std::string names;
+  for (std::size_t i = 0; i < trace.stages.size(); ++i) {
+    EXPECT_EQ (trace.stages[i].stage, pcl_ops::all_stages[i]);
+    names += toString (trace.stages[i].stage) + std::string (" ");
+  }
+  EXPECT_EQ (names, "density noise supports regions joined planes labels ");
+}
+
+TEST (StageTrace, HasAValueOrALabelForEachPointThatWasRead)
+{
+  const Cloud cloud = floorAndWallWithCopies();
+  for (const StageResult& result : traceOf (cloud).stages) {
+    SCOPED_TRACE (toString (result.stage));
+    const bool has_values = result.stage <= Stage::Supports;
+    EXPECT_EQ (result.values.size(), has_values ? cloud.size() : 0);
+    EXPECT_EQ (result.labels.size(),
+               result.stage >= Stage::Supports ? cloud.size() : 0);
+    for (std::size_t i = 0; i < result.values.size(); ++i)
+      ASSERT_EQ (result.values[i] > 0.0f, isRead (cloud[i])) << i;
+    for (std::size_t i = 0; i < result.labels.size(); ++i)
+      if (!isRead (cloud[i])) {
+        ASSERT_EQ (result.labels[i], no_plane) << i;
+      }
+  }
+}
+
+TEST (StageTrace, SaysTheSameOfEqualPoints)
+{
+  const Cloud cloud = floorAndWallWithCopies();
+  const std::size_t first_copy = 2 * cloud.size() / 3;
+  ASSERT_EQ (cloud[first_copy + 1].x, cloud[2].x);
+  for (const StageResult& result : traceOf (cloud).stages)
+    for (std::size_t i = first_copy; i < cloud.size(); ++i) {
+      const std::size_t original = 2 * (i - first_copy);
+      if (!result.labels.empty()) {
+        ASSERT_EQ (result.labels[i], result.labels[original]) << i;
+      }
+      if (!result.values.empty() && isRead (cloud[i])) {
+        ASSERT_EQ (result.values[i], result.values[original]) << i;
+      }
+    }
+}
+
+TEST (StageTrace, EndsWithTheLabelsOfTheResult)
+{
+  // One of the planes has too few points.
+  Traced parameters;
+  for (const std::size_t min_points : {0, 6000}) {
+    parameters.min_points = min_points;
+    const Cloud cloud = floorAndWallWithCopies();
+    const Trace trace = traceOf (cloud, parameters);
+    ASSERT_EQ (trace.planes.size(), min_points == 0 ? 2u : 1u);
+    pcl_ops::Labels labels (cloud.size(), no_plane);
+    for (std::size_t p = 0; p < trace.planes.size(); ++p)
+      for (const pcl::index_t i : trace.planes[p].inliers)
+        labels[i] = static_cast<std::int32_t> (p);
+    EXPECT_EQ (resultOf (Stage::Labels, trace).labels, labels);
+  }
+}
+
+TEST (StageTrace, HasDensitiesAndNoisesOfTheCloud)
+{
+  const auto medianAt = [] (Stage stage, double spacing, double noise) {
+    const auto cloud =
+        Scene().floor (2, 2).spacing (spacing).noise (noise).build().cloud;
+    std::vector<float> values = resultOf (stage, traceOf (*cloud)).values;
+    std::nth_element (values.begin(), values.begin() + values.size() / 2, values.end());
+    return static_cast<double> (values[values.size() / 2]);
+  };
+  // Roughly: neighborhoods of more points are less ragged.
+  EXPECT_NEAR (medianAt (Stage::Density, 0.02, 0.003) /
+                   medianAt (Stage::Density, 0.04, 0.003),
+               4.0,
+               0.7);
+  EXPECT_NEAR (medianAt (Stage::Noise, 0.03, 0.003), 0.003, 0.0005);
+  EXPECT_NEAR (medianAt (Stage::Noise, 0.03, 0.006), 0.006, 0.001);
+}
+
+TEST (StageTrace, KeepsOfTheJoinedRegionsThoseThatArePlanes)
+{
+  const Trace trace = traceOf (floorAndWallWithCopies());
+  const pcl_ops::Labels& grown = resultOf (Stage::Regions, trace).labels;
+  const pcl_ops::Labels& joined = resultOf (Stage::Joined, trace).labels;
+  const pcl_ops::Labels& planes = resultOf (Stage::Planes, trace).labels;
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    ASSERT_EQ (grown[i] == no_plane, joined[i] == no_plane);
+    if (planes[i] != no_plane) {
+      ASSERT_EQ (planes[i], joined[i]);
+    }
+  }
+}
+
+TEST (StageTrace, ChangesNothingOfTheResult)
+{
+  const Cloud cloud = floorAndWallWithCopies();
+  const std::vector<PlaneSegment> planes = detectPlanes (cloud, Traced());
+  const Trace trace = traceOf (cloud);
+  ASSERT_EQ (trace.planes.size(), planes.size());
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    EXPECT_EQ (trace.planes[p].inliers, planes[p].inliers);
+}
+
+TEST (StageTrace, HasTheLabelsAloneOfTooFewPoints)
+{
+  const Cloud cloud = floorAndWallWithCopies();
+  Cloud few;
+  for (int i = 1; i < 5; ++i)
+    few.push_back (cloud[i]);
+  const Trace trace = traceOf (few);
+  ASSERT_EQ (trace.stages.size(), 1u);
+  EXPECT_EQ (trace.stages[0].stage, Stage::Labels);
+  EXPECT_EQ (trace.stages[0].labels, pcl_ops::Labels (few.size(), no_plane));
+}
+
+TEST (StageTrace, IsOfNeighborhoodsAlone)
+{
+  Traced on_voxels;
+  on_voxels.surfels.voxel_size = 0.1;
+  for (const Traced& parameters : {on_voxels, Traced::paper()})
+    EXPECT_TRUE (traceOf (floorAndWallWithCopies(), parameters).stages.empty());
+}
