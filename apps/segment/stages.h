@@ -3,7 +3,7 @@
 #pragma once
 
 #include <io/shifted_cloud.h>
-#include <pcl_ops/stage_trace.h>
+#include <pcl_ops/detection_report.h>
 #include <picture/picture.h>
 
 #include <string>

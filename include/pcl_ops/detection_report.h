@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_ops/export.h>
+#include <pcl_ops/plane.h>
+
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace pcl_ops {
 
@@ -27,5 +32,54 @@ struct UsedLengths {
    * each plane, the median over the planes. None: no plane was found to tell it. */
   std::optional<double> distance_threshold;
 };
+
+/** \brief The stages of OPS on neighborhoods that can be looked at, in their order, and
+ * what \ref StageResult has of each. */
+enum class Stage {
+  /** \brief Values: the points per area around each point, roughly [1/m^2]. */
+  Density,
+  /** \brief Values: how far the points around each scatter about their surface [m]. */
+  Noise,
+  /** \brief Values: the width [m] of the support that each point is taken for. Labels:
+   * 0 where it is flat, else no_plane. */
+  Supports,
+  /** \brief Labels: the region that grew over each point. */
+  Regions,
+  /** \brief Labels: the same after pieces of one plane were joined, by the number of
+   * the region that took the others. */
+  Joined,
+  /** \brief Labels: the same, of regions alone for which more speaks that they are
+   * planes than against it. */
+  Planes,
+  /** \brief Labels: the positions of the planes in the result, after each point went to
+   * the likeliest one, layers were told apart and thick planes left out. */
+  Labels
+};
+
+inline constexpr Stage all_stages[] = {Stage::Density,
+                                       Stage::Noise,
+                                       Stage::Supports,
+                                       Stage::Regions,
+                                       Stage::Joined,
+                                       Stage::Planes,
+                                       Stage::Labels};
+
+/** \brief "density", "noise" and so on. */
+PCL_OPS_EXPORT const char*
+toString (Stage stage);
+
+/** \brief What a stage made of each point of the input cloud, equal ones too. Points
+ * that are not searched, as those without coordinates, have NaN and no_plane. */
+struct StageResult {
+  Stage stage = Stage::Density;
+  /** \brief Empty where the stage has labels alone. */
+  std::vector<float> values = {};
+  /** \brief Empty where the stage has values alone. */
+  pcl_ops::Labels labels = {};
+};
+
+/** \brief Gets each result once, in the order of the stages, in the thread of the call;
+ * of a cloud with too few points for the first stage the labels alone. */
+using StageObserver = std::function<void (const StageResult& result)>;
 
 } // namespace pcl_ops

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pcl_ops/plane_detector.h>
-#include <pcl_ops/stage_trace.h>
+#include <pcl_ops/detection_report.h>
 
 #include <cmath>
 #include <optional>

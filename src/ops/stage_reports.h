@@ -4,7 +4,7 @@
 
 #include "geometry/points.h"
 #include <pcl_ops/plane.h>
-#include <pcl_ops/stage_trace.h>
+#include <pcl_ops/detection_report.h>
 
 #include <cstddef>
 #include <vector>
