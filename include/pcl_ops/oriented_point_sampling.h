@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/plane_detector.h>
 #include <pcl_ops/detection_report.h>
+#include <pcl_ops/plane_detector.h>
 
 #include <cmath>
 #include <optional>

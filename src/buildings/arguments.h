@@ -13,7 +13,7 @@ namespace pcl_ops::internal::buildings {
 
 /** \brief Throws std::invalid_argument if there is a problem. */
 inline void
-throwOn (const std::string& problem)
+throwIfWrong (const std::string& problem)
 {
   if (!problem.empty())
     throw std::invalid_argument (problem);

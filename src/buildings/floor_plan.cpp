@@ -340,7 +340,7 @@ checkInput (const CloudView& cloud,
             const Vector3d& up,
             const FloorPlanParameters& parameters)
 {
-  throwOn (validate (parameters));
+  throwIfWrong (validate (parameters));
   if (planes.size() != kinds.size())
     throw std::invalid_argument ("each plane has to have its kind");
   if (!up.allFinite() || up.isZero (0.0))

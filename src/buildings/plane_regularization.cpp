@@ -318,7 +318,7 @@ RegularizedPlanes
 regularizePlanes (const std::vector<PlaneSegment>& planes,
                   const PlaneRegularizationParameters& parameters)
 {
-  throwOn (validate (parameters));
+  throwIfWrong (validate (parameters));
   for (const PlaneSegment& plane : planes)
     if (!plane.centroid.allFinite() || !std::isfinite (plane.normal.squaredNorm()))
       throw std::invalid_argument ("planes must have finite centroids and normals");

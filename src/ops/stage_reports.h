@@ -3,8 +3,8 @@
 #pragma once
 
 #include "geometry/points.h"
-#include <pcl_ops/plane.h>
 #include <pcl_ops/detection_report.h>
+#include <pcl_ops/plane.h>
 
 #include <cstddef>
 #include <vector>

@@ -278,9 +278,8 @@ describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threa
   Places places;
   places.neighbors = neighbors - 1;
   places.position.resize (points.size());
-  forEach (threads, points.size(), [&] (std::size_t i) {
-    places.position[i] = points[i];
-  });
+  forEach (
+      threads, points.size(), [&] (std::size_t i) { places.position[i] = points[i]; });
   PointTree tree (points, threads);
   const DepthLevels levels = findDepthLevels (points, tree);
   if (!levels.step.empty())

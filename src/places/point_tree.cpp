@@ -50,7 +50,8 @@ nodesOf (std::uint32_t points)
 {
   if (points <= max_points_of_tree_leaf)
     return 1;
-  std::uint32_t deepest = 1; // nodes of the last depth that are divided, or some of them
+  // Nodes of the last depth that are divided, or some of them.
+  std::uint32_t deepest = 1;
   while (points > 2 * deepest * max_points_of_tree_leaf)
     deepest *= 2;
   const bool are_all = points / deepest > max_points_of_tree_leaf;

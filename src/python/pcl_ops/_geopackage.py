@@ -11,10 +11,12 @@ from typing import Any, Dict, List, Tuple
 
 _UNKNOWN = -1  # the system of places in a plane
 
-# Tables of every GeoPackage, those of the programs.
-_TABLES = pathlib.Path(__file__).with_name("geopackage.sql")
-
 Box = Tuple[float, float, float, float]  # min x, max x, min y, max y
+
+
+def _tables_of_all() -> str:
+    """Those of every GeoPackage, which the programs write, too."""
+    return pathlib.Path(__file__).with_name("geopackage.sql").read_text(encoding="utf-8")
 
 
 def geopackage_of(geojson: str, layer: str) -> bytes:
@@ -27,7 +29,7 @@ def geopackage_of(geojson: str, layer: str) -> bytes:
         file = os.path.join(folder, "map.gpkg")
         database = sqlite3.connect(file)
         try:
-            database.executescript(_TABLES.read_text(encoding="utf-8"))
+            database.executescript(_tables_of_all())
             if system > 0:
                 # Readers know the system by its number, better than by words of ours.
                 database.execute(
