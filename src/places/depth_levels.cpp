@@ -62,7 +62,8 @@ flatPlaceOf (const std::vector<Eigen::Vector3d>& nearest)
 }
 
 // Where coordinates were rounded the normal of few points leans by degrees, and levels
-// would blur: that of more points on the same plane leans by less.
+// would blur: that of more points on the same plane leans by less. Without it the
+// direction of dense levels stays .1 degrees off where they are sharpest nearby.
 void
 straighten (const std::vector<Eigen::Vector3d>& nearest, FlatPlace& place)
 {

@@ -207,6 +207,8 @@ flattestOfLayers (const Places& places, std::size_t place)
       flattest = level;
     }
   }
+  if (flattest == 0)
+    return 0;
   const Eigen::Vector3d normal = places.supports[flattest][place].normal.cast<double>();
   std::vector<double> offset{0.0};
   for (std::size_t k = 0; k < places.neighbors; ++k)
