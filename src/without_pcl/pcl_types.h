@@ -124,6 +124,25 @@ struct GlasbeyLUT {
   }
 };
 
+/** \brief A scale of colors in place of PCL's: from dark violet over green to yellow,
+ * in 256 steps, lighter at each. */
+struct ViridisLUT {
+  static RGB
+  at (std::size_t i)
+  {
+    constexpr double first[] = {70, 0, 85}, middle[] = {32, 145, 140},
+                     last[] = {253, 231, 37};
+    const double share = double (i) / 127.5;
+    const double* const from = share < 1.0 ? first : middle;
+    const double* const to = share < 1.0 ? middle : last;
+    const auto mixed = [&] (std::size_t channel) {
+      const double part = share < 1.0 ? share : share - 1.0;
+      return std::uint8_t (from[channel] + part * (to[channel] - from[channel]));
+    };
+    return {mixed (0), mixed (1), mixed (2)};
+  }
+};
+
 inline bool
 isXYZFinite (const PointXYZ& point)
 {
