@@ -22,7 +22,7 @@ struct PlaceConstants {
    */
   int max_levels = 6;
   double points_per_level = 3.4;
-  int arms = 8; // neighbors that a support adds to the one before
+  static constexpr int arms = 8; // neighbors that a support adds to the one before
   /** \brief The largest support has at most this share of the points. */
   double max_share_of_points = 0.1;
   /** \brief What depth on levels counts as while nearest points are looked for. */
