@@ -33,7 +33,7 @@ struct PlaceScene {
                        std::size_t neighbors = 24)
   : distinct (pcl_ops::internal::distinctPlaces (points, 1))
   , places (pcl_ops::internal::describePlaces (distinct, neighbors, 1))
-  , noise (pcl_ops::internal::noiseOfPlaces (places, 1))
+  , noise (pcl_ops::internal::noiseOfPlaces (places, std::nullopt, 1))
   , chosen (pcl_ops::internal::chooseSupports (places, noise, 1))
   , regions (pcl_ops::internal::growRegions (places, noise, chosen, std::nullopt))
   {}

@@ -253,6 +253,11 @@ struct TileRun {
     const auto is_sorted = [&] (std::size_t i) { return isThere (folder.cells (i)); };
     share_inputs ("sorted", is_sorted, partitionInput);
     const SortedPoints points (plan, folder);
+    if (ranks.rank == 0 && !isThere (folder.work (run_file::noise)))
+      inMemory ("--tile", "give a smaller one", [&] {
+        measureSurvey (plan, folder, points);
+      });
+    finish ("noise measured");
     const auto is_found = [&] (std::size_t i) {
       return isThere (folder.ofTile (points.tiles[i], ".planes"));
     };

@@ -4,6 +4,7 @@
 
 #include "planes_json.h"
 #include "point_file.h"
+#include "survey_noise.h"
 #include <cli/program.h>
 #include <io/inputs.h>
 #include <io/las_file.h>
@@ -209,13 +210,33 @@ SortedPoints::SortedPoints (const Plan& plan, const RunFolder& folder)
 }
 
 void
+measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& points)
+{
+  if (points.tiles.size() < 2 || plan.is_on_voxels)
+    return;
+  std::vector<TileKey> telling;
+  for (const std::size_t tile : tilesThatTell (points.points_of_tile))
+    telling.push_back (points.tiles[tile]);
+  const auto points_of = [&] (const TileKey& tile) {
+    std::vector<Eigen::Vector3f> own;
+    for (const CellFile& file : points.files)
+      file.read ({tile[0], tile[1], 0}, own);
+    return own;
+  };
+  saveNoise (folder.work (run_file::noise), noiseOfSurvey (plan, telling, points_of));
+}
+
+void
 detectTile (const Plan& plan,
             const RunFolder& folder,
             const SortedPoints& points,
             const TileKey& tile)
 {
   const TilePoints seen = pointsOf (points, tile);
-  const TileDetection found = detectInTile (plan, seen);
+  std::optional<CloudNoise> noise;
+  if (const std::string file = folder.work (run_file::noise); isThere (file))
+    noise = loadNoise (file);
+  const TileDetection found = detectInTile (plan, noise, seen);
   const std::uint32_t* labels = found.labels.data();
   for (const auto& [input, count] : seen.own_of_input) {
     const std::string file = folder.labels (tile, input);

@@ -16,7 +16,7 @@ namespace pcl_ops::apps {
  * planes.json becomes once all else is done, and the end. */
 namespace run_file {
 inline constexpr const char *plan = "plan.json", *list = "planes/planes.json",
-                            *end = "done";
+                            *noise = "planes/noise", *end = "done";
 } // namespace run_file
 
 inline constexpr const char* planes_file = "planes.json";
@@ -103,6 +103,11 @@ struct SortedPoints {
   std::vector<TileKey> tiles;
   std::vector<std::uint64_t> points_of_tile;
 };
+
+/** \brief Leaves what the survey says of its noise, which its tiles are given. One tile
+ * finds it out by itself. */
+void
+measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
 void
 detectTile (const Plan& plan,

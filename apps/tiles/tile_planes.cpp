@@ -29,9 +29,14 @@ transfer (File& file, SomePiece& piece)
 }
 
 std::vector<PlaneSegment>
-detectIn (const Plan& plan, const TilePoints& points)
+detectIn (const Plan& plan,
+          const std::optional<CloudNoise>& noise,
+          const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
+  // Too few points tell nothing.
+  if (noise && noise->points > 0.0)
+    parameters.noise_of_whole = noise;
   if (plan.is_on_voxels)
     parameters.surfels.voxel_size = plan.grid.edge;
   const std::vector<Eigen::Vector3f>& all = points.points;
@@ -127,14 +132,16 @@ loadTilePlanes (const std::string& file)
 }
 
 TileDetection
-detectInTile (const Plan& plan, const TilePoints& points)
+detectInTile (const Plan& plan,
+              const std::optional<CloudNoise>& noise,
+              const TilePoints& points)
 {
   std::uint64_t own_points = 0;
   for (const auto& [input, count] : points.own_of_input)
     own_points += count;
   TileDetection found{{}, std::vector<std::uint32_t> (own_points, 0)};
   auto& [pieces, border_voxels] = found.planes;
-  for (const PlaneSegment& plane : detectIn (plan, points)) {
+  for (const PlaneSegment& plane : detectIn (plan, noise, points)) {
     const auto begin = plane.inliers.begin();
     const auto end =
         std::lower_bound (begin, plane.inliers.end(), pcl::index_t (own_points));

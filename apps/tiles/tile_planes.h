@@ -5,7 +5,9 @@
 #include "exact_moments.h"
 #include "plan.h"
 #include "plane_outline.h"
+#include <pcl_ops/detection_report.h>
 
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -70,8 +72,11 @@ struct TileDetection {
 };
 
 /** \brief Finds planes with the library's recommended preset, in voxels of the grid if
- * their size was given. */
+ * their size was given.
+ * \param[in] noise of the survey, unless it is one tile */
 TileDetection
-detectInTile (const Plan& plan, const TilePoints& points);
+detectInTile (const Plan& plan,
+              const std::optional<CloudNoise>& noise,
+              const TilePoints& points);
 
 } // namespace pcl_ops::apps

@@ -6,6 +6,7 @@
 #include <pcl_ops/plane.h>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,23 @@ struct UsedLengths {
   /** \brief Farthest a point may be from its plane; where this follows the noise of
    * each plane, the median over the planes. None: no plane was found to tell it. */
   std::optional<double> distance_threshold;
+};
+
+/** \brief What OPS on neighborhoods finds out from all points of a cloud before it
+ * looks at single places. Each part of a cloud that is given that of the whole has the
+ * planes of the whole; by itself it would have those that its own points tell. */
+struct CloudNoise {
+  /** \brief Distinct points of the cloud: of more, a plane needs more. */
+  double points = 0.0;
+  /** \brief By how much neighborhoods of each size scatter more until they hold many
+   * independent errors; 1 and more, from the smallest on. */
+  std::vector<double> growth;
+  /** \brief How many neighboring points err as one; 1 for white noise. */
+  double common_errors = 1.0;
+  /** \brief What points scatter by in the median [m], and the same where the density of
+   * points [1/m^2] has this logarithm to base 2, rounded down. */
+  double usual = 0.0;
+  std::map<int, double> usual_of_octave;
 };
 
 /** \brief The stages of OPS on neighborhoods that can be looked at, in their order, and

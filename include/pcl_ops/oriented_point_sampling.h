@@ -121,6 +121,10 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   unsigned min_samples = 20;
   PaperParameters paper_only;
   Surfels surfels;
+  /** \brief Where the cloud is a part of a larger one: what \ref measureNoise says of
+   * the whole. Sampling::Neighborhoods alone reads it. Not given: the cloud is a whole.
+   */
+  std::optional<CloudNoise> noise_of_whole;
   /** \brief Gets what each stage made of the points, to look at it or to draw it.
    * Empty: nothing is computed or copied for it. Only Sampling::Neighborhoods has such
    * stages; voxels and the paper's algorithm never call it. Its time counts as that of
@@ -136,6 +140,19 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
 /** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
 validate (const OrientedPointSamplingParameters& parameters);
+
+/** \brief What Sampling::Neighborhoods finds out about the noise of a cloud, for \ref
+ * OrientedPointSamplingParameters::noise_of_whole.
+ * \param[in] cloud finite points or not: all of the cloud, or all points of some of its
+ * parts
+ * \param[in] parameters as they will be for the parts
+ * \param[in] points_of_whole how many points the whole has, where it has more
+ * \return no points where there are too few to tell
+ * \throw std::invalid_argument if the parameters are wrong */
+PCL_OPS_EXPORT CloudNoise
+measureNoise (const CloudView& cloud,
+              const OrientedPointSamplingParameters& parameters,
+              std::size_t points_of_whole = 0);
 
 namespace detail {
 

@@ -17,4 +17,11 @@ detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,
                 StageDurations& times);
 
+/** \brief The noise of a cloud, or of a sample of one of so many points; no points
+ * where there are too few to tell. */
+CloudNoise
+noiseOfCloud (const Points& points,
+              const OrientedPointSamplingParameters& parameters,
+              std::size_t points_of_whole);
+
 } // namespace pcl_ops::internal

@@ -7,6 +7,7 @@
 #include "ops/stage_reports.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_ops {
@@ -59,6 +60,17 @@ detail::detect (const DetectorInput& input,
   return found;
 }
 
+CloudNoise
+measureNoise (const CloudView& cloud,
+              const OrientedPointSamplingParameters& parameters,
+              std::size_t points_of_whole)
+{
+  detail::throwOn (validate (parameters));
+  return internal::noiseOfCloud (internal::distinctPoints (cloud, parameters.threads),
+                                 parameters,
+                                 points_of_whole);
+}
+
 OrientedPointSamplingParameters
 OrientedPointSamplingParameters::paper()
 {
@@ -82,6 +94,21 @@ bool
 isAtLeastZero (double value)
 {
   return value >= 0.0 && std::isfinite (value);
+}
+
+bool
+isNoise (const CloudNoise& noise)
+{
+  const auto is_growth = [] (double value) {
+    return value >= 1.0 && std::isfinite (value);
+  };
+  return noise.points >= 1.0 && std::isfinite (noise.points) &&
+         is_growth (noise.common_errors) && isAtLeastZero (noise.usual) &&
+         std::all_of (noise.growth.begin(), noise.growth.end(), is_growth) &&
+         std::all_of (
+             noise.usual_of_octave.begin(),
+             noise.usual_of_octave.end(),
+             [] (const auto& octave) { return isAtLeastZero (octave.second); });
 }
 
 // A voxel's edge and its inverse are used in single precision.
@@ -132,6 +159,8 @@ validate (const OrientedPointSamplingParameters& parameters)
   if (!(parameters.paper_only.probability > 0.0 &&
         parameters.paper_only.probability < 1.0))
     return "the probability must lie between 0 and 1, both excluded";
+  if (parameters.noise_of_whole && !isNoise (*parameters.noise_of_whole))
+    return "the noise of the whole must come from measureNoise of enough points";
   if (parameters.sampling == Sampling::Points && !parameters.distance_threshold)
     return "the distance threshold must be a length above 0";
   const std::string problem = validate (parameters.surfels);

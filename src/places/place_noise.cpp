@@ -93,19 +93,19 @@ commonErrors (const Places& places, const std::vector<double>& growth)
 std::vector<float>
 leastScatter (const Places& places,
               const std::vector<int>& level_support,
-              const std::vector<double>& growth,
+              const PlaceNoise& noise,
               unsigned threads)
 {
-  std::vector<float> noise (places.size());
+  std::vector<float> scatter (places.size());
   forEach (threads, places.size(), [&] (std::size_t i) {
-    double least = places.supports[0][i].scatter * growth[0];
-    for (std::size_t l = 1; l < growth.size(); ++l)
-      least = std::min (least, places.supports[l][i].scatter * growth[l]);
+    double least = places.supports[0][i].scatter * noise.growthOf (0);
+    for (std::size_t l = 1; l < places.supports.size(); ++l)
+      least = std::min (least, places.supports[l][i].scatter * noise.growthOf (l));
     if (level_support[i] != no_level)
       least = std::min<double> (least, places.supports[level_support[i]][i].scatter);
-    noise[i] = static_cast<float> (least);
+    scatter[i] = static_cast<float> (least);
   });
-  return noise;
+  return scatter;
 }
 
 // The geometric mean over a place and some of its neighbors.
@@ -137,10 +137,9 @@ tellsNoise (const Places& places, std::size_t place, std::size_t levels)
   return false;
 }
 
-// No place is far from what is usual where points are as dense: leaves and edges
-// scatter by more, and some places by chance by less.
+// What is usual by density, of the places that tell.
 void
-limitByUsual (const Places& places, unsigned threads, std::vector<float>& noise)
+findUsual (const Places& places, const std::vector<float>& noise, CloudNoise& cloud)
 {
   std::vector<float> density;
   std::vector<float> telling;
@@ -158,9 +157,19 @@ limitByUsual (const Places& places, unsigned threads, std::vector<float>& noise)
     telling.clear();
     gather (places.supports.size());
   }
-  const UsualNoise usual (density, telling);
+  setUsualNoise (density, telling, cloud);
+}
+
+// No place is far from what is usual where points are as dense: leaves and edges
+// scatter by more, and some places by chance by less.
+void
+limitByUsual (const Places& places,
+              const CloudNoise& cloud,
+              unsigned threads,
+              std::vector<float>& noise)
+{
   forEach (threads, places.size(), [&] (std::size_t i) {
-    const double here = usual.of (places.density[i]);
+    const double here = usualNoise (cloud, places.density[i]);
     noise[i] = static_cast<float> (
         std::min (std::max<double> (noise[i], place_constants.min_over_usual * here),
                   place_constants.max_over_usual * here));
@@ -221,18 +230,27 @@ flattestOfLayers (const Places& places, std::size_t place)
 } // namespace
 
 PlaceNoise
-noiseOfPlaces (const Places& places, unsigned threads)
+noiseOfPlaces (const Places& places,
+               const std::optional<CloudNoise>& whole,
+               unsigned threads)
 {
   std::vector<int> level_support (places.size());
   forEach (threads, places.size(), [&] (std::size_t i) {
     level_support[i] = levelSupport (places, i);
   });
   PlaceNoise noise;
-  noise.growth = growthOf (places, level_support);
-  noise.common_errors = commonErrors (places, noise.growth);
-  noise.of_place = smoothed (
-      places, leastScatter (places, level_support, noise.growth, threads), threads);
-  limitByUsual (places, threads, noise.of_place);
+  if (whole)
+    noise.cloud = *whole;
+  else {
+    noise.cloud.points = static_cast<double> (places.size());
+    noise.cloud.growth = growthOf (places, level_support);
+    noise.cloud.common_errors = commonErrors (places, noise.cloud.growth);
+  }
+  noise.of_place =
+      smoothed (places, leastScatter (places, level_support, noise, threads), threads);
+  if (!whole)
+    findUsual (places, noise.of_place, noise.cloud);
+  limitByUsual (places, noise.cloud, threads, noise.of_place);
   return noise;
 }
 
@@ -249,7 +267,7 @@ chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
     const double limit = std::max<double> (
         place_constants.max_noises_of_support * noise.of_place[i],
         place_constants.share_of_exact * place_constants.max_exact * support.width);
-    return support.scatter * noise.growth[level] <= limit;
+    return support.scatter * noise.growthOf (level) <= limit;
   };
   forEach (threads, places.size(), [&] (std::size_t i) {
     std::size_t level = places.supports.size() - 1;

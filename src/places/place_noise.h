@@ -3,7 +3,9 @@
 #pragma once
 
 #include "places/places.h"
+#include <pcl_ops/detection_report.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -16,15 +18,25 @@ namespace pcl_ops::internal {
 struct PlaceNoise {
   /** \brief Of each place, in its largest supports [m]. */
   std::vector<float> of_place;
-  /** \brief By how much supports of each level grow until they are level; 1 and more.
-   */
-  std::vector<double> growth;
-  /** \brief How many neighboring points err as one; 1 for white noise. */
-  double common_errors = 1.0;
+  /** \brief What all places say together. */
+  CloudNoise cloud;
+
+  /** \brief By how much supports of a level grow until they are level. A part of a
+   * cloud may have fewer levels than the whole, and a small sample of it fewer than a
+   * part. */
+  double
+  growthOf (std::size_t level) const
+  {
+    return level < cloud.growth.size() ? cloud.growth[level] : 1.0;
+  }
 };
 
+/** \param[in] whole what the cloud says of which these are some places; none if these
+ * are all */
 PlaceNoise
-noiseOfPlaces (const Places& places, unsigned threads);
+noiseOfPlaces (const Places& places,
+               const std::optional<CloudNoise>& whole,
+               unsigned threads);
 
 /** \brief What each place is taken for while planes grow: the largest of its supports
  * that its noise explains. */

@@ -256,20 +256,18 @@ addSupports (const Coordinates& points,
 } // namespace
 
 std::size_t
-neighborsOfCloud (std::size_t points, double factor)
+neighborsOfCloud (double points, double factor)
 {
   // A support has to tell how it scatters.
   constexpr double least = 6.0;
-  const double usual =
-      place_constants.min_neighbors *
-      std::pow (static_cast<double> (points) / place_constants.neighbors_cloud,
-                place_constants.neighbors_growth);
+  const double usual = place_constants.min_neighbors *
+                       std::pow (points / place_constants.neighbors_cloud,
+                                 place_constants.neighbors_growth);
   const double wanted = std::round (
       factor *
       std::clamp (usual, place_constants.min_neighbors, place_constants.max_neighbors));
-  const auto number = static_cast<std::size_t> (
+  return static_cast<std::size_t> (
       std::clamp (wanted, least, static_cast<double> (NearestPoints::max_size)));
-  return std::min (number, points);
 }
 
 Places

@@ -51,9 +51,10 @@ struct Places {
   }
 };
 
-/** \brief How many nearest points places of a cloud have, themselves included. */
+/** \brief How many nearest points places of a cloud of so many points have, themselves
+ * included. */
 std::size_t
-neighborsOfCloud (std::size_t points, double factor);
+neighborsOfCloud (double points, double factor);
 
 /** \brief Finds the nearest points of each point, and what the points around it are
  * like.

@@ -155,8 +155,8 @@ planesAmong (const Places& places,
              unsigned threads)
 {
   const std::vector<Indices> members = membersOf (regions);
-  const double min_points =
-      min_points_factor * place_constants.min_independent_points * noise.common_errors;
+  const double min_points = min_points_factor * place_constants.min_independent_points *
+                            noise.cloud.common_errors;
   std::vector<double> bend (members.size());
   parallelFor (threads, members.size(), 1, [&] (std::size_t region, std::size_t) {
     bend[region] = bendOf (places, regions.list[region], members[region]);
@@ -172,8 +172,8 @@ planesAmong (const Places& places,
       return;
     const RegionEvidence evidence =
         evidenceOf (points,
-                    static_cast<double> (places.size()),
-                    noise.common_errors,
+                    noise.cloud.points,
+                    noise.cloud.common_errors,
                     bend[region],
                     borderOf (places, chosen, regions, members, bend, region));
     is_plane[region] = evidence.sum() > 0.0 ? 1 : 0;

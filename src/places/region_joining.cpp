@@ -288,7 +288,7 @@ largeRegions (const PlaceNoise& noise, const Regions& regions)
   std::vector<std::int32_t> large;
   for (std::size_t r = 0; r < regions.list.size(); ++r)
     if (regions.list[r].moments.count >=
-        place_constants.points_over_gap * noise.common_errors)
+        place_constants.points_over_gap * noise.cloud.common_errors)
       large.push_back (static_cast<std::int32_t> (r));
   std::sort (large.begin(), large.end(), [&] (std::int32_t a, std::int32_t b) {
     return isLarger (regions, a, b);

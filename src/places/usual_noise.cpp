@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 
 namespace pcl_ops::internal {
 
@@ -53,35 +54,39 @@ quantileOf (std::vector<float>& values, double share)
   return *middle;
 }
 
-UsualNoise::UsualNoise (const std::vector<float>& density,
-                        const std::vector<float>& noise)
+void
+setUsualNoise (const std::vector<float>& density,
+               const std::vector<float>& noise,
+               CloudNoise& cloud)
 {
   constexpr double half = 0.5;
   std::map<int, std::vector<float>> by_octave;
   for (std::size_t i = 0; i < density.size(); ++i)
     by_octave[octaveOf (density[i])].push_back (noise[i]);
   std::vector<float> all (noise);
-  of_all_ = quantileOf (all, half);
+  cloud.usual = quantileOf (all, half);
+  cloud.usual_of_octave.clear();
   for (const auto& [octave, values] : by_octave) {
     std::vector<float> near = around (by_octave, octave);
-    of_octave_[octave] = std::min<double> (
-        quantileOf (near, half), place_constants.max_usual_over_cloud * of_all_);
+    cloud.usual_of_octave[octave] = std::min<double> (
+        quantileOf (near, half), place_constants.max_usual_over_cloud * cloud.usual);
   }
 }
 
 double
-UsualNoise::of (double density) const
+usualNoise (const CloudNoise& cloud, double density)
 {
   // An octave's value is that of its middle.
   const double place = logarithmOf (density) - 0.5;
   const int below = static_cast<int> (std::floor (place));
-  const auto first = of_octave_.find (below);
-  const auto second = of_octave_.find (below + 1);
-  if (first == of_octave_.end() && second == of_octave_.end())
-    return of_all_;
-  if (first == of_octave_.end())
+  const auto first = cloud.usual_of_octave.find (below);
+  const auto second = cloud.usual_of_octave.find (below + 1);
+  const auto end = cloud.usual_of_octave.end();
+  if (first == end && second == end)
+    return cloud.usual;
+  if (first == end)
     return second->second;
-  if (second == of_octave_.end())
+  if (second == end)
     return first->second;
   const double share = place - below;
   return std::pow (first->second, 1.0 - share) * std::pow (second->second, share);

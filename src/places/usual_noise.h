@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
+#include <pcl_ops/detection_report.h>
+
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -12,21 +13,17 @@ namespace pcl_ops::internal {
 float
 quantileOf (std::vector<float>& values, double share);
 
-/** \brief What places of a density scatter by in the median, interpolated between
+/** \brief Sets what is usual of a cloud in which places of these densities [1/m^2] have
+ * this noise [m]: those that tell. */
+void
+setUsualNoise (const std::vector<float>& density,
+               const std::vector<float>& noise,
+               CloudNoise& cloud);
+
+/** \brief What places of a density scatter by in the median [m], interpolated between
  * octaves: a density between two of them has something of both, so that no small change
- * of a cloud is a large one here. */
-class UsualNoise {
-public:
-  /** \param[in] density [1/m^2], and \param[in] noise [m], of the places that tell */
-  UsualNoise (const std::vector<float>& density, const std::vector<float>& noise);
-
-  /** \brief 0 where no place tells [m]. */
-  double
-  of (double density) const;
-
-private:
-  std::map<int, double> of_octave_;
-  double of_all_ = 0.0;
-};
+ * of a cloud is a large one here. 0 where no place tells. */
+double
+usualNoise (const CloudNoise& cloud, double density);
 
 } // namespace pcl_ops::internal

@@ -162,3 +162,42 @@ TEST (Parameters, NeedADistanceThresholdButForSurfels)
   EXPECT_EQ (problem (FspfParameters()), message);
   EXPECT_EQ (problem (KhtParameters()), message);
 }
+
+TEST (Parameters, RefuseANoiseOfTheWholeThatNoCloudHas)
+{
+  const pcl_ops::CloudNoise right{1000.0, {1.5, 1.0}, 2.0, 0.01, {{3, 0.02}}};
+  const auto is_refused = [] (const pcl_ops::CloudNoise& noise) {
+    OpsParameters parameters;
+    parameters.noise_of_whole = noise;
+    return validate (parameters).find ("measureNoise") != std::string::npos;
+  };
+  EXPECT_FALSE (is_refused (right));
+  EXPECT_TRUE (is_refused ({}));
+  for (const double wrong :
+       {-1.0, std::nan (""), std::numeric_limits<double>::infinity()}) {
+    std::vector<pcl_ops::CloudNoise> noises (5, right);
+    noises[0].points = wrong;
+    noises[1].growth[0] = wrong;
+    noises[2].common_errors = wrong;
+    noises[3].usual = wrong;
+    noises[4].usual_of_octave[3] = wrong;
+    for (const pcl_ops::CloudNoise& noise : noises)
+      EXPECT_TRUE (is_refused (noise)) << wrong;
+  }
+}
+
+TEST (MeasureNoise, IsThatOfACloudAndOfNoneWithoutPoints)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  EXPECT_EQ (pcl_ops::measureNoise (cloud, {}).points, 0.0);
+  // A floor with 1 cm between rows that are at 0 and 2 mm in turn.
+  for (int i = 0; i < 100; ++i)
+    for (int k = 0; k < 100; ++k)
+      cloud.push_back ({0.01f * i, 0.01f * k, 2e-3f * ((3 * i + 5 * k) % 7 % 2)});
+  const pcl_ops::CloudNoise noise = pcl_ops::measureNoise (cloud, {}, 20'000);
+  EXPECT_EQ (noise.points, 20'000.0);
+  EXPECT_NEAR (noise.usual, 1e-3, 3e-4);
+  OpsParameters wrong;
+  wrong.k = 0;
+  EXPECT_THROW (pcl_ops::measureNoise (cloud, wrong), std::invalid_argument);
+}

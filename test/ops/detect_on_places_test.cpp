@@ -468,3 +468,22 @@ TEST (DetectOnPlaces, FindsPlanesAsThinAsTheNoiseOnAHill)
   for (const pcl_ops::PlaneFit& fit : found.planes.fits)
     EXPECT_LT (std::sqrt (fit.variances[0]), 9.0 * noise);
 }
+
+TEST (DetectOnPlaces, FindsInAPartWhatIsAPlaneOfTheWhole)
+{
+  // The 43 points of a table are a plane among 2,000 points, and few among a billion.
+  const Points points = drawnPoints ({table}, 15_cm, 3_mm);
+  OpsParameters parameters = usualParameters();
+  parameters.noise_of_whole = noiseOfCloud (points, parameters, 2'000);
+  EXPECT_EQ (detectIn (points, parameters).planes.fits.size(), 1u);
+  parameters.noise_of_whole = noiseOfCloud (points, parameters, 1'000'000'000);
+  EXPECT_EQ (detectIn (points, parameters).planes.fits.size(), 0u);
+}
+
+TEST (DetectOnPlaces, FindsTheSameWhereAWholeIsGivenItsOwnNoise)
+{
+  const Points points = smallRoom();
+  OpsParameters parameters = usualParameters();
+  parameters.noise_of_whole = noiseOfCloud (points, parameters, 0);
+  EXPECT_EQ (detectIn (points, parameters).labels, detectIn (points).labels);
+}

@@ -33,8 +33,8 @@ TEST (PlaceNoise, IsThatOfWhiteNoise)
 {
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 3_mm));
   EXPECT_NEAR (medianNoise (scene), 3e-3, 6e-4);
-  EXPECT_LT (scene.noise.common_errors, 3.0);
-  for (const double growth : scene.noise.growth)
+  EXPECT_LT (scene.noise.cloud.common_errors, 3.0);
+  for (const double growth : scene.noise.cloud.growth)
     EXPECT_LT (growth, 1.2);
 }
 
@@ -43,8 +43,24 @@ TEST (PlaceNoise, IsThatOfLargeSupportsWhereNeighborsErrAlike)
   const PlaceScene scene (wavyWall());
   // The rms of the waves is 1 cm.
   EXPECT_GT (medianNoise (scene), 6e-3);
-  EXPECT_GT (scene.noise.growth[0], 1.5);
-  EXPECT_GT (scene.noise.common_errors, 5.0);
+  EXPECT_GT (scene.noise.cloud.growth[0], 1.5);
+  EXPECT_GT (scene.noise.cloud.common_errors, 5.0);
+}
+
+TEST (PlaceNoise, IsHardlyLessThanUsualInTheCloudThatPlacesAreAPartOf)
+{
+  const PlaceScene whole (drawnOn ({square_of_ground}, 2_cm, 1_cm));
+  const PlaceScene part (drawnOn ({square_of_ground}, 2_cm, 1_mm));
+  EXPECT_NEAR (medianNoise (part), 1e-3, 2e-4);
+  std::vector<float> given = noiseOfPlaces (part.places, whole.noise.cloud, 1).of_place;
+  EXPECT_NEAR (medianOf (given), 7e-3, 2e-3);
+}
+
+TEST (PlaceNoise, OfThePlacesOfAWholeIsTheSameWhereTheWholeIsGiven)
+{
+  const PlaceScene whole (wavyWall());
+  EXPECT_EQ (noiseOfPlaces (whole.places, whole.noise.cloud, 1).of_place,
+             whole.noise.of_place);
 }
 
 TEST (PlaceNoise, IsNoneOfExactPoints)

@@ -56,7 +56,6 @@ TEST (Places, AreAsDenseAsTheirPoints)
 
 TEST (NeighborsOfCloud, GrowWithTheCloudWithinLimits)
 {
-  EXPECT_EQ (neighborsOfCloud (8, 1.0), 8u);
   EXPECT_EQ (neighborsOfCloud (100, 1.0), 10u);
   EXPECT_LT (neighborsOfCloud (2000, 1.0), neighborsOfCloud (20000, 1.0));
   EXPECT_EQ (neighborsOfCloud (10'000'000, 1.0), 36u);

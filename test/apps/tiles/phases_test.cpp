@@ -25,6 +25,7 @@ struct FloorRun {
   {
     run.make();
     partitionInput (plan, run, 0);
+    measureSurvey (plan, run, SortedPoints (plan, run));
     detect();
     join();
   }

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/planes_of_regions.h"
+
+#include "detection/plane_assignment.h"
+#include "detection/plane_layers.h"
+#include "ops/place_parameters.h"
+#include "places/constants.h"
+#include "places/region_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using OpsParameters = OrientedPointSamplingParameters;
+
+// The two sides of a wall that is thinner than its noise lets regions tell are planes
+// of their own.
+void
+splitLayers (const Coordinates& places,
+             const Regions& regions,
+             std::optional<double> distance_threshold,
+             Labels& labels,
+             std::vector<char>& is_plane)
+{
+  // Supports that mix the layers scatter by half of what they are apart.
+  constexpr double noises_apart = 1.7;
+  std::vector<Plane> planes;
+  std::vector<double> min_apart;
+  for (const Region& region : regions.list) {
+    planes.push_back (region.fit.plane);
+    min_apart.push_back (
+        std::max (noises_apart * region.noise, distance_threshold.value_or (0.0)));
+  }
+  splitLayers (places, planes, min_apart, labels, is_plane);
+}
+
+// No plane is thicker than its noise says: hills are joined of pieces each of which is
+// thin. What is exact for its width is none.
+void
+dropThick (const Coordinates& places,
+           const PlaceNoise& noise,
+           const Labels& labels,
+           unsigned threads,
+           std::vector<char>& is_plane)
+{
+  const std::vector<Moments> moments =
+      momentsOfLabels (places, labels, is_plane.size(), threads);
+  std::vector<std::vector<float>> noises (is_plane.size());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != no_plane)
+      noises[labels[i]].push_back (noise.of_place[i]);
+  for (std::size_t p = 0; p < is_plane.size(); ++p) {
+    const std::optional<PlaneFit> fit =
+        is_plane[p] != 0 && moments[p].count >= least_places ? fitPlane (moments[p])
+                                                             : std::nullopt;
+    if (!fit)
+      continue;
+    const double width = std::sqrt (squared_width_of_variance * fit->variances[1]);
+    const double limit =
+        std::max (place_constants.max_noises_of_plane * medianOf (noises[p]),
+                  place_constants.max_exact * width);
+    if (fit->variances[0] > limit * limit)
+      is_plane[p] = 0;
+  }
+}
+
+// The labels of all points of the cloud, of planes that are kept.
+AssignedPoints
+labelPointsOf (const Points& points,
+               const DistinctPlaces& distinct,
+               const Labels& labels,
+               const std::vector<char>& is_kept,
+               unsigned threads)
+{
+  Labels number (is_kept.size(), no_plane);
+  std::int32_t planes = 0;
+  for (std::size_t p = 0; p < is_kept.size(); ++p)
+    if (is_kept[p] != 0)
+      number[p] = planes++;
+  AssignedPoints assigned;
+  assigned.labels.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::int32_t plane = labels[distinct.of_input[i]];
+    assigned.labels[i] = plane == no_plane ? no_plane : number[plane];
+  }
+  assigned.moments = momentsOfLabels (
+      points, assigned.labels, static_cast<std::size_t> (planes), threads);
+  return assigned;
+}
+
+// Planes of a distance that a user gave are one, too.
+LabelledPlanes
+mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
+{
+  MergingParameters given = parameters.merging;
+  given.enabled = given.enabled && given.distance_threshold.has_value();
+  return mergeAssigned (std::move (assigned), given, parameters.threads);
+}
+
+// The noise of each plane, the median over its points; unknown of exact ones.
+void
+tellNoises (const DistinctPlaces& distinct,
+            const PlaceNoise& noise,
+            LabelledPlanes& found)
+{
+  std::vector<std::vector<float>> noises (found.planes.fits.size());
+  for (std::size_t i = 0; i < found.labels.size(); ++i)
+    if (found.labels[i] != no_plane)
+      noises[found.labels[i]].push_back (noise.of_place[distinct.of_input[i]]);
+  std::vector<float> medians;
+  for (std::vector<float>& of_plane : noises) {
+    const double median = medianOf (of_plane);
+    found.noises.push_back (median > 0.0 ? std::optional (median) : std::nullopt);
+    medians.push_back (static_cast<float> (median));
+  }
+  if (!medians.empty())
+    found.used.distance_threshold =
+        place_constants.noises_of_point * medianOf (medians);
+}
+
+} // namespace
+
+LabelledPlanes
+planesOfRegions (const Points& points,
+                 const DistinctPlaces& distinct,
+                 const Places& places,
+                 const PlaceNoise& noise,
+                 const Regions& regions,
+                 std::vector<char> is_plane,
+                 const OrientedPointSamplingParameters& parameters)
+{
+  Labels labels = labelPlaces (places,
+                               noise,
+                               regions,
+                               is_plane,
+                               parameters.distance_threshold,
+                               parameters.threads);
+  splitLayers (distinct, regions, parameters.distance_threshold, labels, is_plane);
+  if (!parameters.distance_threshold)
+    dropThick (distinct, noise, labels, parameters.threads, is_plane);
+  LabelledPlanes found = mergeByGivenDistance (
+      labelPointsOf (points, distinct, labels, is_plane, parameters.threads),
+      parameters);
+  tellNoises (distinct, noise, found);
+  if (parameters.distance_threshold)
+    found.used.distance_threshold = parameters.distance_threshold;
+  return found;
+}
+
+} // namespace pcl_ops::internal
