@@ -47,7 +47,7 @@ detectOnPlaces (const Points& points,
   // section III-C, by the noise instead of theta_h
   joinTouching (places, threads, regions);
   if (parameters.merging.enabled)
-    joinOverGaps (noise, parameters.merging, regions);
+    joinOverGaps (parameters.merging, regions);
   report (Stage::Joined, regions.of_place);
   const std::vector<char> is_plane = planesAmong (
       places, noise, chosen, regions, minPointsFactor (parameters), threads);

@@ -74,20 +74,16 @@ struct PlaceConstants {
 
   // Joins.
   int join_rounds = 6;
-  double noises_of_join = 2.0;
-  /** \brief The rms of a region counts as thickness up to this many noises. */
-  double max_rms_of_join = 3.0;
+  double noises_of_join = 2.0; // over gaps, too
   /** \brief Both regions may bend by this share of their width, and by so many noises:
    * the road of lidar64_semkitti_00 has .54 of its points in its largest plane with
-   * them, .12 without; the number of all sets is the same. */
+   * them, .12 without; without the second, hills are one region and so no plane. The
+   * number of all sets is the same. */
   double join_bend_of_width = 0.01;
   double noises_of_bend = 8.0;
   double join_angle = 5.0 * (M_PI / 180.0);
   double min_share_of_border = 0.1;
   double min_fitting_border = 0.5;
-  int gap_rounds = 3;
-  double points_over_gap = 24.0; // a region needs, where points err independently
-  double noises_over_gap = 2.0;
   double max_gap = 2.0; // distance of the centers over the mean of both lengths
 
   // Evidence for a region, a sum: above 0 it is a plane.
@@ -96,8 +92,7 @@ struct PlaceConstants {
   /** \brief Largest rms of a plane in units of its noise. */
   double max_noises_of_plane = 12.0;
   double evidence = -1.94;
-  double evidence_of_size = 4.62;
-  double max_size = 1.5; // decades of points above the root of all
+  double evidence_of_size = 4.62; // a decade of points above the root of all
   double evidence_of_bend = -2.42;
   double max_bend = 5.0;
   double evidence_of_smooth_border = -3.24;

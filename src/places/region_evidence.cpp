@@ -122,10 +122,8 @@ evidenceOf (double points,
             const Border& border)
 {
   RegionEvidence evidence;
-  evidence.size =
-      std::min (place_constants.max_size,
-                std::log10 (points + 1.0) - 0.5 * std::log10 (all_points + 1.0) -
-                    place_constants.common_error_exponent * std::log10 (common_errors));
+  evidence.size = std::log10 (points + 1.0) - 0.5 * std::log10 (all_points + 1.0) -
+                  place_constants.common_error_exponent * std::log10 (common_errors);
   evidence.bend = bend;
   if (border.links > 0.0) {
     evidence.smooth_border = border.bend_of_smooth / border.links;

@@ -14,6 +14,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// Fewer have no plane.
+constexpr double least_points_of_join = 3.0;
+
 bool
 isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
 {
@@ -50,13 +53,11 @@ unite (const Labels& pick, Regions& regions)
   return true;
 }
 
-// A surface that bends is thicker than its noise, and so is its border.
+// By its noise, and not by its rms: what bends would take all that goes on beside it.
 double
 thicknessOf (const Region& region)
 {
-  const double noise = std::max (region.scatter, region.noise);
-  const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
-  return std::clamp (rms, noise, place_constants.max_rms_of_join * noise);
+  return std::max (region.scatter, region.noise);
 }
 
 /** \brief Places of a region beside another one. */
@@ -94,7 +95,9 @@ addContacts (const Places& places,
                      isOther))
       continue;
     const Region& region = regions.list[other];
-    const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region);
+    // The halves of a cambered road bend, too, and so lie off each other's borders.
+    const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region) +
+                         place_constants.bend_of_width * region.width();
     const double distance = region.fit.plane.distance (places.position[place]);
     contacts.push_back ({own, other, 1, std::abs (distance) < reach ? 1 : 0});
   }
@@ -182,8 +185,8 @@ areNearlyFlat (const Region& own, const Region& other)
   const std::optional<PlaneFit> fit = fitPlane (both);
   if (!fit)
     return false;
-  const double noise = std::max ({own.scatter, other.scatter, own.noise, other.noise});
   const double width = std::sqrt (squared_width_of_variance * fit->variances[1]);
+  const double noise = std::max (thicknessOf (own), thicknessOf (other));
   const double limit = std::min (place_constants.noises_of_bend * noise,
                                  place_constants.join_bend_of_width * width);
   return fit->variances[0] <= limit * limit;
@@ -205,12 +208,12 @@ areOnePlane (const Region& own, const Region& other)
 Labels
 pickTouching (const Borders& borders, const Regions& regions)
 {
-  constexpr double min_points = 3.0;
   Labels pick (regions.list.size(), no_plane);
   std::vector<int> best (regions.list.size(), 0);
   for (const Contact& contact : borders.contacts) {
     const auto& [own, other, border, fitting] = contact;
-    if (!isLarger (regions, other, own) || regions.list[own].moments.count < min_points)
+    if (!isLarger (regions, other, own) ||
+        regions.list[own].moments.count < least_points_of_join)
       continue;
     const auto back = std::lower_bound (borders.contacts.begin(),
                                         borders.contacts.end(),
@@ -262,7 +265,7 @@ pickOverGaps (const std::vector<std::int32_t>& large,
               const Regions& regions)
 {
   const double min_cosine = std::cos (merging.angle_threshold);
-  const double noises = merging.noise_factor.value_or (place_constants.noises_over_gap);
+  const double noises = merging.noise_factor.value_or (place_constants.noises_of_join);
   Labels pick (regions.list.size(), no_plane);
   for (std::size_t a = 1; a < large.size(); ++a) {
     double best = 0.0;
@@ -278,17 +281,15 @@ pickOverGaps (const std::vector<std::int32_t>& large,
   return pick;
 }
 
-// Regions with enough independent points to tell where their planes go, the largest
-// first.
+// The largest first.
 std::vector<std::int32_t>
-largeRegions (const PlaceNoise& noise, const Regions& regions)
+largeRegions (const Regions& regions)
 {
   // All pairs are looked at.
   constexpr std::size_t most = 5000;
   std::vector<std::int32_t> large;
   for (std::size_t r = 0; r < regions.list.size(); ++r)
-    if (regions.list[r].moments.count >=
-        place_constants.points_over_gap * noise.cloud.common_errors)
+    if (regions.list[r].moments.count >= least_points_of_join)
       large.push_back (static_cast<std::int32_t> (r));
   std::sort (large.begin(), large.end(), [&] (std::int32_t a, std::int32_t b) {
     return isLarger (regions, a, b);
@@ -313,13 +314,10 @@ joinTouching (const Places& places, unsigned threads, Regions& regions)
 }
 
 void
-joinOverGaps (const PlaceNoise& noise,
-              const MergingParameters& merging,
-              Regions& regions)
+joinOverGaps (const MergingParameters& merging, Regions& regions)
 {
-  for (int round = 0; round < place_constants.gap_rounds; ++round)
-    if (!unite (pickOverGaps (largeRegions (noise, regions), merging, regions),
-                regions))
+  for (int round = 0; round < place_constants.join_rounds; ++round)
+    if (!unite (pickOverGaps (largeRegions (regions), merging, regions), regions))
       return;
 }
 

@@ -20,8 +20,6 @@ joinTouching (const Places& places, unsigned threads, Regions& regions);
  * behind a cupboard, in the same way.
  * \param[in] merging its angle, and how many noises they may be apart */
 void
-joinOverGaps (const PlaceNoise& noise,
-              const MergingParameters& merging,
-              Regions& regions);
+joinOverGaps (const MergingParameters& merging, Regions& regions);
 
 } // namespace pcl_ops::internal

@@ -104,7 +104,7 @@ TEST (JoinTouching, LeavesAStepOfTenNoises)
 TEST (JoinOverGaps, MakesOneOfExactGroundsThatContinueEachOther)
 {
   PlaceScene scene (drawnOn ({square_of_ground, ground_beyond_gap}, 2_cm, 0.0));
-  joinOverGaps (scene.noise, {}, scene.regions);
+  joinOverGaps ({}, scene.regions);
   EXPECT_GT (scene.sizes().at (0), 19500u);
 }
 
@@ -124,7 +124,7 @@ TEST (JoinOverGaps, MakesOneOfGroundsThatContinueEachOther)
   PlaceScene scene (drawnOn ({square_of_ground, ground_beyond_gap}, 2_cm, 2_mm));
   joinTouching (scene.places, 1, scene.regions);
   ASSERT_LT (scene.sizes().at (0), 10500u);
-  joinOverGaps (scene.noise, {}, scene.regions);
+  joinOverGaps ({}, scene.regions);
   EXPECT_GT (scene.sizes().at (0), 19500u);
 }
 
@@ -134,7 +134,7 @@ TEST (JoinOverGaps, LeavesAStepThatNoiseDoesNotExplain)
   step.corner.z() = 3_cm;
   PlaceScene scene (drawnOn ({square_of_ground, step}, 2_cm, 2_mm));
   joinTouching (scene.places, 1, scene.regions);
-  joinOverGaps (scene.noise, {}, scene.regions);
+  joinOverGaps ({}, scene.regions);
   EXPECT_LT (scene.sizes().at (0), 10500u);
 }
 
