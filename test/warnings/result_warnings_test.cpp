@@ -95,6 +95,21 @@ TEST (ResultWarnings, SayThatPlanesAreThickerThanThreeNoises)
       << text;
 }
 
+TEST (ResultWarnings, AreNoneOfPlanesAsThickAsThreeNoisesOrAnEighthOfTheirSpacing)
+{
+  // 3025 points on 100 m x 100 m: 1.8 m apart.
+  const auto codes = [] (double rms, double noise) {
+    LabelledPlaneScene hill;
+    hill.add ({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, 3025, rms);
+    hill.planes[0].noise = noise;
+    return hill.codes();
+  };
+  EXPECT_EQ (codes (1.0, 1.0 / 2.7), "");
+  EXPECT_EQ (codes (1.0, 1.0 / 3.3), "thick-planes");
+  EXPECT_EQ (codes (0.2, 0.01), "");
+  EXPECT_EQ (codes (0.26, 0.01), "thick-planes");
+}
+
 TEST (ResultWarnings, NameParametersAsPythonDoes)
 {
   LabelledPlaneScene hill;
@@ -147,6 +162,18 @@ TEST (ResultWarnings, AreNoneOfAModelWhoseSidesAreSmall)
   EXPECT_EQ (plates.codes(), "");
 }
 
+TEST (ResultWarnings, AreNoneOfLevelsWithLessThan5PerCentOfThePointsOnPlanes)
+{
+  const auto with_wall = [] (std::size_t points) {
+    LabelledPlaneScene levels;
+    for (const double depth : {3.0, 3.03, 3.06})
+      levels.add ({{0, 0, depth}, {2, 0, 0}, {0, 2, 0}}, 1200, 0.0);
+    return levels.add ({{0, 0, 5}, {4, 0, 0}, {0, 3, 0}}, points, 2_mm).codes();
+  };
+  EXPECT_EQ (with_wall (60'000), "exact-levels");
+  EXPECT_EQ (with_wall (80'000), "");
+}
+
 TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
 {
   EXPECT_EQ (LabelledPlaneScene()
@@ -154,6 +181,18 @@ TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
                  .add ({{0, 0.2, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
                  .codes(),
              "");
+}
+
+TEST (ResultWarnings, AreNoneOfExactPlanesFartherApartThanATenthOfTheirWidth)
+{
+  const auto with_step = [] (double step) {
+    LabelledPlaneScene plates; // of 2 m x 2 m
+    for (const int level : {0, 1, 2})
+      plates.add ({{0, 0, level * step}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
+    return plates.codes();
+  };
+  EXPECT_EQ (with_step (17_cm), "exact-levels");
+  EXPECT_EQ (with_step (23_cm), "");
 }
 
 TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
@@ -222,6 +261,23 @@ TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
   ASSERT_EQ (room.codes (context), "unassigned-points");
   const std::string text = room.warnings (context)[0].text;
   EXPECT_NE (text.find ("on planes leave out --min-points"), std::string::npos) << text;
+}
+
+TEST (ResultWarnings, AdviseAnotherValueOnlyIfItPuts20PerCentMoreOnPlanes)
+{
+  // 20,000 points: a floor and a wall, another wall on no plane, and a tree.
+  const auto with_wall = [] (std::size_t points) {
+    LabelledPlaneScene garden;
+    garden.add (floor_of_room, 6000, 2_mm).add (wall_of_room, 4000, 2_mm);
+    garden.add ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, points, 2_mm, false);
+    garden.add ({{9, 9, 1}, {1, 0.1, 0}, {-0.1, 1, 0}}, 10'000 - points, 50_cm, false);
+    ResultContext context;
+    context.search = OrientedPointSamplingParameters();
+    context.search->min_points = 1'000'000;
+    return garden.codes (context);
+  };
+  EXPECT_EQ (with_wall (3000), "") << "15 %";
+  EXPECT_EQ (with_wall (5000), "unassigned-points") << "25 %";
 }
 
 TEST (ResultWarnings, AreNoneOfPointsOnNoPlaneThatNoValuePutsOnOne)
@@ -294,6 +350,18 @@ TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
   ResultContext context;
   context.has_meter = true;
   EXPECT_EQ (room.codes (context), "");
+}
+
+TEST (ResultWarnings, TakeACloudWiderThan1000AlongAllAxesForOneInMillimeters)
+{
+  const auto codes = [] (double height) {
+    return LabelledPlaneScene()
+        .add ({{0, 0, 0}, {4000, 0, 0}, {0, 3000, 0}}, 3000, 2.0)
+        .add ({{0, 3000, 0}, {4000, 0, 0}, {0, 0, height}}, 3000, 2.0)
+        .codes();
+  };
+  EXPECT_EQ (codes (900.0), "");
+  EXPECT_EQ (codes (1200.0), "millimeters");
 }
 
 TEST (ResultWarnings, AreNoneOfASurveyOfAKilometer)
