@@ -220,6 +220,20 @@ TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
   }
 }
 
+TEST (FloorPlan, IsTheSameInReverseOrderOfPlanes)
+{
+  Building flat = twoRooms();
+  const FloorPlan before = flat.plan();
+  std::reverse (flat.planes.begin(), flat.planes.end());
+  std::reverse (flat.kinds.begin(), flat.kinds.end());
+  const FloorPlan plan = flat.plan();
+  EXPECT_EQ (plan.walls.size(), before.walls.size());
+  EXPECT_NEAR (sumOfLengths (plan), sumOfLengths (before), 1_mm);
+  EXPECT_EQ (openingsOf (plan), openingsOf (before));
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[1].area, 12.0, 0.01);
+}
+
 TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
 {
   Building flat;

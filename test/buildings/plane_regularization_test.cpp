@@ -153,6 +153,7 @@ TEST (PlaneRegularization, LeavesPlanesThatWouldMoveFartherThanTheirNoise)
   scene.add ({1, std::tan (2.5_deg), 0}, {5, 0, 1}); // a wall that is not square
   const RegularizedPlanes found = scene.regularized();
   EXPECT_FALSE (found.moves[4].is_moved);
+  EXPECT_EQ (found.moves[4].angle, 0.0);
   EXPECT_GT (found.moves[4].displacement, 1.0);
   EXPECT_EQ (found.planes[4].normal, scene.planes[4].normal);
   EXPECT_NEAR (cosine (found.planes[0], found.planes[1]), 0.0, 1e-12) << "the others";
