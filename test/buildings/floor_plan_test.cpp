@@ -87,6 +87,30 @@ TEST (FloorPlan, HasNoOpeningBehindFurniture)
   EXPECT_EQ (openingsOf (furnished.plan()), 0u);
 }
 
+TEST (FloorPlan, HasAnOpeningBehindFurnitureWhereAnythingIsSeenThroughIt)
+{
+  Building furnished = roomOf4By3();
+  for (const double y : {0.4, -0.4}) { // before the door and in the next room
+    std::vector<Vector3d> front;
+    for (double x = 0.9_m; x < 2.0; x += 5_cm)
+      for (double z = 0.0; z < 2.0; z += 5_cm)
+        front.emplace_back (x, y, z);
+    // Not upright, so that it is no leaf of the door.
+    furnished.add (PlaneKind::Other, Vector3d (0, 1, 1).normalized(), front);
+  }
+  EXPECT_EQ (openingsOf (furnished.plan()), 1u);
+}
+
+TEST (FloorPlan, HasNoThicknessBetweenFrontsThatFaceTheSameWay)
+{
+  Building fronts;
+  fronts.wall ({0, 0}, {4, 0}).wall ({0, -0.2}, {4, -0.2});
+  const FloorPlan plan = fronts.plan();
+  ASSERT_EQ (plan.walls.size(), 2u);
+  for (const PlanWall& wall : plan.walls)
+    EXPECT_FALSE (wall.thickness);
+}
+
 TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
 {
   Building closed = roomOf4By3();
