@@ -110,6 +110,21 @@ TEST (ResultWarnings, AreNoneOfPlanesAsThickAsThreeNoisesOrAnEighthOfTheirSpacin
   EXPECT_EQ (codes (0.26, 0.01), "thick-planes");
 }
 
+TEST (ResultWarnings, TellRmsAndNoiseOfTheLargestThickPlane)
+{
+  LabelledPlaneScene hills;
+  const double heights[] = {0.5, 1.0, 0.7};
+  const std::size_t points[] = {2000, 4000, 3000};
+  for (int hill = 0; hill < 3; ++hill) {
+    hills.add (
+        {{200.0 * hill, 0, 0}, {100, 0, 0}, {0, 100, 0}}, points[hill], heights[hill]);
+    hills.planes.back().noise = 0.1 * heights[hill];
+  }
+  ASSERT_EQ (hills.codes(), "thick-planes");
+  const std::string text = hills.warnings()[0].text;
+  EXPECT_NE (text.find ("noise 0.1 of the largest"), std::string::npos) << text;
+}
+
 TEST (ResultWarnings, NameParametersAsPythonDoes)
 {
   LabelledPlaneScene hill;
@@ -193,6 +208,18 @@ TEST (ResultWarnings, AreNoneOfExactPlanesFartherApartThanATenthOfTheirWidth)
   };
   EXPECT_EQ (with_step (17_cm), "exact-levels");
   EXPECT_EQ (with_step (23_cm), "");
+}
+
+TEST (ResultWarnings, AreNoneOfExactPlanesBesideEachOther)
+{
+  const auto with_distance = [] (double meters) {
+    LabelledPlaneScene plates; // of 2 m x 2 m, each 3 cm before the next
+    for (const int plate : {0, 1, 2})
+      plates.add ({{plate * meters, 0, 3_cm * plate}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
+    return plates.codes();
+  };
+  EXPECT_EQ (with_distance (1.5), "exact-levels");
+  EXPECT_EQ (with_distance (2.5), "");
 }
 
 TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
@@ -398,6 +425,19 @@ TEST (ResultWarnings, SayThatAWidthOfDegreesHasAHeightOfMeters)
   EXPECT_EQ (wall_in_degrees.codes (where_no_degrees_are), "");
 }
 
+TEST (ResultWarnings, TakeLessThanADegreeWith200TimesTheHeightForDegrees)
+{
+  const auto codes = [] (double width, double height) {
+    return LabelledPlaneScene()
+        .add ({{11, 48, 498}, {width, 0.1 * width, 0}, {0, 0, height}}, 3000, 0.0)
+        .codes();
+  };
+  EXPECT_EQ (codes (0.1, 15.0), "");
+  EXPECT_EQ (codes (0.1, 30.0), "degrees");
+  EXPECT_EQ (codes (0.9, 300.0), "degrees");
+  EXPECT_EQ (codes (1.2, 300.0), "");
+}
+
 TEST (ResultWarnings, SayThatPosesAreOfACamera)
 {
   ResultContext context;
@@ -465,6 +505,22 @@ TEST (ResultWarnings, TakeTheLowestLevelOf3PerCentOfThePointsForAFloor)
   };
   EXPECT_EQ (with_level (240), "");
   EXPECT_EQ (with_level (120), "unknown-up");
+}
+
+TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
+{
+  ResultContext context;
+  context.up_knowledge = UpKnowledge::Assumed;
+  context.uses_kinds = true;
+  const auto with_points_below = [&] (std::size_t points) {
+    return LabelledPlaneScene()
+        .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
+        .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, 500, 2_mm)
+        .add ({{-0.1, 0.1, 0.3}, {0.2, 0, 0}, {0, 0.2, 0}}, points, 2_mm, false)
+        .codes (context);
+  };
+  EXPECT_EQ (with_points_below (400), "") << "6 %";
+  EXPECT_EQ (with_points_below (1000), "unknown-up") << "13 %";
 }
 
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
