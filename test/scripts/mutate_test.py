@@ -70,6 +70,14 @@ class Lines(unittest.TestCase):
         self.assertIn("\nconst double a = constants.b;", text)
         self.assertIn("\nconstexpr double c = 1.0;", text)
 
+    def test_of_constants_are_known_by_their_key(self):
+        self.source.write_text("constexpr double a = 1.0;")
+        line = next(mutate.breakable_lines(self.source))
+        mutate.break_lines(self.source, [line])
+        text = self.source.read_text()
+        self.assertIn("\nconst double a = (", text)
+        self.assertIn(f'PCL_OPS_DOES_NOTHING ("{line.key}")', text)
+
     def test_of_constants_that_have_to_be_such_are_left_out(self):
         log = mutate.LOG
         self.addCleanup(lambda: setattr(mutate, "LOG", log))
