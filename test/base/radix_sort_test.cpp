@@ -12,21 +12,21 @@ using namespace pcl_ops::internal;
 namespace {
 
 /** \brief A key, and where it was before. */
-using Numbered = std::pair<std::uint64_t, std::size_t>;
+using NumberedKey = std::pair<std::uint64_t, std::size_t>;
 
 void
-expectSorted (const std::vector<std::uint64_t>& keys, unsigned threads)
+expectRadixSorted (const std::vector<std::uint64_t>& keys, unsigned threads)
 {
-  std::vector<Numbered> items;
+  std::vector<NumberedKey> items;
   for (const std::uint64_t key : keys)
     items.emplace_back (key, items.size());
-  std::vector<Numbered> expected = items;
+  std::vector<NumberedKey> expected = items;
   std::stable_sort (
-      expected.begin(), expected.end(), [] (const Numbered& a, const Numbered& b) {
-        return a.first < b.first;
-      });
-  std::vector<Numbered> spare (items.size());
-  const Numbered* const sorted =
+      expected.begin(),
+      expected.end(),
+      [] (const NumberedKey& a, const NumberedKey& b) { return a.first < b.first; });
+  std::vector<NumberedKey> spare (items.size());
+  const NumberedKey* const sorted =
       radixSort (threads, items.data(), items.size(), spare.data(), [] (const auto& a) {
         return a.first;
       });
@@ -42,7 +42,7 @@ TEST (RadixSort, KeepsTheOrderOfEqualKeysWithAnyNumberOfThreads)
   for (int i = 0; i < 100'000; ++i)
     keys.push_back (std::uint64_t (drawBelow (generator, 5000)) << 30);
   for (const unsigned threads : {1u, 3u})
-    expectSorted (keys, threads);
+    expectRadixSorted (keys, threads);
 }
 
 TEST (RadixSort, TellsKeysApartThatDifferInOneBitAnywhere)
@@ -50,13 +50,13 @@ TEST (RadixSort, TellsKeysApartThatDifferInOneBitAnywhere)
   for (int bit = 0; bit < 64; ++bit)
     for (const std::uint64_t same : {0ULL, 5ULL << 20}) {
       const std::uint64_t other = same ^ 1ULL << bit;
-      expectSorted ({other, same, other, same}, 1);
-      expectSorted ({same, other}, 1);
+      expectRadixSorted ({other, same, other, same}, 1);
+      expectRadixSorted ({same, other}, 1);
     }
 }
 
 TEST (RadixSort, TakesNoItemsAndEqualOnes)
 {
-  expectSorted ({}, 1);
-  expectSorted ({7, 7, 7}, 1);
+  expectRadixSorted ({}, 1);
+  expectRadixSorted ({7, 7, 7}, 1);
 }

@@ -8,12 +8,12 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-using Ends = std::vector<std::pair<double, double>>;
+using IntervalEnds = std::vector<std::pair<double, double>>;
 
-Ends
-endsOf (const Intervals& intervals)
+IntervalEnds
+endsOfIntervals (const Intervals& intervals)
 {
-  Ends ends;
+  IntervalEnds ends;
   for (const Interval& interval : intervals)
     ends.emplace_back (interval.from, interval.to);
   return ends;
@@ -23,25 +23,28 @@ endsOf (const Intervals& intervals)
 
 TEST (Intervals, OfPlacesEndAtGapsThatAreLarger)
 {
-  EXPECT_EQ (endsOf (intervalsOf ({7, 0, 1, 2, 5, 6}, 2.0)), (Ends{{0, 2}, {5, 7}}));
-  EXPECT_EQ (endsOf (intervalsOf ({0, 2, 4}, 2.0)), (Ends{{0, 4}}));
+  EXPECT_EQ (endsOfIntervals (intervalsOf ({7, 0, 1, 2, 5, 6}, 2.0)),
+             (IntervalEnds{{0, 2}, {5, 7}}));
+  EXPECT_EQ (endsOfIntervals (intervalsOf ({0, 2, 4}, 2.0)), (IntervalEnds{{0, 4}}));
   EXPECT_TRUE (intervalsOf ({}, 2.0).empty());
 }
 
 TEST (Intervals, OfTwoListsAreOneWhereTheyOverlapOrNearlyTouch)
 {
-  EXPECT_EQ (endsOf (unionOf ({{0, 5}, {8, 9}}, {{1, 2}, {6, 7}}, 0.5)),
-             (Ends{{0, 5}, {6, 7}, {8, 9}}));
-  EXPECT_EQ (endsOf (unionOf ({{0, 5}, {8, 9}}, {{4, 7}}, 1.0)), (Ends{{0, 9}}));
+  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{1, 2}, {6, 7}}, 0.5)),
+             (IntervalEnds{{0, 5}, {6, 7}, {8, 9}}));
+  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{4, 7}}, 1.0)),
+             (IntervalEnds{{0, 9}}));
 }
 
 TEST (Intervals, WithoutOthersAreWhatIsLeft)
 {
   const Intervals whole{{0, 10}, {20, 30}};
-  EXPECT_EQ (endsOf (without (whole, {{2, 3}, {5, 6}, {8, 22}})),
-             (Ends{{0, 2}, {3, 5}, {6, 8}, {22, 30}}));
-  EXPECT_EQ (endsOf (without (whole, {{-1, 40}})), Ends());
-  EXPECT_EQ (endsOf (without (whole, {{10, 20}})), (Ends{{0, 10}, {20, 30}}));
+  EXPECT_EQ (endsOfIntervals (without (whole, {{2, 3}, {5, 6}, {8, 22}})),
+             (IntervalEnds{{0, 2}, {3, 5}, {6, 8}, {22, 30}}));
+  EXPECT_EQ (endsOfIntervals (without (whole, {{-1, 40}})), IntervalEnds());
+  EXPECT_EQ (endsOfIntervals (without (whole, {{10, 20}})),
+             (IntervalEnds{{0, 10}, {20, 30}}));
 }
 
 TEST (Intervals, HaveALengthWithinAnother)

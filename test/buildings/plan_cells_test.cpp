@@ -15,13 +15,13 @@ namespace {
 
 // 4 m x 3 m, not at zero.
 const Eigen::AlignedBox2d plan_box (Vector2d (10, 20), Vector2d (14, 23));
-const PlanLine across = {{11, 0}, {0, 1}};
-const PlanLine along = {{0, 22}, {1, 0}};
-const PlanLine diagonal = {{10, 20}, Vector2d (4, 3).normalized()};
+const PlanLine line_across = {{11, 0}, {0, 1}};
+const PlanLine line_along = {{0, 22}, {1, 0}};
+const PlanLine line_through_corners = {{10, 20}, Vector2d (4, 3).normalized()};
 
 /** \brief By rising size, to the square millimeter. */
 std::vector<double>
-areasOf (const std::vector<PlanCell>& cells)
+areasOfCells (const std::vector<PlanCell>& cells)
 {
   std::vector<double> areas;
   for (const PlanCell& cell : cells)
@@ -31,7 +31,7 @@ areasOf (const std::vector<PlanCell>& cells)
 }
 
 std::size_t
-sidesOn (std::size_t line, const std::vector<PlanCell>& cells)
+sidesOnLine (std::size_t line, const std::vector<PlanCell>& cells)
 {
   std::size_t number = 0;
   for (const PlanCell& cell : cells)
@@ -47,32 +47,32 @@ TEST (PlanCells, AreTheWholeWithoutALineAcrossIt)
   const PlanLine beside = {{9, 0}, {0, 1}};
   const PlanLine at_the_rim = {{10, 0}, {0, 1}};
   const std::vector<PlanCell> cells = cellsOf (plan_box, {beside, at_the_rim});
-  EXPECT_EQ (areasOf (cells), std::vector<double>{12.0});
-  EXPECT_EQ (sidesOn (no_line, cells), 4u);
+  EXPECT_EQ (areasOfCells (cells), std::vector<double>{12.0});
+  EXPECT_EQ (sidesOnLine (no_line, cells), 4u);
 }
 
 TEST (PlanCells, AreFourOfTwoLinesThatCross)
 {
-  const std::vector<PlanCell> cells = cellsOf (plan_box, {across, along});
-  EXPECT_EQ (areasOf (cells), (std::vector<double>{1.0, 2.0, 3.0, 6.0}));
-  EXPECT_EQ (sidesOn (0, cells), 4u);
-  EXPECT_EQ (sidesOn (1, cells), 4u);
-  EXPECT_EQ (sidesOn (no_line, cells), 8u);
+  const std::vector<PlanCell> cells = cellsOf (plan_box, {line_across, line_along});
+  EXPECT_EQ (areasOfCells (cells), (std::vector<double>{1.0, 2.0, 3.0, 6.0}));
+  EXPECT_EQ (sidesOnLine (0, cells), 4u);
+  EXPECT_EQ (sidesOnLine (1, cells), 4u);
+  EXPECT_EQ (sidesOnLine (no_line, cells), 8u);
 }
 
 TEST (PlanCells, AreTrianglesOfALineThroughTwoCorners)
 {
-  const std::vector<PlanCell> cells = cellsOf (plan_box, {diagonal});
-  EXPECT_EQ (areasOf (cells), (std::vector<double>{6.0, 6.0}));
+  const std::vector<PlanCell> cells = cellsOf (plan_box, {line_through_corners});
+  EXPECT_EQ (areasOfCells (cells), (std::vector<double>{6.0, 6.0}));
   for (const PlanCell& cell : cells) {
     EXPECT_EQ (cell.corners.size(), 3u);
-    EXPECT_EQ (sidesOn (0, {cell}), 1u);
+    EXPECT_EQ (sidesOnLine (0, {cell}), 1u);
   }
 }
 
 TEST (CommonSides, AreBetweenCellsThatTouchAlongALine)
 {
-  const std::vector<PlanCell> cells = cellsOf (plan_box, {across, along});
+  const std::vector<PlanCell> cells = cellsOf (plan_box, {line_across, line_along});
   const std::vector<CommonSide> sides = commonSides (cells);
   ASSERT_EQ (sides.size(), 4u) << "and none at the rim";
   for (const CommonSide& side : sides) {

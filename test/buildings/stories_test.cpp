@@ -8,12 +8,13 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-const bool down = true;
-const bool up = false;
+// The side that a level plane was seen from.
+const bool from_below = true;
+const bool from_above = false;
 
 /** \brief Height of the floor and of the ceiling of each, -1 without one. */
 std::vector<std::pair<double, double>>
-heightsOf (const std::vector<LevelPlane>& planes, double lowest = 0.0)
+heightsOfStories (const std::vector<LevelPlane>& planes, double lowest = 0.0)
 {
   std::vector<std::pair<double, double>> heights;
   for (const Story& story : storiesOf (levelsOf (planes), lowest))
@@ -21,56 +22,66 @@ heightsOf (const std::vector<LevelPlane>& planes, double lowest = 0.0)
   return heights;
 }
 
-using Heights = std::vector<std::pair<double, double>>;
+using StoryHeights = std::vector<std::pair<double, double>>;
 
 } // namespace
 
 TEST (Levels, ArePlanesWithin15CentimetersAtTheirMeanHeightByArea)
 {
-  const std::vector<Level> levels =
-      levelsOf ({{2.5, 12.0, down}, {0.1, 1.0, up}, {0.0, 3.0, up}});
+  const std::vector<Level> levels = levelsOf (
+      {{2.5, 12.0, from_below}, {0.1, 1.0, from_above}, {0.0, 3.0, from_above}});
   ASSERT_EQ (levels.size(), 2u);
   EXPECT_DOUBLE_EQ (levels[0].height, 0.025);
   EXPECT_DOUBLE_EQ (levels[0].area, 4.0);
   EXPECT_DOUBLE_EQ (levels[1].height, 2.5);
-  EXPECT_EQ (levelsOf ({{0.0, 1.0, up}, {0.14, 1.0, up}}).size(), 1u);
-  EXPECT_EQ (levelsOf ({{0.0, 1.0, up}, {0.16, 1.0, up}}).size(), 2u);
+  EXPECT_EQ (levelsOf ({{0.0, 1.0, from_above}, {0.14, 1.0, from_above}}).size(), 1u);
+  EXPECT_EQ (levelsOf ({{0.0, 1.0, from_above}, {0.16, 1.0, from_above}}).size(), 2u);
 }
 
 TEST (Levels, FaceToWhereMostOfTheirAreaDoes)
 {
-  EXPECT_TRUE (levelsOf ({{0.0, 0.2, up}, {0.1, 0.3, down}}).front().faces_down);
-  EXPECT_FALSE (levelsOf ({{0.0, 0.3, up}, {0.1, 0.2, down}}).front().faces_down);
   EXPECT_TRUE (
-      levelsOf ({{0.0, 0.2, up}, {0.1, 0.3, up, true}}).front().is_below_sensor);
+      levelsOf ({{0.0, 0.2, from_above}, {0.1, 0.3, from_below}}).front().faces_down);
   EXPECT_FALSE (
-      levelsOf ({{0.0, 0.3, up}, {0.1, 0.2, up, true}}).front().is_below_sensor);
+      levelsOf ({{0.0, 0.3, from_above}, {0.1, 0.2, from_below}}).front().faces_down);
+  EXPECT_TRUE (levelsOf ({{0.0, 0.2, from_above}, {0.1, 0.3, from_above, true}})
+                   .front()
+                   .is_below_sensor);
+  EXPECT_FALSE (levelsOf ({{0.0, 0.3, from_above}, {0.1, 0.2, from_above, true}})
+                    .front()
+                    .is_below_sensor);
 }
 
 TEST (Stories, HaveAFloorAndACeiling)
 {
-  EXPECT_EQ (heightsOf ({{0.0, 12.0, up}, {2.5, 12.0, down}}), (Heights{{0.0, 2.5}}));
-  EXPECT_EQ (
-      heightsOf (
-          {{0.0, 12.0, up}, {2.5, 12.0, down}, {2.75, 12.0, up}, {5.25, 12.0, down}}),
-      (Heights{{0.0, 2.5}, {2.75, 5.25}}));
+  EXPECT_EQ (heightsOfStories ({{0.0, 12.0, from_above}, {2.5, 12.0, from_below}}),
+             (StoryHeights{{0.0, 2.5}}));
+  EXPECT_EQ (heightsOfStories ({{0.0, 12.0, from_above},
+                                {2.5, 12.0, from_below},
+                                {2.75, 12.0, from_above},
+                                {5.25, 12.0, from_below}}),
+             (StoryHeights{{0.0, 2.5}, {2.75, 5.25}}));
 }
 
 TEST (Stories, BeginAtTheLowestPlaneWhereNoFloorWasSeen)
 {
-  EXPECT_EQ (heightsOf ({{2.5, 12.0, down}}, 0.25), (Heights{{0.25, 2.5}}));
-  EXPECT_EQ (heightsOf ({}, 0.25), (Heights{{0.25, -1.0}}));
+  EXPECT_EQ (heightsOfStories ({{2.5, 12.0, from_below}}, 0.25),
+             (StoryHeights{{0.25, 2.5}}));
+  EXPECT_EQ (heightsOfStories ({}, 0.25), (StoryHeights{{0.25, -1.0}}));
 }
 
 TEST (Stories, HaveNoFloorAtATableTop)
 {
-  EXPECT_EQ (heightsOf ({{0.75, 2.0, up}, {2.5, 12.0, down}}), (Heights{{0.0, 2.5}}));
+  EXPECT_EQ (heightsOfStories ({{0.75, 2.0, from_above}, {2.5, 12.0, from_below}}),
+             (StoryHeights{{0.0, 2.5}}));
 }
 
 TEST (Stories, AreOfTheLowestLevelThatIsOneToStandOn)
 {
   const std::vector<Story> stories = storiesOf (
-      levelsOf ({{0.0, 12.0, up}, {2.5, 12.0, down}, {2.75, 12.0, up}}), 0.0);
+      levelsOf (
+          {{0.0, 12.0, from_above}, {2.5, 12.0, from_below}, {2.75, 12.0, from_above}}),
+      0.0);
   ASSERT_EQ (stories.size(), 2u);
   EXPECT_EQ (storyAt (stories, -1.0).floor, 0.0);
   EXPECT_EQ (storyAt (stories, 2.5).floor, 0.0);

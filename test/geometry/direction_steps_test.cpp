@@ -9,7 +9,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-const Eigen::Vector3d sensor (1, 2, 1.5);
+const Eigen::Vector3d place_of_lidar (1, 2, 1.5);
 
 /** \brief What a lidar sees of a room of 8 m x 8 m x 3 m from its middle: 33 beams,
  * one degree apart, every other one with steps of its own [degrees]. */
@@ -25,7 +25,7 @@ roomSeenInSteps (double step, double other_step)
                                  std::cos (elevation) * std::sin (azimuth),
                                  std::sin (elevation));
       const Eigen::Array3d walls = Eigen::Array3d (4, 4, 1.5) / ray.array().abs();
-      const pcl::PointXYZ point = toPoint (sensor + walls.minCoeff() * ray);
+      const pcl::PointXYZ point = toPoint (place_of_lidar + walls.minCoeff() * ray);
       points.add (point.x, point.y, point.z);
     }
   }
@@ -33,7 +33,7 @@ roomSeenInSteps (double step, double other_step)
 }
 
 Coordinates
-drawnAround (const Eigen::Vector3d& place, int number)
+drawnOnABall (const Eigen::Vector3d& place, int number)
 {
   Coordinates points;
   RandomGenerator generator (seedOfTest());
@@ -49,29 +49,33 @@ drawnAround (const Eigen::Vector3d& place, int number)
 TEST (ShareOfCommonSteps, IsOneOfALidarWithStepsOfOneOrTwoKinds)
 {
   for (const double other_step : {0.2, 0.3})
-    EXPECT_NEAR (
-        shareOfCommonSteps (roomSeenInSteps (0.2, other_step), sensor), 1.0, 2_percent)
+    EXPECT_NEAR (shareOfCommonSteps (roomSeenInSteps (0.2, other_step), place_of_lidar),
+                 1.0,
+                 2_percent)
         << other_step;
 }
 
 TEST (ShareOfCommonSteps, IsLowAwayFromTheLidarAndOfPointsAnywhere)
 {
-  const Eigen::Vector3d beside = sensor + Eigen::Vector3d (2, 1, 0);
+  const Eigen::Vector3d beside = place_of_lidar + Eigen::Vector3d (2, 1, 0);
   EXPECT_LT (shareOfCommonSteps (roomSeenInSteps (0.2, 0.2), beside), 50_percent);
-  EXPECT_LT (shareOfCommonSteps (drawnAround (sensor, 20000), sensor), 30_percent);
+  EXPECT_LT (shareOfCommonSteps (drawnOnABall (place_of_lidar, 20000), place_of_lidar),
+             30_percent);
 }
 
 TEST (ShareOfCommonSteps, IsNoneOfPointsTooFewToTell)
 {
-  EXPECT_EQ (shareOfCommonSteps (drawnAround (sensor, 50), sensor), 0.0);
-  EXPECT_EQ (shareOfCommonSteps (Coordinates(), sensor), 0.0);
+  EXPECT_EQ (shareOfCommonSteps (drawnOnABall (place_of_lidar, 50), place_of_lidar),
+             0.0);
+  EXPECT_EQ (shareOfCommonSteps (Coordinates(), place_of_lidar), 0.0);
 }
 
 TEST (SeenByItsSteps, IsALidarAtItsPlaceAloneAndNothingAnywhere)
 {
   const Coordinates room = roomSeenInSteps (0.2, 0.2);
-  EXPECT_EQ (seenByItsSteps (room, sensor), StepsSay::Yes);
-  EXPECT_NE (seenByItsSteps (room, sensor + Eigen::Vector3d (2, 1, 0)), StepsSay::Yes);
-  EXPECT_EQ (seenByItsSteps (drawnAround (sensor, 20000), sensor),
+  EXPECT_EQ (seenByItsSteps (room, place_of_lidar), StepsSay::Yes);
+  EXPECT_NE (seenByItsSteps (room, place_of_lidar + Eigen::Vector3d (2, 1, 0)),
+             StepsSay::Yes);
+  EXPECT_EQ (seenByItsSteps (drawnOnABall (place_of_lidar, 20000), place_of_lidar),
              StepsSay::CannotTell);
 }
