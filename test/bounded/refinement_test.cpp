@@ -53,6 +53,22 @@ TEST (Refinement, HasThePointsOfThoseVoxels)
     EXPECT_EQ (is_refined[i] != 0, scene.points.x[i] > 0.9f);
 }
 
+TEST (Refinement, OfAllVoxelsHasAllPoints)
+{
+  VoxelScene scene ({{ground}});
+  scene.label (no_plane, [] (const auto&) { return true; });
+  const VoxelGrid finer = refined (scene).grid;
+  std::size_t points = 0;
+  double counted = 0.0;
+  for (std::size_t voxel = 0; voxel < finer.size(); ++voxel) {
+    const IndexRange of_voxel = finer.pointsOf (voxel);
+    points += static_cast<std::size_t> (of_voxel.end() - of_voxel.begin());
+    counted += finer.moments[voxel].count;
+  }
+  EXPECT_EQ (points, scene.points.size());
+  EXPECT_EQ (counted, static_cast<double> (points));
+}
+
 TEST (Refinement, HalvesTheVoxels)
 {
   const Refinement refinement = refined (halfExplained());

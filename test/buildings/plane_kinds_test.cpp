@@ -46,6 +46,24 @@ TEST (PlaneKinds, AreTheSameInFeetAndForATiltedUpAxis)
              planeKinds (shell().planes, shell().extents, Vector3d::UnitZ()));
 }
 
+TEST (PlaneKinds, AreTheSameInReverseOrderOfPlanes)
+{
+  Rectangles room = shell();
+  room.level (0.72, 1.4, 0.8, 1.0, 1.0).add ({1, 0.4, 0}, {1.2, 0, 0}, {0, 0, 1.8});
+  room.add ({4.02, 1, 0.4}, {0, 0.3, 0}, {0, 0, 0.3}); // a part of a wall
+  Rectangles house;
+  house.sensor = {0, 0, 1e3};
+  house.level (0.0, 60_m, 40_m, -20.0, -20.0).add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5});
+  house.level (5.0, 6_m, 6_m, 20.0, 0.0).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
+  for (Rectangles scene : {room, house}) {
+    Names expected = scene.kinds();
+    std::reverse (expected.begin(), expected.end());
+    std::reverse (scene.planes.begin(), scene.planes.end());
+    std::reverse (scene.extents.begin(), scene.extents.end());
+    EXPECT_EQ (scene.kinds(), expected);
+  }
+}
+
 TEST (PlaneKinds, OfATopAtTheHeightOfTablesIsATable)
 {
   EXPECT_EQ (shell().level (0.72, 1.4, 0.8, 1.0, 1.0).lastKind(), "table");

@@ -111,6 +111,32 @@ TEST (PlaneRegularization, MakesPartsOfOneWallCoplanar)
   EXPECT_EQ (found.moves[0].direction, found.moves[2].direction);
 }
 
+TEST (PlaneRegularization, MakesPartsOfOneWallCoplanarThoughOneBeforeItIsOfASizeBetween)
+{
+  Squares scene;
+  scene.add ({1, 0, 0}, {0, 0, 1}, 60)
+      .add ({1, 0, 0}, {0.2, 9, 1}, 50)
+      .add ({1, 0, 0}, {1_mm, 5, 1}, 40);
+  const RegularizedPlanes found = scene.regularized();
+  EXPECT_EQ (found.moves[0].level, found.moves[2].level);
+  EXPECT_NE (found.moves[0].level, found.moves[1].level) << "20 cm before it";
+}
+
+TEST (PlaneRegularization, KeepsPartsApartThatAreThreeTimesTheNoiseOfBothFromEachOther)
+{
+  // Together they have the root of two times 3 mm: three times that are 13 mm.
+  PlaneRegularizationParameters far;
+  far.max_displacement = 1e3;
+  const auto are_level = [&] (double before) {
+    Squares parts;
+    parts.add ({1, 0, 0}, {0, 0, 1}).add ({1, 0, 0}, {before, 5, 1});
+    const RegularizedPlanes found = parts.regularized (far);
+    return found.moves[0].level == found.moves[1].level;
+  };
+  EXPECT_TRUE (are_level (10_mm));
+  EXPECT_FALSE (are_level (16_mm));
+}
+
 TEST (PlaneRegularization, LeavesARoofOf30DegreesAsItIs)
 {
   Squares scene = box();
@@ -127,6 +153,7 @@ TEST (PlaneRegularization, LeavesPlanesThatWouldMoveFartherThanTheirNoise)
   scene.add ({1, std::tan (2.5_deg), 0}, {5, 0, 1}); // a wall that is not square
   const RegularizedPlanes found = scene.regularized();
   EXPECT_FALSE (found.moves[4].is_moved);
+  EXPECT_EQ (found.moves[4].angle, 0.0);
   EXPECT_GT (found.moves[4].displacement, 1.0);
   EXPECT_EQ (found.planes[4].normal, scene.planes[4].normal);
   EXPECT_NEAR (cosine (found.planes[0], found.planes[1]), 0.0, 1e-12) << "the others";

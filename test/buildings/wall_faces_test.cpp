@@ -77,3 +77,51 @@ TEST (WallFaces, AreCutWithin5CentimetersOfTheHeight)
   EXPECT_TRUE (is_cut (1.16));
   EXPECT_FALSE (is_cut (1.14));
 }
+
+TEST (WallFaces, AreCutWithinThreeSpacingsWherePointsAreFarApart)
+{
+  const auto is_cut = [] (double top) {
+    PlanPoints points; // 10 cm apart, up to somewhere below the cut
+    for (double x = 0.0; x < 3.0; x += 10_cm)
+      for (double z = top; z > top - 2.0; z -= 10_cm)
+        points.emplace_back (x, 0.0, z);
+    return !faceOf ({0, 1, 0}, points, 0, 1.2).cut.empty();
+  };
+  EXPECT_TRUE (is_cut (0.95));
+  EXPECT_FALSE (is_cut (0.8));
+}
+
+TEST (WallFaces, HaveNoGapsUpTo25CentimetersOrSixSpacings)
+{
+  const auto parts = [] (double spacing, double gap) {
+    PlanPoints points;
+    for (double x = 0.0; x < 4.0; x += spacing)
+      for (double z = 0.0; z < 2.5; z += spacing)
+        if (x <= 2.0 || x >= 2.0 + gap)
+          points.emplace_back (x, 0.0, z);
+    return faceOf ({0, 1, 0}, points, 0, 1.2).seen.size();
+  };
+  EXPECT_EQ (parts (1_cm, 22_cm), 1u);
+  EXPECT_EQ (parts (1_cm, 28_cm), 2u);
+  EXPECT_EQ (parts (10_cm, 45_cm), 1u);
+  EXPECT_EQ (parts (10_cm, 85_cm), 2u);
+}
+
+TEST (WallFaces, AreNoLeavesLessThan2CentimetersBehindOrMoreThan45)
+{
+  const auto walls_with_leaf = [] (double behind) {
+    PlanPoints points;
+    addUpright (0.0, 0.0, 1_m, points);
+    addUpright (0.0, 2_m, 4_m, points);
+    PlanPoints of_leaf;
+    addUpright (-behind, 1_m, 2_m, of_leaf);
+    return withoutRecesses ({faceOf ({0, 1, 0}, points, 0, 1.2),
+                             faceOf ({0, 1, 0}, of_leaf, 1, 1.2)},
+                            {})
+        .size();
+  };
+  EXPECT_EQ (walls_with_leaf (15_mm), 2u);
+  EXPECT_EQ (walls_with_leaf (25_mm), 1u);
+  EXPECT_EQ (walls_with_leaf (43_cm), 1u);
+  EXPECT_EQ (walls_with_leaf (47_cm), 2u);
+}

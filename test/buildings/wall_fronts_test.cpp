@@ -50,4 +50,5 @@ TEST (WallFronts, StayWhereFloorsAreOnBothSides)
 TEST (WallFronts, StayWhereNextToNoFloorIsSeen)
 {
   EXPECT_FALSE (isFloorBehind (0.0, 15_cm)) << "three squares of 5 cm";
+  EXPECT_TRUE (isFloorBehind (0.0, 25_cm)) << "five";
 }

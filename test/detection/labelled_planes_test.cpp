@@ -30,6 +30,23 @@ TEST (MergeAssigned, FitsThePlanesToTheirPointsAndRelabelsThem)
   EXPECT_EQ (found.planes.moments[0].count, 99.0);
 }
 
+TEST (Relabelled, KeepsTheNoiseOfEachPlaneThoughAnotherHasNoPointsLeft)
+{
+  const Points points = gridsOf ({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                  {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                  {{0, 0, 2}, {1, 0, 0}, {0, 1, 0}}},
+                                 10);
+  Labels labels (points.size(), no_plane);
+  std::fill (labels.begin() + 100, labels.begin() + 200, 1);
+  std::fill (labels.begin() + 200, labels.end(), 2);
+  LabelledPlanes before;
+  before.noises = {1_mm, 2_mm, 3_mm};
+  const LabelledPlanes found =
+      relabelled (before, {labels, momentsOfLabels (points, labels, 3, 1)}, 1);
+  ASSERT_EQ (found.planes.fits.size(), 2u);
+  EXPECT_EQ (found.noises, (std::vector<std::optional<double>>{2_mm, 3_mm}));
+}
+
 TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
@@ -64,8 +81,10 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
       labels.push_back (points.origin.z() + points.z[i] < 0.0 ? 0 : 1);
     MergingParameters keep_apart;
     keep_apart.enabled = false;
-    return mergeAssigned (
-        {labels, momentsOfLabels (points, labels, 2, 1)}, keep_apart, 1);
+    LabelledPlanes found =
+        mergeAssigned ({labels, momentsOfLabels (points, labels, 2, 1)}, keep_apart, 1);
+    found.noises = {1_mm, 2_cm};
+    return found;
   };
   const DetectorInput input{
       CloudView (cloud), nullptr, Eigen::Vector3d::Zero(), nullptr};
@@ -75,6 +94,8 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
   EXPECT_NEAR (planes[0].centroid.z(), 2.0, 1e-9) << "the larger one of points";
   EXPECT_EQ (planes[0].moments.count, 250.0);
   EXPECT_EQ (planes[1].moments.count, 100.0);
+  EXPECT_EQ (planes[0].noise, 2_cm);
+  EXPECT_EQ (planes[1].noise, 1_mm);
   for (int i = 0; i < 250; ++i)
     EXPECT_EQ (planes[0].inliers.at (i), 300 + i);
 }

@@ -54,4 +54,5 @@ TEST (PlaneLayers, AreAsFarApartAsIsAsked)
 TEST (PlaneLayers, NeedPoints)
 {
   EXPECT_EQ (Split (4_cm, 3_mm, 20).is_kept.size(), 1u);
+  EXPECT_EQ (Split (4_cm, 3_mm, 30).is_kept.size(), 2u);
 }

@@ -38,6 +38,17 @@ TEST (FirstAtPlace, IsNoReadingWhereManyShareOnePlace)
   }
 }
 
+TEST (FirstAtPlace, IsThePointItselfWhereFewHaveEqualsBesideMissingReadings)
+{
+  Coordinates points = pointsAnd (50, 0.0f);
+  for (std::size_t i = 0; i < 20; ++i)
+    points.add (points.x[i], points.y[i], points.z[i]);
+  const FirstAtPlace first = firstAtPlace (points, 1);
+  ASSERT_EQ (first.size(), 1070u);
+  for (std::uint32_t i = 0; i < 1070; ++i)
+    EXPECT_EQ (first[i], i < 1000 || i >= 1050 ? i : no_reading);
+}
+
 TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
 {
   const Coordinates points = pointsInACube (1000, 4.0);

@@ -107,6 +107,21 @@ TEST (FinitePoints, KnowWhereTheyCameFrom)
   }
 }
 
+TEST (DistinctPoints, KnowWhereTheyCameFromAndWhereTheirCopiesAre)
+{
+  const pcl::PointXYZ one (1, 2, 3), two (4, 5, 6), three (7, 8, 9);
+  const auto cloud = cloudOf ({one, one, two, one, three, two, three});
+  const Points points = distinctPoints (CloudView (cloud), 1);
+  EXPECT_EQ (points.index, (pcl::Indices{0, 2, 4}));
+  ASSERT_EQ (points.size(), 3u);
+  EXPECT_EQ (inInputFrame (points, 1), Eigen::Vector3d (4, 5, 6));
+  EXPECT_EQ (inInputFrame (points, 2), Eigen::Vector3d (7, 8, 9));
+  std::vector<std::pair<pcl::index_t, std::uint32_t>> copies;
+  for (const Copy& copy : points.copies)
+    copies.emplace_back (copy.index, copy.point);
+  EXPECT_EQ (copies, (decltype (copies){{1, 0}, {3, 0}, {5, 1}, {6, 2}}));
+}
+
 TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
 {
   auto cloud = cloudOf ({{1e7f, 1e7f, 1e7f}});

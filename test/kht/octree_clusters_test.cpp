@@ -65,6 +65,15 @@ TEST (RootCube, HoldsAStepAsWideAsTheRestAndAllWhereNearlyAllAreEqual)
   EXPECT_NEAR (rootCubeOf (equal).radius, 5.0, 0.01);
 }
 
+TEST (RootCube, OfOnePointIsThatPoint)
+{
+  Coordinates point;
+  point.add (1.0f, 2.0f, 3.0f);
+  const RootCube root = rootCubeOf (point);
+  EXPECT_EQ (root.center, Eigen::Vector3d (1, 2, 3));
+  EXPECT_EQ (root.edge, 0.0);
+}
+
 TEST (OctreeClusters, HoldThePointsOfOneCellOnTheirPlane)
 {
   const Coordinates points = gridsOf ({tilted}, 100, 0.001);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid_scene.h"
 #include "ops/voxel_choice.h"
+#include <pcl_ops/voxel_size.h>
 
 using namespace pcl_ops::internal;
 
@@ -71,6 +72,16 @@ TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
     EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many, few_voxels)), 8.0);
   EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, 23, 0.03)), 3.0)
       << "a small cloud";
+}
+
+TEST (VoxelSizeFor, OfAnyCloudTellsTwoPointsApart)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.push_back ({-4, 0, 0});
+  cloud.push_back ({4, 0, 0});
+  const double size = pcl_ops::voxelSizeFor (pcl_ops::CloudView (cloud), 2.0);
+  EXPECT_GT (size, 0.0);
+  EXPECT_LE (size, 8.0);
 }
 
 TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)

@@ -138,6 +138,45 @@ TEST (JoinOverGaps, LeavesAStepThatNoiseDoesNotExplain)
   EXPECT_LT (scene.sizes().at (0), 10500u);
 }
 
+TEST (JoinOverGaps, LeavesGroundsThatAreTwiceAsFarApartAsTheyAreLong)
+{
+  // Centers 3 m apart, and 5 m.
+  for (const double gap : {1.0, 3.0}) {
+    const Surface beyond = {{2.0 + gap, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+    PlaceScene scene (drawnOn ({square_of_ground, beyond}, 3_cm, 2_mm));
+    joinTouching (scene.places, 1, scene.regions);
+    joinOverGaps (scene.noise, {}, scene.regions);
+    EXPECT_EQ (scene.sizes().at (0) > 5000u, gap < 2.0) << gap;
+  }
+}
+
+TEST (JoinOverGaps, LeavesAStepOfThreeNoises)
+{
+  for (const double step : {2_mm, 6_mm}) {
+    Surface beyond = ground_beyond_gap;
+    beyond.corner.z() = step;
+    PlaceScene scene (drawnOn ({square_of_ground, beyond}, 3_cm, 2_mm));
+    joinTouching (scene.places, 1, scene.regions);
+    joinOverGaps (scene.noise, {}, scene.regions);
+    EXPECT_EQ (scene.sizes().at (0) > 5000u, step < 4_mm) << step;
+  }
+}
+
+TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
+{
+  Surface beyond = ground_beyond_gap; // leans by a fifth of a degree about its middle
+  beyond.first.z() = 2.0 * std::tan (0.2_deg);
+  beyond.corner.z() = -std::tan (0.2_deg);
+  for (const double degrees : {0.1, 1.0}) {
+    PlaceScene scene (drawnOn ({square_of_ground, beyond}, 2_cm, 1_cm));
+    joinTouching (scene.places, 1, scene.regions);
+    pcl_ops::MergingParameters merging;
+    merging.angle_threshold = degrees * 1_deg;
+    joinOverGaps (scene.noise, merging, scene.regions);
+    EXPECT_EQ (scene.sizes().at (0) > 12000u, degrees > 0.5) << degrees;
+  }
+}
+
 TEST (RegionEvidence, IsForAPlaneAndAgainstFacetsOfABall)
 {
   const PlaceScene ground (drawnOn ({square_of_ground}, 2_cm, 2_mm));

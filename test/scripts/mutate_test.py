@@ -62,6 +62,31 @@ class Lines(unittest.TestCase):
         self.assertNotEqual(one, other)
         self.assertEqual(len(one), 15)
 
+    def test_of_constants_take_along_what_is_made_of_them(self):
+        self.source.write_text("constexpr double a = constants.b;\nconstexpr double c = 1.0;\n")
+        line = mutate.BrokenLine("constants.h", 1, "  double b = 2.0;", "  double b = BROKEN;")
+        mutate.break_lines(self.source, [line])
+        text = self.source.read_text()
+        self.assertIn("\nconst double a = constants.b;", text)
+        self.assertIn("\nconstexpr double c = 1.0;", text)
+
+    def test_of_constants_are_known_by_their_key(self):
+        self.source.write_text("constexpr double a = 1.0;")
+        line = next(mutate.breakable_lines(self.source))
+        mutate.break_lines(self.source, [line])
+        text = self.source.read_text()
+        self.assertIn("\nconst double a = (", text)
+        self.assertIn(f'PCL_OPS_DOES_NOTHING ("{line.key}")', text)
+
+    def test_of_constants_that_have_to_be_such_are_left_out(self):
+        log = mutate.LOG
+        self.addCleanup(lambda: setattr(mutate, "LOG", log))
+        mutate.LOG = mutate.TREE / "log"
+        mutate.LOG.write_text(
+            "/b/tree/src/a.cpp:7:5: error: 'constants' is not usable in a constant expression\n"
+            "/b/tree/src/c.h:9:1: note: 'constants' was not declared 'constexpr'\n")
+        self.assertEqual(mutate.errors_of_log(), {("c.h", "9")})
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

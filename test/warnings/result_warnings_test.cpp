@@ -95,6 +95,36 @@ TEST (ResultWarnings, SayThatPlanesAreThickerThanThreeNoises)
       << text;
 }
 
+TEST (ResultWarnings, AreNoneOfPlanesAsThickAsThreeNoisesOrAnEighthOfTheirSpacing)
+{
+  // 3025 points on 100 m x 100 m: 1.8 m apart.
+  const auto codes = [] (double rms, double noise) {
+    LabelledPlaneScene hill;
+    hill.add ({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, 3025, rms);
+    hill.planes[0].noise = noise;
+    return hill.codes();
+  };
+  EXPECT_EQ (codes (1.0, 1.0 / 2.7), "");
+  EXPECT_EQ (codes (1.0, 1.0 / 3.3), "thick-planes");
+  EXPECT_EQ (codes (0.2, 0.01), "");
+  EXPECT_EQ (codes (0.26, 0.01), "thick-planes");
+}
+
+TEST (ResultWarnings, TellRmsAndNoiseOfTheLargestThickPlane)
+{
+  LabelledPlaneScene hills;
+  const double heights[] = {0.5, 1.0, 0.7};
+  const std::size_t points[] = {2000, 4000, 3000};
+  for (int hill = 0; hill < 3; ++hill) {
+    hills.add (
+        {{200.0 * hill, 0, 0}, {100, 0, 0}, {0, 100, 0}}, points[hill], heights[hill]);
+    hills.planes.back().noise = 0.1 * heights[hill];
+  }
+  ASSERT_EQ (hills.codes(), "thick-planes");
+  const std::string text = hills.warnings()[0].text;
+  EXPECT_NE (text.find ("noise 0.1 of the largest"), std::string::npos) << text;
+}
+
 TEST (ResultWarnings, NameParametersAsPythonDoes)
 {
   LabelledPlaneScene hill;
@@ -147,6 +177,18 @@ TEST (ResultWarnings, AreNoneOfAModelWhoseSidesAreSmall)
   EXPECT_EQ (plates.codes(), "");
 }
 
+TEST (ResultWarnings, AreNoneOfLevelsWithLessThan5PerCentOfThePointsOnPlanes)
+{
+  const auto with_wall = [] (std::size_t points) {
+    LabelledPlaneScene levels;
+    for (const double depth : {3.0, 3.03, 3.06})
+      levels.add ({{0, 0, depth}, {2, 0, 0}, {0, 2, 0}}, 1200, 0.0);
+    return levels.add ({{0, 0, 5}, {4, 0, 0}, {0, 3, 0}}, points, 2_mm).codes();
+  };
+  EXPECT_EQ (with_wall (60'000), "exact-levels");
+  EXPECT_EQ (with_wall (80'000), "");
+}
+
 TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
 {
   EXPECT_EQ (LabelledPlaneScene()
@@ -154,6 +196,30 @@ TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
                  .add ({{0, 0.2, 0}, {4, 0, 0}, {0, 0, 2.5}}, 1500, 0.0)
                  .codes(),
              "");
+}
+
+TEST (ResultWarnings, AreNoneOfExactPlanesFartherApartThanATenthOfTheirWidth)
+{
+  const auto with_step = [] (double step) {
+    LabelledPlaneScene plates; // of 2 m x 2 m
+    for (const int level : {0, 1, 2})
+      plates.add ({{0, 0, level * step}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
+    return plates.codes();
+  };
+  EXPECT_EQ (with_step (17_cm), "exact-levels");
+  EXPECT_EQ (with_step (23_cm), "");
+}
+
+TEST (ResultWarnings, AreNoneOfExactPlanesBesideEachOther)
+{
+  const auto with_distance = [] (double meters) {
+    LabelledPlaneScene plates; // of 2 m x 2 m, each 3 cm before the next
+    for (const int plate : {0, 1, 2})
+      plates.add ({{plate * meters, 0, 3_cm * plate}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
+    return plates.codes();
+  };
+  EXPECT_EQ (with_distance (1.5), "exact-levels");
+  EXPECT_EQ (with_distance (2.5), "");
 }
 
 TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
@@ -222,6 +288,23 @@ TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
   ASSERT_EQ (room.codes (context), "unassigned-points");
   const std::string text = room.warnings (context)[0].text;
   EXPECT_NE (text.find ("on planes leave out --min-points"), std::string::npos) << text;
+}
+
+TEST (ResultWarnings, AdviseAnotherValueOnlyIfItPuts20PerCentMoreOnPlanes)
+{
+  // 20,000 points: a floor and a wall, another wall on no plane, and a tree.
+  const auto with_wall = [] (std::size_t points) {
+    LabelledPlaneScene garden;
+    garden.add (floor_of_room, 6000, 2_mm).add (wall_of_room, 4000, 2_mm);
+    garden.add ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, points, 2_mm, false);
+    garden.add ({{9, 9, 1}, {1, 0.1, 0}, {-0.1, 1, 0}}, 10'000 - points, 50_cm, false);
+    ResultContext context;
+    context.search = OrientedPointSamplingParameters();
+    context.search->min_points = 1'000'000;
+    return garden.codes (context);
+  };
+  EXPECT_EQ (with_wall (3000), "") << "15 %";
+  EXPECT_EQ (with_wall (5000), "unassigned-points") << "25 %";
 }
 
 TEST (ResultWarnings, AreNoneOfPointsOnNoPlaneThatNoValuePutsOnOne)
@@ -296,6 +379,18 @@ TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
   EXPECT_EQ (room.codes (context), "");
 }
 
+TEST (ResultWarnings, TakeACloudWiderThan1000AlongAllAxesForOneInMillimeters)
+{
+  const auto codes = [] (double height) {
+    return LabelledPlaneScene()
+        .add ({{0, 0, 0}, {4000, 0, 0}, {0, 3000, 0}}, 3000, 2.0)
+        .add ({{0, 3000, 0}, {4000, 0, 0}, {0, 0, height}}, 3000, 2.0)
+        .codes();
+  };
+  EXPECT_EQ (codes (900.0), "");
+  EXPECT_EQ (codes (1200.0), "millimeters");
+}
+
 TEST (ResultWarnings, AreNoneOfASurveyOfAKilometer)
 {
   EXPECT_EQ (LabelledPlaneScene()
@@ -328,6 +423,19 @@ TEST (ResultWarnings, SayThatAWidthOfDegreesHasAHeightOfMeters)
   ResultContext where_no_degrees_are;
   where_no_degrees_are.shift = {512345, 5412345, 0};
   EXPECT_EQ (wall_in_degrees.codes (where_no_degrees_are), "");
+}
+
+TEST (ResultWarnings, TakeLessThanADegreeWith200TimesTheHeightForDegrees)
+{
+  const auto codes = [] (double width, double height) {
+    return LabelledPlaneScene()
+        .add ({{11, 48, 498}, {width, 0.1 * width, 0}, {0, 0, height}}, 3000, 0.0)
+        .codes();
+  };
+  EXPECT_EQ (codes (0.1, 15.0), "");
+  EXPECT_EQ (codes (0.1, 30.0), "degrees");
+  EXPECT_EQ (codes (0.9, 300.0), "degrees");
+  EXPECT_EQ (codes (1.2, 300.0), "");
 }
 
 TEST (ResultWarnings, SayThatPosesAreOfACamera)
@@ -397,6 +505,22 @@ TEST (ResultWarnings, TakeTheLowestLevelOf3PerCentOfThePointsForAFloor)
   };
   EXPECT_EQ (with_level (240), "");
   EXPECT_EQ (with_level (120), "unknown-up");
+}
+
+TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
+{
+  ResultContext context;
+  context.up_knowledge = UpKnowledge::Assumed;
+  context.uses_kinds = true;
+  const auto with_points_below = [&] (std::size_t points) {
+    return LabelledPlaneScene()
+        .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
+        .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, 500, 2_mm)
+        .add ({{-0.1, 0.1, 0.3}, {0.2, 0, 0}, {0, 0.2, 0}}, points, 2_mm, false)
+        .codes (context);
+  };
+  EXPECT_EQ (with_points_below (400), "") << "6 %";
+  EXPECT_EQ (with_points_below (1000), "unknown-up") << "13 %";
 }
 
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene.h"
+#include <pcl_ops/buildings/floor_plan.h>
+
+#include <algorithm>
+#include <vector>
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using namespace pcl_ops;
+
+/** \brief Grids of points on level and upright rectangles, each a plane with a kind. */
+struct Building {
+  pcl::PointCloud<pcl::PointXYZ> cloud = {};
+  std::vector<PlaneSegment> planes = {};
+  std::vector<PlaneKind> kinds = {};
+
+  Building&
+  add (PlaneKind kind, const Vector3d& normal, const std::vector<Vector3d>& points)
+  {
+    pcl::Indices inliers;
+    for (const Vector3d& point : points) {
+      inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+      cloud.push_back (toPoint (point));
+    }
+    planes.push_back (planeOfPoints (cloud, inliers, normal));
+    kinds.push_back (kind);
+    return *this;
+  }
+
+  Building&
+  level (PlaneKind kind, double height, const Vector2d& low, const Vector2d& high)
+  {
+    std::vector<Vector3d> points;
+    for (double x = low.x() + 0.025; x < high.x(); x += 5_cm)
+      for (double y = low.y() + 0.025; y < high.y(); y += 5_cm)
+        points.emplace_back (x, y, height);
+    return add (
+        kind, Vector3d (0.0, 0.0, kind == PlaneKind::Ceiling ? -1.0 : 1.0), points);
+  }
+
+  /** \brief A wall of 2.5 m with its front to the left of the way; without points in
+   * openings, which are given as begin, end, sill and head. */
+  Building&
+  wall (const Vector2d& from,
+        const Vector2d& to,
+        const std::vector<Eigen::Vector4d>& openings = {})
+  {
+    const Vector2d along = (to - from).normalized();
+    std::vector<Vector3d> points;
+    for (double s = 0.025; s < (to - from).norm(); s += 5_cm)
+      for (double z = 0.025; z < 2.5; z += 5_cm)
+        if (std::none_of (openings.begin(), openings.end(), [&] (const auto& hole) {
+              return s > hole[0] && s < hole[1] && z > hole[2] && z < hole[3];
+            }))
+          points.emplace_back (from.x() + s * along.x(), from.y() + s * along.y(), z);
+    return add (PlaneKind::Wall, {-along.y(), along.x(), 0.0}, points);
+  }
+
+  FloorPlan
+  plan (const FloorPlanParameters& parameters = {}) const
+  {
+    return findFloorPlan (cloud, planes, kinds, Vector3d::UnitZ(), parameters);
+  }
+};
+
+inline const Eigen::Vector4d door (1.0, 1.9, 0.0, 2.05), window (1.0, 2.5, 0.9, 2.1);
+
+/** \brief Floor, ceiling and four walls from (0, 0) to (4, 3), the first with a door.
+ */
+inline Building
+roomOf4By3 ()
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  room.level (PlaneKind::Ceiling, 2.5, {0, 0}, {4, 3});
+  room.wall ({0, 0}, {4, 0}, {door}).wall ({4, 0}, {4, 3});
+  room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  return room;
+}
+
+inline std::size_t
+openingsOf (const FloorPlan& plan)
+{
+  std::size_t number = 0;
+  for (const PlanWall& wall : plan.walls)
+    number += wall.openings.size();
+  return number;
+}
