@@ -145,7 +145,7 @@ TEST (JoinOverGaps, LeavesGroundsThatAreTwiceAsFarApartAsTheyAreLong)
     const Surface beyond = {{2.0 + gap, 0, 0}, {2, 0, 0}, {0, 2, 0}};
     PlaceScene scene (drawnOn ({square_of_ground, beyond}, 3_cm, 2_mm));
     joinTouching (scene.places, 1, scene.regions);
-    joinOverGaps (scene.noise, {}, scene.regions);
+    joinOverGaps ({}, scene.regions);
     EXPECT_EQ (scene.sizes().at (0) > 5000u, gap < 2.0) << gap;
   }
 }
@@ -157,7 +157,7 @@ TEST (JoinOverGaps, LeavesAStepOfThreeNoises)
     beyond.corner.z() = step;
     PlaceScene scene (drawnOn ({square_of_ground, beyond}, 3_cm, 2_mm));
     joinTouching (scene.places, 1, scene.regions);
-    joinOverGaps (scene.noise, {}, scene.regions);
+    joinOverGaps ({}, scene.regions);
     EXPECT_EQ (scene.sizes().at (0) > 5000u, step < 4_mm) << step;
   }
 }
@@ -172,7 +172,7 @@ TEST (JoinOverGaps, LeavesGroundsThatLeanByMoreThanTheGivenAngle)
     joinTouching (scene.places, 1, scene.regions);
     pcl_ops::MergingParameters merging;
     merging.angle_threshold = degrees * 1_deg;
-    joinOverGaps (scene.noise, merging, scene.regions);
+    joinOverGaps (merging, scene.regions);
     EXPECT_EQ (scene.sizes().at (0) > 12000u, degrees > 0.5) << degrees;
   }
 }
