@@ -160,6 +160,20 @@ TEST (FloorPlan, HasNoOpeningWhereTheCutPassesOverIt)
   EXPECT_EQ (openingsOf (roomOf4By3().plan (high)), 0u);
 }
 
+TEST (FloorPlan, OfARoomWithACupboardUpToItsWallIsThatOfTheRoom)
+{
+  Building room = roomOf4By3();
+  std::vector<Vector3d> front;
+  for (double y = 0.025; y < 3.0; y += 5_cm)
+    for (double z = 0.025; z < 2.0; z += 5_cm)
+      front.emplace_back (3.38, y, z);
+  room.add (PlaneKind::Wall, {-1.0, 0.0, 0.0}, front);
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_EQ (plan.walls.size(), 4u);
+}
+
 TEST (FloorPlan, HasNoOpeningBehindFurniture)
 {
   Building furnished = roomOf4By3();
