@@ -142,11 +142,12 @@ topOf (const WallFace& face)
   return top;
 }
 
-/** \brief Whether a wall is seen above most of a face before it. */
+/** \brief Whether a wall of the same story is seen above most of a face before it. */
 bool
 isFrontBefore (const WallFace& front, const WallFace& wall)
 {
-  if (front.line.along.dot (wall.line.along) < constants.min_cosine_of_part)
+  if (wall.cut.empty() ||
+      front.line.along.dot (wall.line.along) < constants.min_cosine_of_part)
     return false;
   const Interval whole{front.seen.front().from, front.seen.back().to};
   const double before =
