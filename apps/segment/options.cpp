@@ -54,7 +54,7 @@ const OutputOption output_options[] = {
     {"view", &Outputs::view, {".html"}},
     {"mesh", &Outputs::mesh, {".ply", ".vtk", ".obj"}},
     {"edges", &Outputs::edges, {".ply", ".vtk", ".json", ".dxf", ".geojson", ".gpkg"}},
-    {"plan", &Outputs::plan, {".dxf", ".svg", ".geojson", ".gpkg"}},
+    {"floor-plan", &Outputs::plan, {".dxf", ".svg", ".geojson", ".gpkg"}},
     {"rest", &Outputs::rest, {".pcd", ".ply"}},
     {"planes-dir", &Outputs::planes_dir, {}},
     {"trace", &Outputs::trace, {}}};
@@ -98,10 +98,11 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
       .help ("write the hulls as a mesh: .ply, .vtk or .obj");
   line.add ("edges FILE", outputs.edges)
       .help ("write where planes meet: .ply, .vtk, .dxf, .json, .geojson, .gpkg");
-  line.add ("plan FILE", outputs.plan)
-      .help ("write a floor plan: .dxf, .svg, .geojson or .gpkg");
+  line.add ("floor-plan FILE", outputs.plan)
+      .help ("write a floor plan: .dxf, .svg, .geojson, .gpkg (also --plan)")
+      .onceCalled ("plan");
   line.add ("plan-height M", options.of_plan.cut_height, from (-1000).upTo (1000))
-      .help ("where --plan cuts the walls, over the lowest floor (1.2)");
+      .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
   line.add ("rest FILE", outputs.rest)
       .help ("write the points on no plane: .pcd or .ply");
   line.add ("planes-dir DIR", outputs.planes_dir)
@@ -167,7 +168,7 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
   const std::tuple<std::string, bool, std::string> rows[] = {
       {"hull", has_hulls, "--planes, --view, --mesh and --min-area; give one"},
       {"piece-gap", options.pieces, "--pieces; give it, too"},
-      {"plan-height", !outputs.plan.empty(), "--plan; give it, too"},
+      {"plan-height", !outputs.plan.empty(), "--floor-plan; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
       {"calib", !options.track.poses.empty(), "--poses; give it, too"},
       {"rotation-error", is_tracked, "--track; give it, too"},

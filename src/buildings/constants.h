@@ -179,6 +179,9 @@ struct BuildingConstants {
   double max_unseen = 0.5;
   /** \brief Else it is between the sides of a wall. */
   double min_room_width = 0.35;
+  /** \brief Points of floors and ceilings between the sides of a wall, as a share of
+   * those elsewhere: what noise moves there. */
+  double max_cover_within_wall = 0.5;
   double min_hole_area = 0.02;
   double margin_of_plan = 0.5;
   /** \brief Cells grow with the square of walls. */

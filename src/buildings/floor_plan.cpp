@@ -243,6 +243,18 @@ coverAt (const std::vector<Seen>& planes, double floor, double height)
   return cover;
 }
 
+/** \brief Has fronts and sides of furniture be no walls, however large: the ceiling
+ * goes on over them. */
+void
+denyFurniture (const Cover& cover, std::vector<Seen>& planes)
+{
+  const RoomSides ceilings ({&cover.ceiling});
+  for (Seen& plane : planes)
+    if (plane.kind == PlaneKind::Wall &&
+        ceilings.goOnOver (plane.normal.head<2>().normalized(), plane.points))
+      plane.kind = PlaneKind::Other;
+}
+
 /** \brief Turns the walls to the rooms whose floors and ceilings end at them. */
 void
 turnToRooms (const Cover& cover, std::vector<Seen>& planes)
@@ -409,10 +421,11 @@ findFloorPlan (const CloudView& cloud,
   plan.height = lowest + parameters.cut_height;
   plan.floor = floorBelow (seen, plan.height, lowest);
   const Cover cover = coverAt (seen, plan.floor, plan.height);
+  denyFurniture (cover, seen);
   turnToRooms (cover, seen);
-  const std::vector<WallFace> faces =
-      withoutRecesses (joinFaces (facesOf (seen, plan.height, isSeenWall)),
-                       facesOf (seen, plan.height, isUpright));
+  const std::vector<WallFace> faces = withoutRecesses (
+      withoutFurniture (joinFaces (facesOf (seen, plan.height, isSeenWall))),
+      facesOf (seen, plan.height, isUpright));
   std::vector<WallSpan> spans = spansOf (faces, parameters);
   addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
   plan.walls = toWalls (faces, spans, plan.floor, plan.height);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -37,28 +38,44 @@ densityOf (const PlanPoints& points, const Eigen::AlignedBox2d& box)
   return inside / static_cast<double> (meters.size());
 }
 
-/** \brief Which squares of a grid have points. */
+/** \brief How many points squares of a grid have. */
 class CoveredSquares {
 public:
-  CoveredSquares (const PlanPoints& points, const Eigen::AlignedBox2d& box)
+  /** \param[in] edge of a square, larger where there would be too many */
+  CoveredSquares (const PlanPoints& points, const Eigen::AlignedBox2d& box, double edge)
   {
     const Vector2d sizes = box.sizes();
-    edge_ = std::max (
-        {constants.min_edge_of_cover,
-         std::sqrt (sizes.x() * sizes.y() / constants.max_cover_squares),
-         std::sqrt (constants.points_of_cover_square / densityOf (points, box))});
+    edge_ = std::max (edge,
+                      std::sqrt (sizes.x() * sizes.y() / constants.max_cover_squares));
     low_ = box.min();
     columns_ = static_cast<std::size_t> (sizes.x() / edge_) + 1;
     rows_ = static_cast<std::size_t> (sizes.y() / edge_) + 1;
-    has_points_.assign (columns_ * rows_, 0);
+    points_.assign (columns_ * rows_, 0);
     for (const Eigen::Vector3d& point : points)
       if (box.contains (point.head<2>().eval()))
-        has_points_[squareAt (point.head<2>())] = 1;
+        ++points_[squareAt (point.head<2>())];
   }
 
   /** \brief How much of a convex cell has points, 0 to 1. */
   double
   shareOf (const PlanCell& cell) const
+  {
+    return meanOf (cell, [] (std::uint32_t points) { return points > 0 ? 1.0 : 0.0; });
+  }
+
+  /** \brief Points on a square meter of a convex cell. */
+  double
+  densityOf (const PlanCell& cell) const
+  {
+    return meanOf (cell, [this] (std::uint32_t points) {
+      return static_cast<double> (points) / (edge_ * edge_);
+    });
+  }
+
+private:
+  template <typename Value>
+  double
+  meanOf (const PlanCell& cell, const Value& valueOf) const
   {
     Eigen::AlignedBox2d box;
     Vector2d middle = Vector2d::Zero();
@@ -72,10 +89,10 @@ public:
     const int columns = std::clamp (static_cast<int> (wanted.x()), 1, max_samples);
     const int rows = std::clamp (static_cast<int> (wanted.y()), 1, max_samples);
     int all = 0;
-    int covered = 0;
+    double sum = 0.0;
     const auto ask = [&] (const Vector2d& place) {
       ++all;
-      covered += has_points_[squareAt (place)];
+      sum += valueOf (points_[squareAt (place)]);
     };
     for (int i = 0; i < columns; ++i)
       for (int j = 0; j < rows; ++j) {
@@ -87,10 +104,9 @@ public:
       }
     if (all == 0)
       ask (middle);
-    return static_cast<double> (covered) / all;
+    return sum / all;
   }
 
-private:
   static bool
   isWithin (const PlanCell& cell, const Vector2d& place)
   {
@@ -114,7 +130,7 @@ private:
   double edge_;
   Vector2d low_;
   std::size_t columns_, rows_;
-  std::vector<char> has_points_;
+  std::vector<std::uint32_t> points_;
 };
 
 /** \brief The cells of each room: sets that no wall divides. */
@@ -429,10 +445,41 @@ evidenceOfCell (const PlanCell& cell,
   return {share * area, (1.0 - share) * area, outline.rim};
 }
 
+/** \brief Whether a cell is as narrow as walls are thick, and behind the walls on the
+ * lines of its long sides. */
+bool
+isWithinWall (const PlanCell& cell, const DividedPlan& plan)
+{
+  const double length = borderOfCell (cell, plan).length;
+  if (2.0 * areaOf (cell.corners) > constants.min_room_width * length)
+    return false;
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& corner : cell.corners)
+    middle += corner / static_cast<double> (cell.corners.size());
+  std::size_t behind = 0;
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+    const Side side = sideOf (cell, i);
+    if (4.0 * (side.to - side.from).norm() < length)
+      continue; // an end of it
+    const bool is_behind =
+        side.line != no_line && plan.faces[side.line].line.distance (middle) < 0.0;
+    ++(is_behind ? behind : before);
+  }
+  return behind == 2 && before == 0;
+}
+
 /** \brief Which cells are in rooms, by what covers them and where walls are. */
 std::vector<char>
-cellsInRooms (const DividedPlan& plan, const CoveredSquares& squares)
+cellsInRooms (const DividedPlan& plan,
+              const PlanPoints& cover,
+              const Eigen::AlignedBox2d& box)
 {
+  const CoveredSquares squares (
+      cover,
+      box,
+      std::max (constants.min_edge_of_cover,
+                std::sqrt (constants.points_of_cover_square / densityOf (cover, box))));
   std::vector<CellEvidence> evidence;
   for (const PlanCell& cell : plan.cells)
     evidence.push_back (evidenceOfCell (cell, plan, squares));
@@ -444,6 +491,21 @@ cellsInRooms (const DividedPlan& plan, const CoveredSquares& squares)
         {first, second, std::max (0.0, (side.to - side.from).norm() - walled)});
   }
   return cellsInside (evidence, borders);
+}
+
+/** \brief Has no room go through a wall where neither of its sides was seen, as at a
+ * door beside a piece that is missing: floors and ceilings end there all the same. */
+void
+leaveOutCellsWithinWalls (const PlanPoints& cover,
+                          const Eigen::AlignedBox2d& box,
+                          DividedPlan& plan)
+{
+  const CoveredSquares squares (cover, box, constants.edge_of_side_square);
+  const double most = constants.max_cover_within_wall * densityOf (cover, box);
+  for (std::size_t i = 0; i < plan.cells.size(); ++i)
+    if (plan.is_inside[i] && isWithinWall (plan.cells[i], plan) &&
+        squares.densityOf (plan.cells[i]) < most)
+      plan.is_inside[i] = 0;
 }
 
 /** \brief Cells that no wall divides are of one room. */
@@ -540,8 +602,8 @@ roomsOf (const std::vector<WallFace>& faces,
   DividedPlan plan{faces, wallsOnLines (faces.size(), spans), {}, {}};
   const Eigen::AlignedBox2d box = boxAround (faces, spans);
   plan.cells = cellsBetween (faces, plan.walls, box);
-  const CoveredSquares squares (cover.points, box);
-  plan.is_inside = cellsInRooms (plan, squares);
+  plan.is_inside = cellsInRooms (plan, cover.points, box);
+  leaveOutCellsWithinWalls (cover.points, box, plan);
   CellSets sets = joinCells (plan);
   std::vector<PlanRoom> rooms;
   for (const auto& [root, joined] : outlinesOf (plan, sets)) {

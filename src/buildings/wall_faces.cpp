@@ -132,6 +132,39 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
          shareBefore (leaf, wall) <= constants.max_share_before_leaf;
 }
 
+/** \brief The height of the highest point. */
+double
+topOf (const WallFace& face)
+{
+  double top = face.points.front().y();
+  for (const Eigen::Vector2d& point : face.points)
+    top = std::max (top, point.y());
+  return top;
+}
+
+/** \brief Whether a wall of the same story is seen above most of a face before it. */
+bool
+isFrontBefore (const WallFace& front, const WallFace& wall)
+{
+  if (wall.cut.empty() ||
+      front.line.along.dot (wall.line.along) < constants.min_cosine_of_part)
+    return false;
+  const Interval whole{front.seen.front().from, front.seen.back().to};
+  const double before =
+      wall.line.distance (front.line.at (0.5 * (whole.from + whole.to)));
+  if (before < constants.min_before_wall || before > constants.max_before_wall)
+    return false;
+  const double low = topOf (front) + constants.same_level;
+  std::vector<double> above;
+  for (const Eigen::Vector2d& point : wall.points)
+    if (point.y() > low)
+      above.push_back (point.x());
+  const Interval there{wall.line.place (front.line.at (whole.from)),
+                       wall.line.place (front.line.at (whole.to))};
+  const double gap = std::max (constants.max_closed_gap, wall.spacing);
+  return 2.0 * lengthWithin (there, intervalsOf (above, gap)) > there.length();
+}
+
 } // namespace
 
 WallFace
@@ -192,6 +225,18 @@ joinFaces (std::vector<WallFace> faces)
     return a.planes < b.planes;
   });
   return joined;
+}
+
+std::vector<WallFace>
+withoutFurniture (const std::vector<WallFace>& faces)
+{
+  std::vector<WallFace> kept;
+  for (const WallFace& face : faces)
+    if (std::none_of (faces.begin(), faces.end(), [&face] (const WallFace& wall) {
+          return isFrontBefore (face, wall);
+        }))
+      kept.push_back (face);
+  return kept;
 }
 
 std::vector<WallFace>

@@ -70,6 +70,11 @@ faceOf (const Eigen::Vector3d& normal,
 std::vector<WallFace>
 joinFaces (std::vector<WallFace> faces);
 
+/** \brief Leaves out fronts of furniture: faces that stand before another one that
+ * faces the same way, and is seen above most of them. */
+std::vector<WallFace>
+withoutFurniture (const std::vector<WallFace>& faces);
+
 /** \brief Leaves out leaves and panes: faces that lie, set back, in the gaps of larger
  * ones that face the same way. Walls have gaps where such ones are seen at the height
  * of the cut, even where furniture before a gap touches the wall.

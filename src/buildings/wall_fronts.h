@@ -21,12 +21,21 @@ public:
   bool
   areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
-private:
+  /** \brief Whether they go on, from one side to the other, over what ends below them:
+   * that is furniture, as a wall ends at its ceiling and the ceiling at the wall. */
   bool
-  has (const Eigen::Vector2d& place) const;
+  goOnOver (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
-  /** \brief Those with points, sorted. */
-  std::vector<std::pair<long, long>> squares_;
+private:
+  using Square = std::pair<long, long>;
+
+  /** \brief How many squares beside a wall have points above a height: before it, and
+   * behind it. */
+  std::pair<std::size_t, std::size_t>
+  countBeside (const Eigen::Vector2d& front, const PlanPoints& wall, double low) const;
+
+  /** \brief Those with points, sorted, with the height of the highest. */
+  std::vector<std::pair<Square, double>> squares_;
 };
 
 } // namespace pcl_ops::internal::buildings

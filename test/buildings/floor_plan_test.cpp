@@ -76,6 +76,20 @@ TEST (FloorPlan, HasNoOpeningWhereTheCutPassesOverIt)
   EXPECT_EQ (openingsOf (roomOf4By3().plan (high)), 0u);
 }
 
+TEST (FloorPlan, OfARoomWithACupboardUpToItsWallIsThatOfTheRoom)
+{
+  Building room = roomOf4By3();
+  std::vector<Vector3d> front;
+  for (double y = 0.025; y < 3.0; y += 5_cm)
+    for (double z = 0.025; z < 2.0; z += 5_cm)
+      front.emplace_back (3.38, y, z);
+  room.add (PlaneKind::Wall, {-1.0, 0.0, 0.0}, front);
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_EQ (plan.walls.size(), 4u);
+}
+
 TEST (FloorPlan, HasNoOpeningBehindFurniture)
 {
   Building furnished = roomOf4By3();
@@ -223,6 +237,39 @@ TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
       ++thick;
     }
   EXPECT_EQ (thick, 2u);
+}
+
+/** \brief Two rooms of 4 m by 3 m beside each other, of whose common wall, 20 cm thick,
+ * 1.2 m were seen from both sides; the rest is missing. */
+Building
+twoRoomsWithAPieceOfWall ()
+{
+  Building flat;
+  for (const double x : {0.0, 4.2}) {
+    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
+    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
+  }
+  flat.wall ({8.2, 0}, {8.2, 3}).wall ({0, 3}, {0, 0});
+  flat.wall ({4, 0}, {4, 1.2}).wall ({4.2, 1.2}, {4.2, 0});
+  return flat;
+}
+
+TEST (FloorPlan, DividesTwoRoomsWhoseFloorsEndAtAWallThatWasNotSeen)
+{
+  const FloorPlan plan = twoRoomsWithAPieceOfWall().plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_NEAR (plan.rooms[1].area, 12.0, 0.01);
+}
+
+TEST (FloorPlan, HasOneRoomWhereTheFloorGoesOnBesideAPieceOfWall)
+{
+  Building flat = twoRoomsWithAPieceOfWall();
+  flat.level (PlaneKind::Floor, 0.0, {4, 1.2}, {4.2, 3});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  // With what is in the piece of wall, as no other wall ends there.
+  EXPECT_NEAR (plan.rooms[0].area, 8.2 * 3.0, 0.01);
 }
 
 TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)

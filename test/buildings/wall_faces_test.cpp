@@ -55,6 +55,26 @@ TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
   EXPECT_NEAR (length, 3_m, 5_cm);
 }
 
+TEST (WallFaces, OfFurnitureStandBeforeAWallThatIsSeenAboveThem)
+{
+  const auto kept = [] (double distance, double top, double side, double low = 0.0) {
+    PlanPoints of_front; // up to 2 m
+    addUpright (distance, 1_m, 2_m, of_front);
+    PlanPoints of_wall;
+    for (double x = 0.0; x < 4.0; x += 5_cm)
+      for (double z = low + 0.025; z < top; z += 5_cm)
+        of_wall.emplace_back (x, 0.0, z);
+    return withoutFurniture ({faceOf ({0, 1, 0}, of_wall, 0, 1.2),
+                              faceOf ({0, side, 0}, of_front, 1, 1.2)})
+        .size();
+  };
+  EXPECT_EQ (kept (0.4, 2.5, 1.0), 1u);
+  EXPECT_EQ (kept (0.4, 2.0, 1.0), 2u) << "the wall is as low";
+  EXPECT_EQ (kept (1.5, 2.5, 1.0), 2u) << "no furniture is so deep";
+  EXPECT_EQ (kept (0.4, 2.5, -1.0), 2u) << "the side of another room";
+  EXPECT_EQ (kept (0.4, 5.0, 1.0, 2.8), 2u) << "a wall of the next story";
+}
+
 TEST (WallFaces, OfNoPointsAreNone)
 {
   PlanPoints points;

@@ -32,7 +32,32 @@ isFloorBehind (double before, double behind)
   return RoomSides ({&level}).areBehind ({0.0, 1.0}, wall);
 }
 
+/** \brief Whether a ceiling of 2.5 m, on one side of the x axis or on both, goes on
+ * over what stands along 4 m of this axis, so high. */
+bool
+goesOnOver (double height, const std::vector<double>& sides)
+{
+  PlanPoints ceiling;
+  for (const double side : sides)
+    addFloor (side, 4_m, ceiling);
+  for (Eigen::Vector3d& point : ceiling)
+    point.z() = 2.5_m;
+  PlanPoints front;
+  for (double x = 0.025; x < 4.0; x += 5_cm)
+    for (double z = 0.025; z < height; z += 5_cm)
+      front.emplace_back (x, 0.0, z);
+  return RoomSides ({&ceiling}).goOnOver ({0.0, 1.0}, front);
+}
+
 } // namespace
+
+TEST (WallFronts, OfFurnitureHaveACeilingThatGoesOnOverThem)
+{
+  EXPECT_TRUE (goesOnOver (2_m, {1.0, -1.0})) << "a cupboard";
+  EXPECT_FALSE (goesOnOver (2.4_m, {1.0, -1.0})) << "up to the ceiling";
+  EXPECT_FALSE (goesOnOver (2_m, {1.0})) << "the ceiling ends at it";
+  EXPECT_FALSE (goesOnOver (2_m, {})) << "no ceiling was seen";
+}
 
 TEST (WallFronts, AreTurnedWhereFloorsAreBehindTheWallAlone)
 {

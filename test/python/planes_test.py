@@ -168,6 +168,27 @@ class Planes(unittest.TestCase):
             with self.assertRaises(ValueError):
                 pcl_ops.floor_plan(planes, **wrong)
 
+    def test_of_a_building_are_a_module_with_the_same_calls(self):
+        buildings = pcl_ops.buildings
+        self.assertEqual(buildings.kinds(planes, up=(0, 0, 2)), ["floor", "wall", "wall"])
+        self.assertIs(buildings.floor_plan, pcl_ops.floor_plan)
+        self.assertIs(buildings.regularize_planes, pcl_ops.regularize_planes)
+        for name in buildings.__all__:
+            self.assertTrue(getattr(buildings, name).__doc__, name)
+
+    def test_of_two_rooms_make_these_by_falling_area(self):
+        def box(x, width):
+            return [*(surface((x, 0, z), (width, 0, 0), (0, 3, 0), 9000) for z in (0, 2.5)),
+                    *(surface((x, y, 0), (width, 0, 0), (0, 0, 2.5), 8000) for y in (0, 3)),
+                    *(surface((at, 0, 0), (0, 3, 0), (0, 0, 2.5), 7000) for at in (x, x + width))]
+        found = pcl_ops.segment(np.vstack([*box(0, 3), *box(3.2, 4)]))[1]
+        large, small = pcl_ops.buildings.rooms(found)
+        self.assertAlmostEqual(large.area, 12.0, delta=0.1)
+        self.assertAlmostEqual(small.area, 9.0, delta=0.1)
+        self.assertEqual(len(pcl_ops.buildings.rooms(found, min_room=10.0)), 1)
+        with self.assertRaises(ValueError):
+            pcl_ops.buildings.rooms(found, meter=0.0)
+
     def test_are_regularized_to_exact_angles(self):
         exact, moves = pcl_ops.regularize_planes(planes)
         for one, other in ((0, 1), (0, 2), (1, 2)):

@@ -120,7 +120,7 @@ class Warnings(unittest.TestCase):
         # A camera that looks along z at a wall and at something that leans on it.
         ahead = np.vstack([surface((-2, -1, 4), (4, 0, 0), (0, 2.5, 0), 10000),
                            surface((-2, -1, 2), (1.5, 0, 2), (0, 2.5, 0), 5000)])
-        for asked in (lambda found: found.kind, pcl_ops.floor_plan,
+        for asked in (lambda found: found.kind, pcl_ops.floor_plan, pcl_ops.buildings.rooms,
                       lambda found: pcl_ops.filter_planes(found, kind="wall")):
             found = self.doubts(lambda: pcl_ops.segment(ahead))[1][1]
             self.assertEqual(self.doubts(lambda: asked(found))[0][:1], ["unknown-up"])

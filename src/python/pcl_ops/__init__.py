@@ -7,6 +7,7 @@
 Lengths are in the unit of the points, angles in radians.
 """
 
+from . import buildings as buildings
 from ._arguments import camera_up
 from ._clouds import Cloud, from_message, read, write
 from ._look import write_html

@@ -490,21 +490,10 @@ class FloorPlan(NamedTuple):
     """Of the floor, and of the cut."""
 
 
-@named_parameters("floor_plan")
-def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) -> FloorPlan:
-    """Draw the floor plan of the planes of a room, or of several: walls, openings, rooms.
-
-    planes: all Plane of one array, as segment gives them. Their kind says what makes the plan.
-    up: vector against gravity.
-    cut_height: where walls are cut, over the lowest floor.
-    min_opening, max_opening: lengths of gaps that are openings.
-    max_snap: how far ends of walls are moved to the wall they meet.
-    min_room: area of the smallest room.
-    meter: the length of a meter in the unit of the planes, 1000 of millimeters; all other
-        lengths here, and the plan, are in meters.
-    """
+def draw_floor_plan(planes: Planes, up: Vector, parameters: Dict[str, Any]) -> FloorPlan:
+    """The plan; warnings name the line that called the caller."""
     if isinstance(planes, FoundPlanes):
-        planes._warn_of_kinds(3)
+        planes._warn_of_kinds(4)
     planes = plane_list("planes", planes)
     axis = place("up", up)
     if not axis.any():
@@ -519,12 +508,28 @@ def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) 
         context.has_meter = meter != 1.0
         context.set_plan(0, kinds.count("wall"), "floor" in kinds)
         python_warnings.warn(
-            ResultWarning(*_pcl_ops.warnings(single, origin, [], context)[0]), stacklevel=2)
+            ResultWarning(*_pcl_ops.warnings(single, origin, [], context)[0]), stacklevel=3)
     return FloorPlan(
         [PlanWall(start, end, thickness, [PlanOpening(*one) for one in openings], tuple(numbers))
          for start, end, thickness, openings, numbers in walls],
         [PlanRoom([np.reshape(ring, (-1, 2)) for ring in rings], *rest) for rings, *rest in rooms],
         floor, height)
+
+
+@named_parameters("floor_plan")
+def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) -> FloorPlan:
+    """Draw the floor plan of the planes of a room, or of several: walls, openings, rooms.
+
+    planes: all Plane of one array, as segment gives them. Their kind says what makes the plan.
+    up: vector against gravity.
+    cut_height: where walls are cut, over the lowest floor.
+    min_opening, max_opening: lengths of gaps that are openings.
+    max_snap: how far ends of walls are moved to the wall they meet.
+    min_room: area of the smallest room.
+    meter: the length of a meter in the unit of the planes, 1000 of millimeters; all other
+        lengths here, and the plan, are in meters.
+    """
+    return draw_floor_plan(planes, up, parameters)
 
 
 @named_parameters("estimate_up_axis")

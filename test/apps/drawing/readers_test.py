@@ -59,7 +59,7 @@ class Readers(unittest.TestCase):
         for names in (("plan.dxf", "edges.dxf", "map.geojson", "mesh.obj"),
                       ("plan.geojson", "edges.geojson"), ("plan.svg",)):
             outputs = [part for name in names for part in (
-                {"map.": "--planes", "plan": "--plan", "edge": "--edges", "mesh": "--mesh"}[name[:4]],
+                {"map.": "--planes", "plan": "--floor-plan", "edge": "--edges", "mesh": "--mesh"}[name[:4]],
                 name)]
             output_of(cls.folder, PROGRAMS / "pcl_ops_segment", "room.pcd", "--quiet", *outputs)
 
@@ -141,7 +141,7 @@ class Readers(unittest.TestCase):
     def test_gdal_reads_geopackages_as_it_reads_geojson(self):
         done = subprocess.run(
             [PROGRAMS / "pcl_ops_segment", "room.pcd", "--quiet", "--planes", "map.gpkg",
-             "--edges", "edges.gpkg", "--plan", "plan.gpkg", "--crs", "EPSG:25832"],
+             "--edges", "edges.gpkg", "--floor-plan", "plan.gpkg", "--crs", "EPSG:25832"],
             cwd=self.folder, text=True, stderr=subprocess.PIPE)
         if "libsqlite3-dev" in done.stderr:
             self.skipTest("built without SQLite")
