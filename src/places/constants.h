@@ -7,8 +7,8 @@
 namespace pcl_ops::internal {
 
 /** \brief Every number that the engine on neighborhoods was tuned with, on two clouds
- * of each set of scripts/accuracy; src/doc/decisions.md says what was tried. They have
- * not been halved and doubled one by one. */
+ * of each set of scripts/accuracy; src/doc/decisions.md says what was tried, and
+ * src/doc/places.csv what each is for: the sets with it halved and doubled. */
 struct PlaceConstants {
   // The neighborhoods of places.
   /** \brief Nearest points of a place, itself included: so many times (points /
