@@ -17,7 +17,7 @@ namespace {
 constexpr int no_level = -1;
 
 bool
-isExact (const Support& support)
+isExactSupport (const Support& support)
 {
   return !(support.scatter > place_constants.max_exact * support.width);
 }
@@ -55,7 +55,7 @@ growthOf (const Places& places, const std::vector<int>& level_support)
   std::vector<std::vector<float>> growth (levels);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const int level = level_support[i];
-    if (level == no_level || isExact (places.supports[level][i]))
+    if (level == no_level || isExactSupport (places.supports[level][i]))
       continue;
     for (std::size_t l = 0; l < levels; ++l)
       growth[l].push_back (static_cast<int> (l) < level
@@ -133,7 +133,7 @@ tellsNoise (const Places& places, std::size_t place, std::size_t levels)
 {
   for (std::size_t l = 0; l < levels; ++l)
     if (places.supports[l][place].is_flat)
-      return !isExact (places.supports[l][place]);
+      return !isExactSupport (places.supports[l][place]);
   return false;
 }
 
