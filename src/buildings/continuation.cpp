@@ -128,4 +128,21 @@ isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all
   return 2 * (flush + below) > at_steps;
 }
 
+bool
+isLowest (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
+{
+  const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
+  const std::vector<Vector3d> outline = placesAlong (plane.hull);
+  const auto isAbove = [&] (const Vector3d& corner) {
+    const Vector3d place = 0.5 * (plane.center + corner);
+    return std::any_of (
+        neighbors.begin(), neighbors.end(), [&] (const PlaneFromAbove& other) {
+          return distanceToOutline (other.hull, place.head<2>()) == 0.0 &&
+                 place.z() - heightAt (other, place) >= constants.headroom;
+        });
+  };
+  const auto above = std::count_if (outline.begin(), outline.end(), isAbove);
+  return 2 * static_cast<std::size_t> (above) < outline.size();
+}
+
 } // namespace pcl_ops::internal::buildings

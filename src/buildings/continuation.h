@@ -24,4 +24,8 @@ struct PlaneFromAbove {
 bool
 isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
 
+/** \brief Whether no other plane lies below most of a plane, as below the ground. */
+bool
+isLowest (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
+
 } // namespace pcl_ops::internal::buildings

@@ -372,6 +372,42 @@ planesFromAbove (const Scene& scene,
   return planes;
 }
 
+/** \brief Whether a vertical plane comes down from a level, as walls do from a ceiling.
+ */
+bool
+hasWallsBelow (const PlaneShape& level, const std::vector<PlaneShape>& shapes)
+{
+  const double reach = 0.5 * std::hypot (level.length, level.width);
+  return std::any_of (shapes.begin(), shapes.end(), [&] (const PlaneShape& wall) {
+    return wall.orientation == Orientation::Vertical &&
+           std::abs (wall.high - level.middle) <= constants.max_gap_above_wall &&
+           wall.low <= level.middle - constants.headroom &&
+           (wall.center - level.center).norm() <= reach;
+  });
+}
+
+/** \brief Has the ground be no ceiling and no slab at any height, as a field on a hill
+ * is far above another one: a floor, or other where it has a relief. */
+void
+nameGround (const std::vector<PlaneSegment>& planes,
+            const Scene& scene,
+            const std::vector<PlaneFromAbove>& from_above,
+            double meter,
+            std::vector<PlaneKind>& kinds)
+{
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const PlaneShape& shape = scene.shapes[i];
+    const bool may_be_ground =
+        (kinds[i] == PlaneKind::Ceiling || kinds[i] == PlaneKind::Slab) &&
+        !shape.faces_down && shape.area >= constants.min_ground_area;
+    if (may_be_ground && hasRelief (planes[i], meter))
+      kinds[i] = PlaneKind::Other;
+    else if (may_be_ground && isLowest (from_above[i], from_above) &&
+             !hasWallsBelow (shape, scene.shapes))
+      kinds[i] = PlaneKind::Floor;
+  }
+}
+
 /** \brief Has hillsides be no roofs. Walls keep their names: in depth images they bend
  * by as much; of 20 rooms .17 of the walls were left. */
 void
@@ -486,7 +522,10 @@ planeKinds (const std::vector<PlaneSegment>& planes,
   for (const PlaneShape& shape : shapes)
     kinds.push_back (kindOf (shape, shapes, stories));
   nameParts (shapes, kinds);
-  denyHills (planes, planesFromAbove (scene, extents, meter), meter, kinds);
+  const std::vector<PlaneFromAbove> from_above =
+      planesFromAbove (scene, extents, meter);
+  denyHills (planes, from_above, meter, kinds);
+  nameGround (planes, scene, from_above, meter, kinds);
   return kinds;
 }
 

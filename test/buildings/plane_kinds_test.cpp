@@ -217,6 +217,26 @@ TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
   EXPECT_EQ (terraces.kinds()[5], "other");
 }
 
+TEST (PlaneKinds, OfAFieldFarAboveAnotherOneIsAFloor)
+{
+  Rectangles fields;
+  fields.sensor = {0, 0, 1e3};
+  fields.level (0.0, 60_m, 60_m).level (9.0, 40_m, 60_m, 70.0, 0.0);
+  EXPECT_EQ (fields.lastKind(), "floor") << "nothing is below it";
+  fields.planes.back().moments =
+      Moments::of (1e3,
+                   fields.planes.back().centroid,
+                   0.2 * Vector3d::UnitZ().asDiagonal().toDenseMatrix());
+  EXPECT_EQ (fields.lastKind(), "other") << "a hill, .45 m rough";
+}
+
+TEST (PlaneKinds, OfACeilingWhoseFloorIsOutOfSightIsACeiling)
+{
+  Rectangles hall;
+  hall.level (6.0, 9_m, 9_m).add ({0, 9, 0}, {9, 0, 0}, {0, 0, 6});
+  EXPECT_EQ (hall.kinds(), (Names{"ceiling", "wall"}));
+}
+
 TEST (PlaneKinds, OfASlopeUpFromTheFloorIsARamp)
 {
   EXPECT_EQ (shell().add ({1, 1, 0}, {1.0, 0, 0.3}, {0, 1.2, 0}).lastKind(), "ramp");
@@ -260,9 +280,9 @@ TEST (PlaneKinds, OfWhatLiesBelowTheSensorAreNoCeilings)
 {
   Rectangles street;
   street.sensor = {0, 0, 0};
-  street.level (-4.0, 4_m, 4_m).level (-2.0, 20_m, 20_m, 5.0, 5.0); // a pit, the street
+  street.level (-4.0, 6_m, 6_m, 5.0, 5.0).level (-2.0, 6_m, 6_m, 5.0, 5.0); // a bridge
   EXPECT_EQ (street.kinds().back(), "ceiling") << "the sensor may have been below it";
-  EXPECT_EQ (street.kindsFromSensor().back(), "floor");
+  EXPECT_EQ (street.kindsFromSensor().back(), "roof");
 }
 
 TEST (PlaneKinds, OfAMapDoNotHangOnASensorThatIsNowhereNear)
@@ -303,7 +323,7 @@ TEST (PlaneKinds, OfPartsOfTheGroundAtTwoHeightsAreFloors)
   Rectangles street;
   street.sensor = {0, 0, 2};
   street.level (0.0, 10_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
-  EXPECT_EQ (street.kinds(), (Names{"floor", "slab"}));
+  EXPECT_EQ (street.kinds(), (Names{"floor", "floor"}));
   EXPECT_EQ (street.kindsFromSensor(), (Names{"floor", "floor"}));
 }
 
