@@ -46,13 +46,25 @@ class Example(unittest.TestCase):
                 self.assertGreater(len(colors), 100)
 
     def test_writes_no_picture_that_is_called_as_an_option(self):
-        for one in (script, examples / "noise_picture.py"):
+        for one in (script, examples / "noise_picture.py", examples / "plan_picture.py"):
             with tempfile.TemporaryDirectory() as name:
                 run = subprocess.run([sys.executable, "-B", one, "--help", "room.npy"],
                                      capture_output=True, text=True, cwd=name,
                                      env={**os.environ, "MPLCONFIGDIR": name})
                 self.assertIn("Usage: ", run.stderr)
                 self.assertFalse(list(pathlib.Path(name).glob("*.png")))
+
+    def test_draws_plans_over_points(self):
+        import matplotlib.pyplot as plt
+
+        with tempfile.TemporaryDirectory() as name:
+            pcl_ops.write(pathlib.Path(name) / "room.pcd", room())
+            run = subprocess.run(
+                [sys.executable, "-B", examples / "plan_picture.py", "plan.png", "room.pcd"],
+                check=True, capture_output=True, text=True, cwd=name,
+                env={**os.environ, "MPLCONFIGDIR": name})
+            self.assertRegex(run.stdout, r"^room.pcd: \d+ walls, \d+ rooms\n$")
+            self.assertEqual(plt.imread(pathlib.Path(name) / "plan.png").shape[:2], (375, 450))
 
     def test_draws_the_noise_of_clouds(self):
         import matplotlib.pyplot as plt

@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Floor plans over the points that their walls are cut from, from above.
+import sys
+
+import matplotlib
+import numpy as np
+import pcl_ops
+from pcl_ops import buildings
+
+matplotlib.use("Agg")  # without a display
+import matplotlib.pyplot as plt
+
+CUT = 1.2  # over the lowest floor [m], that of plans
+
+
+def draw_line(axes, start, end, **style):
+    axes.plot([start[0], end[0]], [start[1], end[1]], solid_capstyle="butt", **style)
+
+
+def draw_plan(axes, plan):
+    """Walls black, openings blue, outlines of rooms as thin lines with their area."""
+    for room in plan.rooms:
+        for ring in room.rings:
+            axes.fill(ring[:, 0], ring[:, 1], fc="tab:orange", alpha=0.15)
+            axes.fill(ring[:, 0], ring[:, 1], fill=False, ec="tab:orange", lw=0.8)
+        middle = room.rings[0].mean(axis=0)
+        axes.text(middle[0], middle[1], f"{room.area:.1f} m²", ha="center", fontsize=11)
+    for wall in plan.walls:
+        draw_line(axes, wall.start, wall.end, color="black", lw=2)
+        for opening in wall.openings:
+            draw_line(axes, opening.start, opening.end, color="tab:blue", lw=3)
+
+
+def show_rooms(axes, plan):
+    axes.set(aspect="equal", xticks=[], yticks=[])
+    corners = [corner for room in plan.rooms for ring in room.rings for corner in ring[:, :2]]
+    if corners:
+        low, high = np.min(corners, axis=0) - 0.7, np.max(corners, axis=0) + 0.7
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+
+
+def main():
+    if len(sys.argv) < 3 or sys.argv[1].startswith("-"):
+        sys.exit("Usage: plan_picture.py PICTURE.png CLOUD.pcd [...]")
+    figure, panels = plt.subplots(1, len(sys.argv) - 2, squeeze=False, layout="constrained",
+                                  figsize=(6 * (len(sys.argv) - 2), 5))
+    for axes, file in zip(panels[0], sys.argv[2:]):
+        points = pcl_ops.read(file).points
+        points = points[np.isfinite(points).all(axis=1)]
+        _, planes = pcl_ops.segment(points)
+        plan = buildings.floor_plan(planes)
+        floors = [room.floor for room in plan.rooms if room.floor is not None]
+        over_floor = points[:, 2] - (min(floors) if floors else points[:, 2].min())
+        near = points[np.abs(over_floor - CUT) < 0.3]
+        axes.scatter(near[:, 0], near[:, 1], s=0.5, c="0.6", linewidths=0)
+        draw_plan(axes, plan)
+        show_rooms(axes, plan)
+        print(f"{file}: {len(plan.walls)} walls, {len(plan.rooms)} rooms")
+    figure.savefig(sys.argv[1], dpi=75)
+
+
+main()
