@@ -125,6 +125,28 @@ TEST (Continuation, IsTheSameInEitherOrderOfCorners)
   }
 }
 
+TEST (Continuation, CountsAllSidesAlike)
+{
+  const std::vector<PlaneFromAbove> flush{rectangle (0, -10, 5, 10, 9),
+                                          rectangle (11, 0, 5, 9, 10),
+                                          rectangle (0, 11, 5, 10, 9),
+                                          rectangle (-10, 0, 5, 9, 10)};
+  for (std::size_t side = 0; side < 4; ++side) {
+    std::vector<PlaneFromAbove> one_flush = flush;
+    std::vector<PlaneFromAbove> two_flush = flush;
+    for (std::size_t i = 1; i < 4; ++i) {
+      PlaneFromAbove& ground = one_flush[(side + i) % 4];
+      ground.center.z() = 0.0;
+      for (Vector3d& corner : ground.hull)
+        corner.z() = 0.0;
+      if (i > 1)
+        two_flush[(side + i) % 4] = ground;
+    }
+    EXPECT_FALSE (isSquareContinued (one_flush)) << side;
+    EXPECT_TRUE (isSquareContinued (two_flush)) << side;
+  }
+}
+
 TEST (Lowest, IsWhatHasNoPlaneBelowMostOfIt)
 {
   const auto is_lowest = [] (double width, double depth) {

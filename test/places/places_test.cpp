@@ -47,6 +47,19 @@ TEST (Places, ScatterByTheNoiseAndStandUpright)
   EXPECT_NEAR (sum / static_cast<double> (scene.places.size()), 2e-3, 2e-4);
 }
 
+TEST (Places, OnLevelsScatterByTheVarianceOfTheirStep)
+{
+  // A wall that leans, in steps of 4 cm: most of the nearest points are on one level.
+  Coordinates points = drawnOn ({{{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}}}, 1_cm, 0.0);
+  for (float& z : points.z)
+    z = static_cast<float> (4_cm * std::round (z / 4_cm));
+  const PlaceScene scene (points);
+  std::vector<float> scatter;
+  for (const Support& support : scene.places.supports[0])
+    scatter.push_back (support.scatter);
+  EXPECT_GT (medianOf (scatter), 0.9 * 4_cm / std::sqrt (12.0)) << "the wall leans";
+}
+
 TEST (Places, AreAsDenseAsTheirPoints)
 {
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 0.0));
