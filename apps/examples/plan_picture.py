@@ -34,7 +34,8 @@ def draw_plan(axes, plan):
 
 
 def show_rooms(axes, plan):
-    axes.set(aspect="equal", xticks=[], yticks=[])
+    axes.set_aspect("equal")
+    axes.set_axis_off()
     corners = [corner for room in plan.rooms for ring in room.rings for corner in ring[:, :2]]
     if corners:
         low, high = np.min(corners, axis=0) - 0.7, np.max(corners, axis=0) + 0.7

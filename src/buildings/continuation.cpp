@@ -129,16 +129,19 @@ isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all
 }
 
 bool
-isLowest (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
+isLowest (const PlaneFromAbove& plane,
+          const std::vector<PlaneFromAbove>& all,
+          double min_drop)
 {
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
   const std::vector<Vector3d> outline = placesAlong (plane.hull);
   const auto isAbove = [&] (const Vector3d& corner) {
+    // Halfway in: along its outline a plane may reach over others.
     const Vector3d place = 0.5 * (plane.center + corner);
     return std::any_of (
         neighbors.begin(), neighbors.end(), [&] (const PlaneFromAbove& other) {
           return distanceToOutline (other.hull, place.head<2>()) == 0.0 &&
-                 place.z() - heightAt (other, place) >= constants.headroom;
+                 place.z() - heightAt (other, place) >= min_drop;
         });
   };
   const auto above = std::count_if (outline.begin(), outline.end(), isAbove);

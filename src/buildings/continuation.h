@@ -24,8 +24,12 @@ struct PlaneFromAbove {
 bool
 isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
 
-/** \brief Whether no other plane lies below most of a plane, as below the ground. */
+/** \brief Whether no other plane lies below most of a plane, as below the ground.
+ * \param[in] min_drop what is less far below does not count, as the next field of a
+ * slope [m] */
 bool
-isLowest (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
+isLowest (const PlaneFromAbove& plane,
+          const std::vector<PlaneFromAbove>& all,
+          double min_drop);
 
 } // namespace pcl_ops::internal::buildings

@@ -386,8 +386,21 @@ hasWallsBelow (const PlaneShape& level, const std::vector<PlaneShape>& shapes)
   });
 }
 
-/** \brief Has the ground be no ceiling and no slab at any height, as a field on a hill
- * is far above another one: a floor, or other where it has a relief. */
+/** \brief Whether a level stands on no floor and hangs over none, at any height. */
+bool
+isGround (const PlaneShape& level,
+          PlaneKind kind,
+          const PlaneFromAbove& from_above,
+          const std::vector<PlaneFromAbove>& all,
+          const std::vector<PlaneShape>& shapes)
+{
+  // A platform stands on the floor; a ceiling is over heads.
+  const double min_drop = kind == PlaneKind::Slab ? constants.step : constants.headroom;
+  return isLowest (from_above, all, min_drop) && !hasWallsBelow (level, shapes);
+}
+
+/** \brief Has the ground be no ceiling and no slab, as a field on a hill is far above
+ * another one: a floor, or other where it has a relief. */
 void
 nameGround (const std::vector<PlaneSegment>& planes,
             const Scene& scene,
@@ -397,13 +410,13 @@ nameGround (const std::vector<PlaneSegment>& planes,
 {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const PlaneShape& shape = scene.shapes[i];
-    const bool may_be_ground =
-        (kinds[i] == PlaneKind::Ceiling || kinds[i] == PlaneKind::Slab) &&
-        !shape.faces_down && shape.area >= constants.min_ground_area;
-    if (may_be_ground && hasRelief (planes[i], meter))
+    const bool is_overhead =
+        kinds[i] == PlaneKind::Ceiling || kinds[i] == PlaneKind::Slab;
+    if (!is_overhead || shape.faces_down || shape.area < constants.min_ground_area)
+      continue;
+    if (hasRelief (planes[i], meter))
       kinds[i] = PlaneKind::Other;
-    else if (may_be_ground && isLowest (from_above[i], from_above) &&
-             !hasWallsBelow (shape, scene.shapes))
+    else if (isGround (shape, kinds[i], from_above[i], from_above, scene.shapes))
       kinds[i] = PlaneKind::Floor;
   }
 }

@@ -152,9 +152,9 @@ TEST (Lowest, IsWhatHasNoPlaneBelowMostOfIt)
   const auto is_lowest = [] (double width, double depth) {
     const std::vector<PlaneFromAbove> planes{rectangle (0, 0, 5, 10, 10),
                                              rectangle (0, 0, 5 - depth, width, 10)};
-    return isLowest (planes.front(), planes);
+    return isLowest (planes.front(), planes, 1.9);
   };
   EXPECT_TRUE (is_lowest (4.0, 5.0));
   EXPECT_FALSE (is_lowest (6.0, 5.0));
-  EXPECT_TRUE (is_lowest (6.0, 1.5)) << "there is no room below it";
+  EXPECT_TRUE (is_lowest (6.0, 1.8)) << "less far below than counts";
 }

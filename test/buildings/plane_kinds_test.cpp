@@ -280,9 +280,21 @@ TEST (PlaneKinds, OfWhatLiesBelowTheSensorAreNoCeilings)
 {
   Rectangles street;
   street.sensor = {0, 0, 0};
-  street.level (-4.0, 6_m, 6_m, 5.0, 5.0).level (-2.0, 6_m, 6_m, 5.0, 5.0); // a bridge
-  EXPECT_EQ (street.kinds().back(), "ceiling") << "the sensor may have been below it";
-  EXPECT_EQ (street.kindsFromSensor().back(), "roof");
+  street.level (-4.0, 4_m, 4_m).level (-2.0, 20_m, 20_m, 5.0, 5.0); // a pit, the street
+  EXPECT_EQ (street.kinds().back(), "floor") << "nothing is below it";
+  EXPECT_EQ (street.kindsFromSensor().back(), "floor");
+  Rectangles bridge;
+  bridge.sensor = {0, 0, 0};
+  bridge.level (-4.0, 20_m, 20_m, 5.0, 5.0).level (-2.0, 20_m, 20_m, 5.0, 5.0);
+  EXPECT_EQ (bridge.kinds().back(), "ceiling") << "the sensor may have been below it";
+  EXPECT_NE (bridge.kindsFromSensor().back(), "ceiling");
+}
+
+TEST (PlaneKinds, OfALargePlatformInAHallIsASlab)
+{
+  Rectangles hall;
+  hall.level (0.0, 20_m, 20_m).level (1.2, 10_m, 8_m).level (6.0, 20_m, 20_m);
+  EXPECT_EQ (hall.kinds(), (Names{"floor", "slab", "ceiling"}));
 }
 
 TEST (PlaneKinds, OfAMapDoNotHangOnASensorThatIsNowhereNear)
@@ -325,6 +337,11 @@ TEST (PlaneKinds, OfPartsOfTheGroundAtTwoHeightsAreFloors)
   street.level (0.0, 10_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
   EXPECT_EQ (street.kinds(), (Names{"floor", "floor"}));
   EXPECT_EQ (street.kindsFromSensor(), (Names{"floor", "floor"}));
+  Rectangles ditch; // that goes on below the street
+  ditch.sensor = {0, 0, 2};
+  ditch.level (0.0, 30_m, 10_m).level (1.0, 20_m, 10_m, 10.0, 0.0);
+  EXPECT_EQ (ditch.kinds(), (Names{"floor", "slab"}));
+  EXPECT_EQ (ditch.kindsFromSensor(), (Names{"floor", "floor"}));
 }
 
 TEST (PlaneKinds, OfARoomAreTheSameForASensorThatLeans)

@@ -63,8 +63,9 @@ class Example(unittest.TestCase):
                 [sys.executable, "-B", examples / "plan_picture.py", "plan.png", "room.pcd"],
                 check=True, capture_output=True, text=True, cwd=name,
                 env={**os.environ, "MPLCONFIGDIR": name})
-            self.assertRegex(run.stdout, r"^room.pcd: \d+ walls, \d+ rooms\n$")
-            self.assertEqual(plt.imread(pathlib.Path(name) / "plan.png").shape[:2], (375, 450))
+            self.assertEqual(run.stdout, "room.pcd: 2 walls, 0 rooms\n")
+            picture = plt.imread(pathlib.Path(name) / "plan.png")[..., :3]
+            self.assertGreater((picture.max(axis=2) < 0.1).mean(), 0.001, "walls are black")
 
     def test_draws_the_noise_of_clouds(self):
         import matplotlib.pyplot as plt

@@ -115,6 +115,11 @@ class Planes(unittest.TestCase):
         self.assertEqual(found[0].kind, "floor")
         self.assertEqual(pcl_ops.plane_kinds(found, viewpoint=(0, 0, 0))[0], "floor")
         self.assertEqual(pcl_ops.plane_kinds(found)[0], "floor", "nothing is below it")
+        river = surface((0, 0, -4.5), (9, 0, 0), (0, 9, 0), 20000)
+        bridge = pcl_ops.segment(np.vstack([street, river]))[1]
+        upper = max(range(len(bridge)), key=lambda i: bridge[i].centroid[2])
+        self.assertEqual(pcl_ops.plane_kinds(bridge)[upper], "ceiling", "from where is not known")
+        self.assertNotEqual(pcl_ops.plane_kinds(bridge, viewpoint=(0, 0, 0))[upper], "ceiling")
 
     def test_have_kinds_by_all_planes_of_the_cloud(self):
         self.assertEqual([plane.kind for plane in planes], ["floor", "wall", "wall"])
