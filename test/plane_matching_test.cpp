@@ -82,6 +82,16 @@ TEST (MatchPlanes, MendsAPoseThatIsOffUntilShelvesAreTheRightOnes)
   EXPECT_TRUE (matches.pose.isApprox (error, 0.005)) << matches.pose.matrix();
 }
 
+TEST (MatchPlanes, LetsOnePlaneAloneOfTheCurrentFrameTellWhereAPreviousOneIs)
+{
+  // A mat on the floor, 1 cm thick, that was not there before: the floor is taken.
+  Planes current = corner();
+  current.push_back (board ({0, 3, -0.99}, Vector3d::UnitZ(), {3.5, 3.5}));
+  const PlaneMatches matches = matchPlanes (corner(), current);
+  EXPECT_EQ (matches.previous, (Labels{0, 1, 2, 3, 4, no_plane}));
+  EXPECT_TRUE (matches.pose.isApprox (stays, 1e-6)) << matches.pose.matrix();
+}
+
 TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
 {
   for (const double degrees : {5.0, 10.0, 15.0, 20.0})

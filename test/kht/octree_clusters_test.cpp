@@ -29,6 +29,25 @@ clustersOf (const Coordinates& points, int first_level)
   return findCoplanarClusters (points, parameters);
 }
 
+/** Its points lie in one octree leaf and on the tilted surface. */
+void
+expectPointsOfOneCell (const OctreeClusters& found,
+                       const CoplanarCluster& cluster,
+                       const Coordinates& points)
+{
+  EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), 0.1);
+  const Eigen::Vector3d center = cellCenterOf (found, cluster);
+  constexpr double rounding = 1e-5;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
+    sum += points[found.points[i].index];
+    EXPECT_LE ((found.points[i].position() - center).cwiseAbs().maxCoeff(),
+               cluster.edge / 2.0 + rounding);
+  }
+  EXPECT_EQ (cluster.moments.count, cluster.size());
+  EXPECT_LT ((cluster.fit.centroid - sum / cluster.size()).norm(), 1e-6);
+}
+
 Coordinates
 cornersOfACube ()
 {
@@ -76,21 +95,14 @@ TEST (RootCube, OfOnePointIsThatPoint)
 
 TEST (OctreeClusters, HoldThePointsOfOneCellOnTheirPlane)
 {
-  const Coordinates points = gridsOf ({tilted}, 100, 0.001);
-  const OctreeClusters found = clustersOf (points, 3);
-  ASSERT_GT (found.clusters.size(), 20u);
-  constexpr double rounding = 1e-5;
-  for (const CoplanarCluster& cluster : found.clusters) {
-    EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), 0.02);
-    const Eigen::Vector3d center = cellCenterOf (found, cluster);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-      sum += points[found.points[i].index];
-      EXPECT_LE ((found.points[i].position() - center).cwiseAbs().maxCoeff(),
-                 cluster.edge / 2.0 + rounding);
-    }
-    EXPECT_EQ (cluster.moments.count, cluster.size());
-    EXPECT_LT ((cluster.fit.centroid - sum / cluster.size()).norm(), 1e-6);
+  // Down to level 5 cells are sorted at once, below one by one.
+  const Coordinates points = gridsOf ({tilted}, 400, 0.001);
+  for (const int first_level : {3, 5, 6}) {
+    SCOPED_TRACE (first_level);
+    const OctreeClusters found = clustersOf (points, first_level);
+    ASSERT_GT (found.clusters.size(), 20u);
+    for (const CoplanarCluster& cluster : found.clusters)
+      expectPointsOfOneCell (found, cluster, points);
   }
 }
 
