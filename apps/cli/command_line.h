@@ -2,116 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "errors.h"
+#include "parse_number.h"
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <set>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
-
-/** \brief The numbers an option takes; "above 0 and up to 1" in errors. */
-struct Range {
-  double lowest = -std::numeric_limits<double>::infinity();
-  bool lowest_included = false;
-  double highest = std::numeric_limits<double>::infinity();
-  bool highest_included = false;
-
-  Range
-  upTo (double bound) const
-  {
-    return {lowest, lowest_included, bound, true};
-  }
-  Range
-  below (double bound) const
-  {
-    return {lowest, lowest_included, bound, false};
-  }
-
-  /** \brief False for NaN and the infinities, whatever the bounds. */
-  bool
-  contains (double number) const
-  {
-    return std::isfinite (number) &&
-           (number > lowest || (lowest_included && number == lowest)) &&
-           (number < highest || (highest_included && number == highest));
-  }
-
-  std::string
-  text () const;
-};
-
-inline Range
-above (double bound)
-{
-  return {bound, false};
-}
-
-inline Range
-from (double bound)
-{
-  return {bound, true};
-}
-
-/** \param[in] of_type what the type can be; whole numbers only, where it is such a one
- * \throws UsageError about the option if the text is no number in both ranges */
-double
-parseNumber (const std::string& option,
-             const std::string& text,
-             const Range& range,
-             const Range& of_type,
-             bool is_whole);
-
-template <typename Number>
-Number
-parseNumber (const std::string& option, const std::string& text, const Range& range)
-{
-  using Limits = std::numeric_limits<Number>;
-  const Range from_lowest = from (static_cast<double> (Limits::lowest()));
-  // The largest integer may be no double, the one behind it always is.
-  const Range of_type = Limits::is_integer
-                            ? from_lowest.below (std::ldexp (1.0, Limits::digits))
-                            : from_lowest.upTo (static_cast<double> (Limits::max()));
-  return static_cast<Number> (
-      parseNumber (option, text, range, of_type, Limits::is_integer));
-}
-
-/** \brief The numbers of a text such as "1,2,3".
- * \param[in] problem said of a text with more or fewer, and the fix
- * \throws UsageError of it, or as \ref parseNumber */
-template <typename Number, std::size_t count>
-std::array<Number, count>
-parseNumbers (const std::string& option,
-              const std::string& text,
-              const Range& range,
-              const std::string& problem)
-{
-  std::array<Number, count> numbers{};
-  std::size_t found = 0;
-  std::istringstream parts (text + ",");
-  for (std::string part; std::getline (parts, part, ','); ++found)
-    if (found < count)
-      numbers[found] = parseNumber<Number> (option, part, range);
-  if (found != count)
-    throw UsageError (option, problem);
-  return numbers;
-}
-
-/** \brief A vector "x,y,z" other than zero; else a UsageError. */
-Eigen::Vector3f
-parseDirection (const std::string& option, const std::string& text);
-
-/** \brief The same, or "camera" for up in the optical frame of a level camera. */
-Eigen::Vector3f
-parseUpAxis (const std::string& option, const std::string& text);
 
 using StoreText = std::function<void (const std::string&)>;
 

@@ -8,8 +8,8 @@
 
 #include <boost/format.hpp>
 
-#include <cli/command_line.h>
 #include <cli/errors.h>
+#include <cli/parse_number.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
 #include <simulation/airborne.h>

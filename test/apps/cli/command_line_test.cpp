@@ -6,8 +6,6 @@
 #include <cli/errors.h>
 #include <support/text.h>
 
-#include <cstdint>
-
 using namespace pcl_ops::apps;
 
 namespace {
@@ -93,17 +91,6 @@ TEST (CommandLine, TakesNegativeNumbersAndTheCameraForUp)
 {
   EXPECT_EQ (Detector ({"a", "--up", "-1,0,-0.5"}).up, Eigen::Vector3f (-1, 0, -0.5));
   EXPECT_EQ (Detector ({"a", "--up", "camera"}).up, Eigen::Vector3f (0, -1, 0));
-}
-
-TEST (CommandLine, TakesWholeNumbersUpToTheLargestOfTheirType)
-{
-  EXPECT_EQ (parseNumber<std::size_t> ("n", "9223372036854775808", from (1)),
-             9223372036854775808U);
-  EXPECT_EQ (parseNumber<std::uint32_t> ("n", "4294967295", from (1)),
-             std::numeric_limits<std::uint32_t>::max());
-  EXPECT_EQ (parseNumber<int> ("n", "-2147483648", Range()),
-             std::numeric_limits<int>::lowest());
-  EXPECT_THROW (parseNumber<int> ("n", "2147483648", Range()), UsageError);
 }
 
 TEST (CommandLine, PrintsHelpAndVersion)

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parse_number.h"
+
+#include <boost/format.hpp>
+
+#include <charconv>
+#include <system_error>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+std::string
+shortText (double number)
+{
+  return str (boost::format ("%.10g") % number);
+}
+
+} // namespace
+
+std::string
+Range::text() const
+{
+  const bool has_lowest = std::isfinite (lowest);
+  const bool has_highest = std::isfinite (highest);
+  std::string text = has_lowest || has_highest ? "" : "that is finite";
+  if (has_lowest)
+    text = (lowest_included ? "from " : "above ") + shortText (lowest);
+  if (has_lowest && has_highest)
+    text += lowest_included ? " " : " and ";
+  if (has_highest)
+    text += (highest_included ? "up to " : "below ") + shortText (highest);
+  return text + (has_highest || !lowest_included ? "" : " on");
+}
+
+double
+parseNumber (const std::string& option,
+             const std::string& text,
+             const Range& range,
+             const Range& of_type,
+             bool is_whole)
+{
+  const std::string fix =
+      std::string ("; give a ") + (is_whole ? "whole " : "") + "number " + range.text();
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars (text.data(), end, number);
+  const bool overflows = error == std::errc::result_out_of_range;
+  if (rest != end || error == std::errc::invalid_argument)
+    throw UsageError (option, "'" + text + "' is no number" + fix);
+  if (overflows || !range.contains (number) || !of_type.contains (number))
+    throw UsageError (option, text + " is out of range" + fix);
+  if (is_whole && number != std::floor (number))
+    throw UsageError (option, text + " is not whole" + fix);
+  return number;
+}
+
+Eigen::Vector3f
+parseDirection (const std::string& option, const std::string& text)
+{
+  const auto numbers = parseNumbers<float, 3> (
+      option,
+      text,
+      Range(),
+      "'" + text + "' is not x,y,z; give three numbers, as 0,0,1");
+  const Eigen::Vector3f direction (numbers.data());
+  if (!(direction.norm() > 0.0f))
+    throw UsageError (option, text + " is no direction; give one such as 0,0,1");
+  return direction;
+}
+
+Eigen::Vector3f
+parseUpAxis (const std::string& option, const std::string& text)
+{
+  // The y axis of an optical frame points down.
+  if (text == "camera")
+    return -Eigen::Vector3f::UnitY();
+  return parseDirection (option, text);
+}
+
+} // namespace pcl_ops::apps
