@@ -18,6 +18,7 @@ struct Layer {
   int number_of_color;
   std::string web_color;
   double width;
+  bool is_dashed = false;
 };
 
 /** \brief Corners joined by straight lines. */

@@ -192,16 +192,29 @@ putView (const Eigen::AlignedBox3d& box, DxfText& dxf)
   });
 }
 
+constexpr const char* dashed = "DASHED";
+
 void
 putLineTypes (DxfText& dxf)
 {
-  putTable ("LTYPE", 3, dxf, [&] (const std::string& table) {
+  putTable ("LTYPE", 4, dxf, [&] (const std::string& table) {
     for (const char* const name : {"ByBlock", "ByLayer", "Continuous"})
       putEntry ("LTYPE", "AcDbLinetypeTableRecord", name, table, dxf)
           .put (3, "")
           .put (72, 65)
           .put (73, 0)
           .put (40, 0.0);
+    constexpr double dash = 0.2;
+    constexpr double gap = 0.1; // [m]
+    putEntry ("LTYPE", "AcDbLinetypeTableRecord", dashed, table, dxf)
+        .put (3, "__ __ __")
+        .put (72, 65)
+        .put (73, 2)
+        .put (40, dash + gap)
+        .put (49, dash)
+        .put (74, 0)
+        .put (49, -gap)
+        .put (74, 0);
   });
 }
 
@@ -216,7 +229,7 @@ putLayers (const std::vector<Layer>& layers, DxfText& dxf)
         for (const Layer& layer : all)
           putEntry ("LAYER", "AcDbLayerTableRecord", layer.name, table, dxf)
               .put (62, layer.number_of_color)
-              .put (6, "Continuous")
+              .put (6, layer.is_dashed ? dashed : "Continuous")
               .put (370, std::lround (100.0 * layer.width)); // hundredths of a mm
       });
 }

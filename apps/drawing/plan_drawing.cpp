@@ -18,7 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char *wall_layer = "WALL", *opening_layer = "OPENING",
-                     *room_layer = "ROOM", *text_layer = "TEXT";
+                     *room_layer = "ROOM", *unseen_layer = "UNSEEN",
+                     *text_layer = "TEXT";
 
 constexpr double millimeters_of_meter = 1000.0;
 
@@ -125,9 +126,24 @@ wallFeature (const PlanWall& wall,
                      {"planes", planes}});
 }
 
+/** \brief "1 3", the numbers of the rooms at positions, from 1 on. */
+std::string
+numbersOf (const std::vector<std::size_t>& rooms)
+{
+  std::string numbers;
+  for (const std::size_t room : rooms)
+    numbers += (numbers.empty() ? "" : " ") + std::to_string (room + 1);
+  return numbers;
+}
+
 Json
 openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
 {
+  std::vector<std::size_t> rooms;
+  for (const std::optional<std::size_t>& room :
+       {opening.room_before, opening.room_behind})
+    if (room)
+      rooms.push_back (*room);
   return toFeature (
       "LineString",
       {toCoordinates (opening.from, meter), toCoordinates (opening.to, meter)},
@@ -135,12 +151,30 @@ openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
        {"wall", wall},
        {"length", rounded (opening.width())},
        {"sill", lengthOrNull (opening.sill)},
-       {"head", lengthOrNull (opening.head)}});
+       {"head", lengthOrNull (opening.head)},
+       {"opening", opening.isDoor() ? "door" : "window"},
+       {"rooms", numbersOf (rooms)}});
 }
 
 Json
-roomFeature (const PlanRoom& room, std::size_t number, double meter)
+unseenFeature (const PlanRoom& room, std::size_t number, double meter)
 {
+  Json lines = Json::array();
+  double length = 0.0;
+  for (const auto& [from, to] : room.unseen) {
+    lines.push_back ({toCoordinates (from, meter), toCoordinates (to, meter)});
+    length += (to - from).norm();
+  }
+  return toFeature (
+      "MultiLineString",
+      std::move (lines),
+      {{"layer", unseen_layer}, {"room", number}, {"length", rounded (length)}});
+}
+
+Json
+roomFeature (const FloorPlan& plan, std::size_t position, double meter)
+{
+  const PlanRoom& room = plan.rooms[position];
   constexpr double per_area = 100.0;
   Json rings = Json::array();
   for (const PlanarPoints& ring : room.rings) {
@@ -153,12 +187,13 @@ roomFeature (const PlanRoom& room, std::size_t number, double meter)
   return toFeature ("Polygon",
                     std::move (rings),
                     {{"layer", room_layer},
-                     {"room", number},
+                     {"room", position + 1},
                      {"area", std::round (per_area * room.area) / per_area},
                      {"enclosed", std::round (per_area * room.enclosed) / per_area},
                      {"floor", lengthOrNull (room.floor)},
                      {"ceiling", lengthOrNull (room.ceiling)},
-                     {"height", lengthOrNull (heightOf (room))}});
+                     {"height", lengthOrNull (heightOf (room))},
+                     {"doors_to", numbersOf (plan.roomsBehindDoorsOf (position))}});
 }
 
 } // namespace
@@ -170,6 +205,7 @@ drawingOf (const FloorPlan& plan)
   drawing.layers = {{room_layer, 3, "#7a9a7a", 0.13},
                     {wall_layer, 7, "#000000", 0.5},
                     {opening_layer, 5, "#3060c0", 0.18},
+                    {unseen_layer, 1, "#c03030", 0.25, true},
                     {text_layer, 8, "#404040", 0.18}};
   const double largest_text = largestText (plan);
   for (const PlanRoom& room : plan.rooms) {
@@ -179,6 +215,8 @@ drawingOf (const FloorPlan& plan)
         outline.corners.push_back (inSpace (corner));
       drawing.lines.push_back (std::move (outline));
     }
+    for (const auto& [from, to] : room.unseen)
+      drawing.lines.push_back ({unseen_layer, {inSpace (from), inSpace (to)}});
     addTexts (room, largest_text, drawing);
   }
   for (const PlanWall& wall : plan.walls) {
@@ -204,7 +242,10 @@ planToGeoJson (const FloorPlan& plan,
       features.push_back (openingFeature (opening, i + 1, meter).dump());
   }
   for (std::size_t i = 0; i < plan.rooms.size(); ++i)
-    features.push_back (roomFeature (plan.rooms[i], i + 1, meter).dump());
+    features.push_back (roomFeature (plan, i, meter).dump());
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i)
+    if (!plan.rooms[i].unseen.empty())
+      features.push_back (unseenFeature (plan.rooms[i], i + 1, meter).dump());
   return featureCollection (features, crs);
 }
 

@@ -13,8 +13,9 @@ namespace pcl_ops::apps {
 std::string
 contentOf (const FloorPlan& plan);
 
-/** \brief A plan with layers WALL, OPENING, ROOM and TEXT: parts of walls, their gaps,
- * outlines of rooms, area and height of each room. */
+/** \brief A plan with layers WALL, OPENING, ROOM, UNSEEN and TEXT: parts of walls,
+ * their gaps, outlines of rooms, their parts without a wall (dashed), area and height
+ * of each room. */
 Drawing
 drawingOf (const FloorPlan& plan);
 

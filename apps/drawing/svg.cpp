@@ -131,8 +131,9 @@ toSvg (const Drawing& drawing, const std::string& title)
       << size.y() << "\" font-family=\"sans-serif\">\n<title>" << escaped (title)
       << "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   for (const Layer& layer : drawing.layers) {
-    svg << "<g id=\"" << escaped (layer.name)
-        << "\" fill=\"none\" stroke-linecap=\"square\">\n";
+    svg << "<g id=\"" << escaped (layer.name) << "\" fill=\"none\" "
+        << (layer.is_dashed ? "stroke-dasharray=\"2 1\"" : "stroke-linecap=\"square\"")
+        << ">\n";
     for (const DrawnLine& line : drawing.lines)
       if (line.layer == layer.name)
         putLine (line, layer, paper, svg);

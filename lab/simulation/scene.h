@@ -54,7 +54,8 @@ enum class Purpose : std::uint32_t {
   PlasterScan,
   Slabs,
   PointsOfSlabs,
-  SlabsScan
+  SlabsScan,
+  Storey
 };
 
 inline Random

@@ -145,10 +145,11 @@ struct BuildingConstants {
   /** \brief Sine of 7 degrees, of what may be a leaf. */
   double max_sine_of_upright = 0.12;
   /** \brief Squares of floors and ceilings, how far from a wall these are looked for,
-   * beyond what noise moves and nearer than its other side, and how many tell nothing.
-   */
+   * within which reach, beyond what noise moves and together nearer than the other side
+   * of a wall of 10 cm, and how many tell nothing. */
   double edge_of_side_square = 0.05;
-  double beside_wall = 0.08;
+  double beside_wall = 0.06;
+  double reach_beside_wall = 0.036;
   std::size_t few_side_squares = 3;
 
   // Walls and openings of a plan.
@@ -183,6 +184,14 @@ struct BuildingConstants {
    * those elsewhere: what noise moves there. */
   double max_cover_within_wall = 0.5;
   double min_hole_area = 0.02;
+  /** \brief Shorter parts of an outline without a wall are not worth a line. */
+  double min_unseen_part = 0.05;
+  /** \brief Rooms of an opening: how far from the side of the wall they may begin, and
+   * the step at which they are looked for. */
+  double max_to_room = 0.3;
+  double step_to_room = 0.05;
+  /** \brief The highest sill of a door. */
+  double max_threshold = 0.25;
   double margin_of_plan = 0.5;
   /** \brief Cells grow with the square of walls. */
   std::size_t max_walls = 1'000;

@@ -6,6 +6,7 @@
 #include "constants.h"
 #include "plan_rooms.h"
 #include "plan_walls.h"
+#include "room_graph.h"
 #include "wall_faces.h"
 #include "wall_fronts.h"
 #include <pcl_ops/buildings/floor_plan.h>
@@ -339,6 +340,10 @@ moveBy (const Vector3d& shift, FloorPlan& plan)
     for (PlanarPoints& ring : room.rings)
       for (Eigen::Vector2d& corner : ring)
         corner += level;
+    for (auto& [from, to] : room.unseen) {
+      from += level;
+      to += level;
+    }
     for (std::optional<double>* height : {&room.floor, &room.ceiling})
       if (*height)
         **height += shift.z();
@@ -430,6 +435,7 @@ findFloorPlan (const CloudView& cloud,
   addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
   plan.walls = toWalls (faces, spans, plan.floor, plan.height);
   plan.rooms = roomsOf (faces, spans, cover, parameters.min_room);
+  findRoomsOfOpenings (plan.rooms, plan.walls);
   moveBy (plan.to_plan * shift, plan);
   return plan;
 }

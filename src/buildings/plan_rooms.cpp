@@ -163,14 +163,85 @@ private:
   std::vector<std::size_t> parents_;
 };
 
-/** \brief Where each line has walls. */
-std::vector<Intervals>
-wallsOnLines (std::size_t lines, const std::vector<WallSpan>& spans)
+/** \brief A line that cells end at, and where it has walls. */
+struct CellLine {
+  PlanLine line;
+  Intervals walls = {};
+};
+
+/** \brief Whether a wall on another line passes a place, or ends next to it. */
+bool
+hasWallAt (const CellLine& other, const Vector2d& place)
 {
-  std::vector<Intervals> walls (lines);
-  for (const WallSpan& span : spans)
-    walls[span.face].push_back (span.whole);
-  return walls;
+  constexpr double on_line = 0.01; // [m]
+  const double along = other.line.place (place);
+  return std::abs (other.line.distance (place)) < on_line &&
+         std::any_of (
+             other.walls.begin(), other.walls.end(), [&] (const Interval& wall) {
+               return along > wall.from - constants.margin_of_plan &&
+                      along < wall.to + constants.margin_of_plan;
+             });
+}
+
+/** \brief How far walls go on beyond a place, in a direction [m]. */
+double
+farthestBeyond (const std::vector<CellLine>& lines,
+                const Vector2d& place,
+                const Vector2d& direction)
+{
+  double farthest = 0.0;
+  for (const CellLine& line : lines)
+    for (const Interval& wall : line.walls)
+      for (const double end : {wall.from, wall.to})
+        farthest = std::max (farthest, direction.dot (line.line.at (end) - place));
+  return farthest;
+}
+
+/** \brief Lines across the outermost walls, where these end at no other wall: a room
+ * whose outer wall was not seen ends there, too, and not at the rim. Such lines at ends
+ * within a building, as in Mura et al. 2014, divided real rooms where furniture hides
+ * walls: a room of 49 m^2 had 30. */
+std::vector<CellLine>
+linesAcrossFreeEnds (const std::vector<CellLine>& lines)
+{
+  std::vector<CellLine> across;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (const Interval& wall : lines[i].walls)
+      for (const double at : {wall.from, wall.to}) {
+        const Vector2d end = lines[i].line.at (at);
+        const double outwards = at == wall.from ? -1.0 : 1.0;
+        bool is_free = farthestBeyond (lines, end, outwards * lines[i].line.along) <
+                       constants.max_off_line;
+        for (std::size_t j = 0; j < lines.size(); ++j)
+          is_free = is_free && (i == j || !hasWallAt (lines[j], end));
+        // Both sides of a wall end at one place.
+        for (const CellLine& other : across)
+          is_free = is_free &&
+                    (std::abs (other.line.distance (end)) > constants.max_off_line ||
+                     std::abs (other.line.along.dot (lines[i].line.along)) >
+                         constants.min_sine_of_meeting);
+        if (is_free)
+          across.push_back ({{end, lines[i].line.normal()}});
+      }
+  return across;
+}
+
+/** \brief The lines that divide a plan: those of walls first. */
+std::vector<CellLine>
+cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
+{
+  std::vector<CellLine> lines;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    CellLine line{faces[i].line};
+    for (const WallSpan& span : spans)
+      if (span.face == i)
+        line.walls.push_back (span.whole);
+    if (!line.walls.empty())
+      lines.push_back (std::move (line));
+  }
+  const std::vector<CellLine> across = linesAcrossFreeEnds (lines);
+  lines.insert (lines.end(), across.begin(), across.end());
+  return lines;
 }
 
 struct Side {
@@ -180,16 +251,15 @@ struct Side {
 
 /** \brief How much of a side is a wall [m]. */
 double
-walledLength (const Side& side,
-              const std::vector<WallFace>& faces,
-              const std::vector<Intervals>& walls)
+walledLength (const Side& side, const std::vector<CellLine>& lines)
 {
   if (side.line == no_line)
     return 0.0;
-  const PlanLine& line = faces[side.line].line;
+  const PlanLine& line = lines[side.line].line;
   const double from = line.place (side.from);
   const double to = line.place (side.to);
-  return lengthWithin ({std::min (from, to), std::max (from, to)}, walls[side.line]);
+  return lengthWithin ({std::min (from, to), std::max (from, to)},
+                       lines[side.line].walls);
 }
 
 Side
@@ -285,20 +355,6 @@ ringsOf (const std::vector<Side>& sides)
   return rings;
 }
 
-bool
-isWithin (const PlanarPoints& ring, const Vector2d& place)
-{
-  bool is_within = false;
-  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
-    const Vector2d& a = ring[i];
-    const Vector2d& b = ring[last];
-    if ((a.y() > place.y()) != (b.y() > place.y()) &&
-        place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
-      is_within = !is_within;
-  }
-  return is_within;
-}
-
 /** \brief The center of area of a room, where that is in it. */
 std::optional<Vector2d>
 centerOf (const PlanarRings& rings)
@@ -315,7 +371,7 @@ centerOf (const PlanarRings& rings)
     }
   const Vector2d center = origin + sum / (3.0 * twice_area);
   for (const PlanarPoints& ring : rings)
-    if (isWithin (ring, center) != (&ring == &rings.front()))
+    if (isWithinRing (ring, center) != (&ring == &rings.front()))
       return {};
   return center;
 }
@@ -353,7 +409,7 @@ heightIn (const PlanarPoints& ring, const PlanPoints& points)
     box.extend (corner);
   std::vector<double> heights;
   for (const Eigen::Vector3d& point : points)
-    if (box.contains (point.head<2>().eval()) && isWithin (ring, point.head<2>()))
+    if (box.contains (point.head<2>().eval()) && isWithinRing (ring, point.head<2>()))
       heights.push_back (point.z());
   if (heights.empty())
     return {};
@@ -374,24 +430,18 @@ boxAround (const std::vector<WallFace>& faces, const std::vector<WallSpan>& span
           box.max().array() + constants.margin_of_plan};
 }
 
-/** \brief Lines of faces that have walls; of others the rim's, which cut nothing. */
 std::vector<PlanCell>
-cellsBetween (const std::vector<WallFace>& faces,
-              const std::vector<Intervals>& walls,
-              const Eigen::AlignedBox2d& box)
+cellsBetween (const std::vector<CellLine>& lines, const Eigen::AlignedBox2d& box)
 {
-  std::vector<PlanLine> lines;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    lines.push_back (walls[i].empty()
-                         ? PlanLine{box.min() - Vector2d (1.0, 1.0), Vector2d::UnitX()}
-                         : faces[i].line);
-  return cellsOf (box, lines);
+  std::vector<PlanLine> all;
+  for (const CellLine& line : lines)
+    all.push_back (line.line);
+  return cellsOf (box, all);
 }
 
 /** \brief Walls and the cells that their lines divide a plan into. */
 struct DividedPlan {
-  const std::vector<WallFace>& faces;
-  std::vector<Intervals> walls;
+  std::vector<CellLine> lines;
   std::vector<PlanCell> cells;
   std::vector<char> is_inside; // of each cell
 };
@@ -415,7 +465,7 @@ borderOfCell (const PlanCell& cell, const DividedPlan& plan)
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
     const Side side = sideOf (cell, i);
     const double length = (side.to - side.from).norm();
-    const double walled = walledLength (side, plan.faces, plan.walls);
+    const double walled = walledLength (side, plan.lines);
     outline.length += length;
     outline.walled += walled;
     outline.rim += side.line == no_line ? length : 0.0;
@@ -463,7 +513,7 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
     if (4.0 * (side.to - side.from).norm() < length)
       continue; // an end of it
     const bool is_behind =
-        side.line != no_line && plan.faces[side.line].line.distance (middle) < 0.0;
+        side.line != no_line && plan.lines[side.line].line.distance (middle) < 0.0;
     ++(is_behind ? behind : before);
   }
   return behind == 2 && before == 0;
@@ -486,7 +536,7 @@ cellsInRooms (const DividedPlan& plan,
   std::vector<CellBorder> borders;
   for (const auto& [first, second, i] : commonSides (plan.cells)) {
     const Side side = sideOf (plan.cells[first], i);
-    const double walled = walledLength (side, plan.faces, plan.walls);
+    const double walled = walledLength (side, plan.lines);
     borders.push_back (
         {first, second, std::max (0.0, (side.to - side.from).norm() - walled)});
   }
@@ -517,7 +567,7 @@ joinCells (const DividedPlan& plan)
     const Side side = sideOf (plan.cells[first], i);
     const double length = (side.to - side.from).norm();
     if (plan.is_inside[first] && plan.is_inside[second] &&
-        walledLength (side, plan.faces, plan.walls) < constants.min_walled * length)
+        walledLength (side, plan.lines) < constants.min_walled * length)
       sets.join (first, second);
   }
   return sets;
@@ -570,6 +620,49 @@ outlinesOf (const DividedPlan& plan, CellSets& sets)
   return rooms;
 }
 
+/** \brief The parts of a side that are no wall, by places along a line it lies on. */
+Intervals
+partsWithoutWall (const Side& side, const PlanLine& along, const DividedPlan& plan)
+{
+  if (side.line == no_line)
+    return {{along.place (side.from), along.place (side.to)}};
+  const PlanLine& wall = plan.lines[side.line].line;
+  const auto [from, to] = std::minmax ({wall.place (side.from), wall.place (side.to)});
+  Intervals parts;
+  for (const Interval& part : without ({{from, to}}, plan.lines[side.line].walls)) {
+    const auto [first, second] = std::minmax (
+        {along.place (wall.at (part.from)), along.place (wall.at (part.to))});
+    parts.push_back ({first, second});
+  }
+  return parts;
+}
+
+/** \brief The parts of rings that are no wall, along each of them. */
+std::vector<std::pair<Vector2d, Vector2d>>
+partsWithoutWall (const PlanarRings& rings,
+                  const std::vector<Side>& outline,
+                  const DividedPlan& plan)
+{
+  constexpr double rounding = 1e-3; // [m]
+  std::vector<std::pair<Vector2d, Vector2d>> parts;
+  for (const PlanarPoints& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector2d way = ring[(i + 1) % ring.size()] - ring[i];
+      const PlanLine edge{ring[i], way.normalized()};
+      Intervals open;
+      for (const Side& side : outline)
+        if (std::abs (edge.distance (side.from)) < rounding &&
+            std::abs (edge.distance (side.to)) < rounding &&
+            edge.place (side.from) > -rounding &&
+            edge.place (side.to) < way.norm() + rounding)
+          open = unionOf (open, partsWithoutWall (side, edge, plan), rounding);
+      for (const Interval& part : open)
+        if (part.length() >= constants.min_unseen_part)
+          parts.emplace_back (edge.at (part.from), edge.at (part.to));
+    }
+  return parts;
+}
+
 /** \brief A room of joined cells; without rings where walls are too few or it is
  * smaller than asked. */
 PlanRoom
@@ -579,13 +672,14 @@ roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest)
   double walled = 0.0;
   for (const Side& side : joined.outline) {
     length += (side.to - side.from).norm();
-    walled += walledLength (side, plan.faces, plan.walls);
+    walled += walledLength (side, plan.lines);
   }
   PlanRoom room = roomWithin (joined.outline, plan.cells[joined.largest]);
   const bool is_narrow = 2.0 * room.area < constants.min_room_width * length;
   if (room.area < smallest || is_narrow || walled < constants.min_walled * length)
     return {};
   room.enclosed = walled / length;
+  room.unseen = partsWithoutWall (room.rings, joined.outline, plan);
   return room;
 }
 
@@ -599,9 +693,9 @@ roomsOf (const std::vector<WallFace>& faces,
 {
   if (spans.empty() || spans.size() > constants.max_walls)
     return {};
-  DividedPlan plan{faces, wallsOnLines (faces.size(), spans), {}, {}};
+  DividedPlan plan{cellLinesOf (faces, spans), {}, {}};
   const Eigen::AlignedBox2d box = boxAround (faces, spans);
-  plan.cells = cellsBetween (faces, plan.walls, box);
+  plan.cells = cellsBetween (plan.lines, box);
   plan.is_inside = cellsInRooms (plan, cover.points, box);
   leaveOutCellsWithinWalls (cover.points, box, plan);
   CellSets sets = joinCells (plan);

@@ -95,7 +95,9 @@ openingOf (const WallFace& face, const Interval& gap, double floor, double heigh
 {
   const double low = gap.from + constants.margin_of_opening * gap.length();
   const double high = gap.to - constants.margin_of_opening * gap.length();
-  PlanOpening opening{face.line.at (gap.from), face.line.at (gap.to), {}, {}};
+  PlanOpening opening;
+  opening.from = face.line.at (gap.from);
+  opening.to = face.line.at (gap.to);
   for (const Eigen::Vector2d& point : face.points) {
     if (point.x() < low || point.x() > high)
       continue;

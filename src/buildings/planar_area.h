@@ -28,4 +28,19 @@ areaOf (const std::vector<Eigen::Vector2d>& polygon)
   return 0.5 * twice;
 }
 
+/** \brief Whether a place is within a polygon, whichever way that runs. */
+inline bool
+isWithinRing (const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& place)
+{
+  bool is_within = false;
+  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
+    const Eigen::Vector2d& a = ring[i];
+    const Eigen::Vector2d& b = ring[last];
+    if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
+      is_within = !is_within;
+  }
+  return is_within;
+}
+
 } // namespace pcl_ops::internal::buildings

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace pcl_ops::internal::buildings {
 namespace {
@@ -19,48 +20,64 @@ squareAt (const Eigen::Vector2d& place)
   return {std::lround (place.x() / edge), std::lround (place.y() / edge)};
 }
 
-/** \brief The squares of points with the highest of each; sorted, each once. */
-std::vector<std::pair<std::pair<long, long>, double>>
-highestOfSquares (const std::vector<const PlanPoints*>& lists)
+SquaredPoints
+pointsBySquare (const std::vector<const PlanPoints*>& lists)
 {
-  std::vector<std::pair<std::pair<long, long>, double>> squares;
+  SquaredPoints all;
   for (const PlanPoints* const points : lists)
     for (const Eigen::Vector3d& point : *points)
-      squares.emplace_back (squareAt (point.head<2>()), -point.z());
-  std::sort (squares.begin(), squares.end());
-  const auto is_same = [] (const auto& a, const auto& b) { return a.first == b.first; };
-  squares.erase (std::unique (squares.begin(), squares.end(), is_same), squares.end());
-  for (auto& [square, height] : squares)
-    height = -height;
-  return squares;
+      all.emplace_back (squareAt (point.head<2>()), point);
+  std::sort (all.begin(), all.end(), [] (const auto& a, const auto& b) {
+    return std::tie (a.first, a.second.x(), a.second.y(), a.second.z()) <
+           std::tie (b.first, b.second.x(), b.second.y(), b.second.z());
+  });
+  return all;
 }
 
 } // namespace
 
 RoomSides::RoomSides (const std::vector<const PlanPoints*>& level)
-: squares_ (highestOfSquares (level))
+: points_ (pointsBySquare (level))
 {}
+
+bool
+RoomSides::hasPointAt (const Eigen::Vector2d& place, double low) const
+{
+  static_assert (constants.reach_beside_wall <= edge, "the squares next to it will do");
+  const auto [x, y] = squareAt (place);
+  for (const long column : {x - 1, x, x + 1}) {
+    auto point = std::lower_bound (
+        points_.begin(),
+        points_.end(),
+        std::make_pair (column, y - 1),
+        [] (const auto& a, const auto& square) { return a.first < square; });
+    for (; point != points_.end() && point->first <= std::make_pair (column, y + 1);
+         ++point)
+      if (point->second.z() > low &&
+          (point->second.head<2>() - place).norm() <= constants.reach_beside_wall)
+        return true;
+  }
+  return false;
+}
 
 std::pair<std::size_t, std::size_t>
 RoomSides::countBeside (const Eigen::Vector2d& front,
                         const PlanPoints& wall,
                         double low) const
 {
-  const auto has = [this, low] (const Eigen::Vector2d& place) {
-    const Square square = squareAt (place);
-    const auto found = std::lower_bound (
-        squares_.begin(), squares_.end(), square, [] (const auto& a, const Square& b) {
-          return a.first < b;
-        });
-    return found != squares_.end() && found->first == square && found->second > low;
-  };
   std::pair<std::size_t, std::size_t> beside (0, 0);
-  for (const auto& [square, height] : highestOfSquares ({&wall})) {
+  double offset = 0.0; // of the line of the wall
+  for (const Eigen::Vector3d& point : wall)
+    offset += front.dot (point.head<2>()) / static_cast<double> (wall.size());
+  SquaredPoints places = pointsBySquare ({&wall});
+  const auto is_same = [] (const auto& a, const auto& b) { return a.first == b.first; };
+  places.erase (std::unique (places.begin(), places.end(), is_same), places.end());
+  for (const auto& [square, point] : places) {
     const Eigen::Vector2d place =
-        edge * Eigen::Vector2d (static_cast<double> (square.first),
-                                static_cast<double> (square.second));
-    beside.first += has (place + constants.beside_wall * front) ? 1 : 0;
-    beside.second += has (place - constants.beside_wall * front) ? 1 : 0;
+        point.head<2>() + (offset - front.dot (point.head<2>())) * front;
+    const Eigen::Vector2d off = constants.beside_wall * front;
+    beside.first += hasPointAt (place + off, low) ? 1 : 0;
+    beside.second += hasPointAt (place - off, low) ? 1 : 0;
   }
   return beside;
 }

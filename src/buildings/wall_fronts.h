@@ -9,6 +9,9 @@
 
 namespace pcl_ops::internal::buildings {
 
+/** \brief Points in order of the squares of a grid from above. */
+using SquaredPoints = std::vector<std::pair<std::pair<long, long>, Eigen::Vector3d>>;
+
 /** \brief Where floors and ceilings are, to tell which side of a wall is its front: the
  * points of a cloud do not say so where it was not seen from one known place. */
 class RoomSides {
@@ -27,15 +30,16 @@ public:
   goOnOver (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
 private:
-  using Square = std::pair<long, long>;
-
-  /** \brief How many squares beside a wall have points above a height: before it, and
+  /** \brief How many places beside a wall have points above a height: before it, and
    * behind it. */
   std::pair<std::size_t, std::size_t>
   countBeside (const Eigen::Vector2d& front, const PlanPoints& wall, double low) const;
 
-  /** \brief Those with points, sorted, with the height of the highest. */
-  std::vector<std::pair<Square, double>> squares_;
+  /** \brief Whether a point above a height is near a place. */
+  bool
+  hasPointAt (const Eigen::Vector2d& place, double low) const;
+
+  SquaredPoints points_;
 };
 
 } // namespace pcl_ops::internal::buildings

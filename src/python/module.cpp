@@ -362,8 +362,8 @@ kindCalled (const std::string& name)
 }
 
 /** \return walls (start, end, thickness, openings, planes), with openings (start, end,
- * sill, head); rooms (rings, area, enclosed, floor, ceiling, middle); and the heights
- * of the floor and of the cut */
+ * sill, head, rooms, is_door); rooms (rings, area, enclosed, floor, ceiling, middle,
+ * unseen, doors_to); and the heights of the floor and of the cut */
 py::tuple
 plan (const PointRows& points,
       const Eigen::Vector3d& origin,
@@ -379,14 +379,29 @@ plan (const PointRows& points,
   py::list walls;
   for (const PlanWall& wall : found.walls) {
     py::list openings;
-    for (const auto& [from, to, sill, head] : wall.openings)
-      openings.append (py::make_tuple (from, to, sill, head));
+    for (const PlanOpening& opening : wall.openings)
+      openings.append (
+          py::make_tuple (opening.from,
+                          opening.to,
+                          opening.sill,
+                          opening.head,
+                          py::make_tuple (opening.room_before, opening.room_behind),
+                          opening.isDoor()));
     walls.append (
         py::make_tuple (wall.from, wall.to, wall.thickness, openings, wall.planes));
   }
   py::list rooms;
-  for (const auto& [rings, area, enclosed, floor, ceiling, middle] : found.rooms)
-    rooms.append (py::make_tuple (rings, area, enclosed, floor, ceiling, middle));
+  for (std::size_t i = 0; i < found.rooms.size(); ++i) {
+    const PlanRoom& room = found.rooms[i];
+    rooms.append (py::make_tuple (room.rings,
+                                  room.area,
+                                  room.enclosed,
+                                  room.floor,
+                                  room.ceiling,
+                                  room.middle,
+                                  room.unseen,
+                                  py::tuple (py::cast (found.roomsBehindDoorsOf (i)))));
+  }
   return py::make_tuple (walls, rooms, found.floor, found.height);
 }
 

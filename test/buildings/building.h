@@ -6,6 +6,7 @@
 #include <pcl_ops/buildings/floor_plan.h>
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 using Eigen::Vector2d;
@@ -80,6 +81,23 @@ roomOf4By3 ()
   room.wall ({0, 0}, {4, 0}, {door}).wall ({4, 0}, {4, 3});
   room.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
   return room;
+}
+
+/** \brief Two rooms of 4 m x 3 m and a wall of 10 cm between them, seen from both
+ * sides, with an opening. */
+inline Building
+twoRooms (const Eigen::Vector4d& opening = door)
+{
+  Building flat;
+  for (const double x : {0.0, 4.1}) {
+    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
+    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
+  }
+  const auto& [begin, end, sill, head] =
+      std::tie (opening[0], opening[1], opening[2], opening[3]);
+  flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
+  flat.wall ({4, 0}, {4, 3}, {opening});
+  return flat.wall ({4.1, 3}, {4.1, 0}, {{3 - end, 3 - begin, sill, head}});
 }
 
 inline std::size_t

@@ -208,20 +208,6 @@ TEST (FloorPlan, DrawsEndsOfWallsToTheCornersBetween)
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
 }
 
-/** \brief Two rooms of 4 m x 3 m and a wall of 10 cm with a door between them. */
-Building
-twoRooms ()
-{
-  Building flat;
-  for (const double x : {0.0, 4.1}) {
-    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
-    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
-  }
-  flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
-  flat.wall ({4, 0}, {4, 3}, {door}).wall ({4.1, 3}, {4.1, 0}, {{1.1, 2.0, 0.0, 2.05}});
-  return flat;
-}
-
 TEST (FloorPlan, DividesTwoRoomsByAWallWithADoorThatWasSeenFromBothSides)
 {
   Building flat = twoRooms();
@@ -394,6 +380,19 @@ TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWall)
       area += one.area;
     EXPECT_NEAR (area, 24.0 - 0.3 * 3.0, 0.01) << seen;
   }
+}
+
+TEST (FloorPlan, HasARoomUpToTheEndsOfItsWallsWhereTheLastOneWasNotSeen)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.2);
+  ASSERT_EQ (plan.rooms[0].unseen.size(), 1u);
+  const auto& [from, to] = plan.rooms[0].unseen[0];
+  EXPECT_NEAR ((to - from).norm(), 3_m, 1_cm);
 }
 
 TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)

@@ -77,3 +77,22 @@ TEST (WallFronts, StayWhereNextToNoFloorIsSeen)
   EXPECT_FALSE (isFloorBehind (0.0, 15_cm)) << "three squares of 5 cm";
   EXPECT_TRUE (isFloorBehind (0.0, 25_cm)) << "five";
 }
+
+TEST (WallFronts, OfAThinWallAreThoseOfItsOwnRoom)
+{
+  // Floors begin at both sides of a wall of 10 cm, wherever the squares of a grid are.
+  for (double at = 0.0; at < 5_cm; at += 1_cm) {
+    PlanPoints level;
+    PlanPoints wall;
+    for (double x = 0.02; x < 4.0; x += 4_cm) {
+      for (double off = 0.0; off < 1.0; off += 4_cm) {
+        level.emplace_back (x, at - off, 0.0);
+        level.emplace_back (x, at + 10_cm + off, 0.0);
+      }
+      for (double z = 0.02; z < 2.5; z += 4_cm)
+        wall.emplace_back (x, at, z);
+    }
+    EXPECT_TRUE (RoomSides ({&level}).areBehind ({0.0, 1.0}, wall)) << at;
+    EXPECT_FALSE (RoomSides ({&level}).areBehind ({0.0, -1.0}, wall)) << at;
+  }
+}

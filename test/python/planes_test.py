@@ -161,10 +161,22 @@ class Planes(unittest.TestCase):
         self.assertAlmostEqual(np.linalg.norm(gap.end - gap.start), 0.9, delta=0.05)
         self.assertAlmostEqual(gap.head, 2.0, delta=0.1)
         self.assertIsNone(gap.sill)
+        self.assertEqual((gap.is_door, gap.rooms), (True, (0, None)), "it leads out")
+        self.assertEqual((only.doors_to, only.unseen), ((), []))
         millimeters = pcl_ops.segment(1000.0 * points, viewpoint=(500002000.0, 5400001500.0, 101200.0))[1]
         plan = pcl_ops.floor_plan(millimeters, meter=1000.0)
         self.assertAlmostEqual(plan.rooms[0].area, 12.0, delta=0.05)
         np.testing.assert_allclose(plan.rooms[0].middle, [500002.0, 5400001.5], atol=0.02)
+
+    def test_of_a_room_without_one_of_its_walls_say_where_it_would_be(self):
+        walls = [((0, 0, 0), (4, 0, 0)), ((0, 3, 0), (4, 0, 0)), ((0, 0, 0), (0, 3, 0))]
+        points = np.vstack([surface((0, 0, 0), (4, 0, 0), (0, 3, 0), 12000, seed=1)] + [
+            surface(start, along, (0, 0, 2.5), int(2500 * np.linalg.norm(along)), seed=seed)
+            for seed, (start, along) in enumerate(walls, 2)])
+        (room,) = pcl_ops.floor_plan(pcl_ops.segment(points, viewpoint=(2, 1.5, 1.2))[1]).rooms
+        (ends,) = room.unseen
+        np.testing.assert_allclose(ends, [[4, 0], [4, 3]], atol=0.05)
+        self.assertAlmostEqual(room.area, 12.0, delta=0.1)
 
     def test_a_floor_plan_takes_parameters_and_refuses_wrong_ones(self):
         self.assertEqual(pcl_ops.floor_plan(planes, min_room=100.0).rooms, [])

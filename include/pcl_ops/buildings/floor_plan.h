@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops {
@@ -47,12 +48,21 @@ struct PlanOpening {
    * nothing where the wall has no points there. */
   std::optional<double> sill;
   std::optional<double> head;
+  /** \brief The rooms before and behind the wall, positions in FloorPlan::rooms;
+   * nothing where none is within a wall's thickness. */
+  std::optional<std::size_t> room_before;
+  std::optional<std::size_t> room_behind;
 
   double
   width () const
   {
     return (to - from).norm();
   }
+
+  /** \brief Whether one can walk through: no wall was seen below it but for a
+   * threshold of up to 0.25 m. Else it is a window. */
+  PCL_OPS_EXPORT bool
+  isDoor () const;
 };
 
 /** \brief One side of a wall, from corner to corner; what is before it is to the left
@@ -86,6 +96,8 @@ struct PlanRoom {
   /** \brief How much of the outline is walls and their openings, 0 to 1: elsewhere the
    * room goes on, or its walls were not seen. */
   double enclosed = 0.0;
+  /** \brief These other parts of the outline, two ends each. */
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> unseen;
   /** \brief Along up, from zero of the planes' frame [m]; nothing where it was not
    * seen. */
   std::optional<double> floor;
@@ -106,6 +118,11 @@ struct FloorPlan {
   std::vector<PlanWall> walls;
   /** \brief By falling area. */
   std::vector<PlanRoom> rooms;
+
+  /** \brief The rooms that doors lead to from a room, ascending, each once: the graph
+   * of the rooms. */
+  PCL_OPS_EXPORT std::vector<std::size_t>
+  roomsBehindDoorsOf (std::size_t room) const;
 };
 
 /** \brief The floor plan of what planes were found, as far as walls were seen.

@@ -385,5 +385,5 @@ TEST (Plans, OfRoomsScannedWorseHaveTheRoomAndNoOther)
     EXPECT_EQ (plan.rooms.size(), 1u) << seed;
     within_3_percent += std::abs (area / true_area - 1.0) < 0.03 ? 1 : 0;
   }
-  EXPECT_GE (within_3_percent, rooms - 1);
+  EXPECT_EQ (within_3_percent, rooms);
 }

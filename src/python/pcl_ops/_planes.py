@@ -449,6 +449,10 @@ class PlanOpening(NamedTuple):
     """Height over the floor of the wall below it; None where none was seen."""
     head: Optional[float]
     """Height over the floor of the wall above it."""
+    rooms: Tuple[Optional[int], Optional[int]]
+    """Before and behind the wall, positions in the list of rooms; None where none is."""
+    is_door: bool
+    """No wall was seen below it but for a threshold of up to 0.25 m."""
 
 
 class PlanWall(NamedTuple):
@@ -477,6 +481,10 @@ class PlanRoom(NamedTuple):
     """Heights along up; None where they were not seen."""
     middle: NDArray[np.float64]
     """A place within, for a name."""
+    unseen: List[NDArray[np.float64]]
+    """(2, 2) each: the ends of the parts of the outline that have no wall."""
+    doors_to: Tuple[int, ...]
+    """The rooms that doors lead to, positions in the list of rooms."""
 
 
 class FloorPlan(NamedTuple):
@@ -512,7 +520,9 @@ def draw_floor_plan(planes: Planes, up: Vector, parameters: Dict[str, Any]) -> F
     return FloorPlan(
         [PlanWall(start, end, thickness, [PlanOpening(*one) for one in openings], tuple(numbers))
          for start, end, thickness, openings, numbers in walls],
-        [PlanRoom([np.reshape(ring, (-1, 2)) for ring in rings], *rest) for rings, *rest in rooms],
+        [PlanRoom([np.reshape(ring, (-1, 2)) for ring in rings], *rest,
+                  [np.array(ends) for ends in unseen], doors)
+         for rings, *rest, unseen, doors in rooms],
         floor, height)
 
 

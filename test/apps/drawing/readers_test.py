@@ -10,6 +10,7 @@ import collections
 import json
 import os
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
@@ -46,6 +47,29 @@ def rounded(value):
 
 def needs(program):
     return unittest.skipUnless(shutil.which(program), f"{program} is not installed")
+
+
+def write_two_rooms(file):
+    """Two rooms of 4 m x 3 m, a wall of 10 cm with a door between them; 2 m of the last wall
+    of the right one are missing. Their points scatter by 2 mm."""
+    random_numbers = random.Random(1)
+    step = 0.04
+
+    def grid(u, v):
+        return [(step * (i + 0.5), step * (j + 0.5))
+                for i in range(round(u / step)) for j in range(round(v / step))]
+
+    points = []
+    for left in (0.0, 4.1):
+        points += [(left + u, v, z) for u, v in grid(4, 3) for z in (0.0, 2.5)]
+        points += [(left + u, y, v) for u, v in grid(4, 2.5) for y in (0.0, 3.0)]
+    points += [(0.0, u, v) for u, v in grid(3, 2.5)]
+    points += [(x, u, v) for u, v in grid(3, 2.5) for x in (4.0, 4.1)
+               if not (1.0 < u < 1.9 and v < 2.05)]
+    points += [(8.1, u, v) for u, v in grid(1, 2.5)]
+    file.write_text("".join(
+        "%.4f %.4f %.4f\n" % tuple(c + random_numbers.gauss(0.0, 0.002) for c in point)
+        for point in points))
 
 
 class Readers(unittest.TestCase):
@@ -98,6 +122,34 @@ class Readers(unittest.TestCase):
                                     ezdxf.readfile(self.folder / "plan.dxf").modelspace())
         self.assertEqual(drawn["OPENING"], len(self.of_layer("OPENING")))
         self.assertEqual(drawn["ROOM"], 1)
+
+    def test_a_plan_of_two_rooms_has_the_door_between_them_and_dashes_where_no_wall_is(self):
+        with tempfile.TemporaryDirectory() as name:
+            flat = pathlib.Path(name)
+            write_two_rooms(flat / "flat.xyz")
+            for plan in ("plan.geojson", "plan.svg", "plan.dxf"):
+                output_of(flat, PROGRAMS / "pcl_ops_segment", "flat.xyz", "--quiet", "--floor-plan",
+                          plan)
+            features = [one["properties"] for one in
+                        json.loads((flat / "plan.geojson").read_text())["features"]]
+            rooms = [one for one in features if one["layer"] == "ROOM"]
+            self.assertEqual([one["doors_to"] for one in rooms], ["2", "1"])
+            openings = [one for one in features if one["layer"] == "OPENING"]
+            self.assertEqual(sorted(one["rooms"] for one in openings), ["1 2", "2 1"])
+            self.assertEqual({one["opening"] for one in openings}, {"door"})
+            (unseen,) = [one for one in features if one["layer"] == "UNSEEN"]
+            self.assertAlmostEqual(unseen["length"], 2.0, delta=0.05)
+            dashed = [group.get("id") for group in
+                      xml.etree.ElementTree.parse(flat / "plan.svg").getroot()
+                      if group.get("stroke-dasharray")]
+            self.assertEqual(dashed, ["UNSEEN"])
+            if ezdxf:
+                drawing = ezdxf.readfile(flat / "plan.dxf")
+                audit = drawing.audit()
+                self.assertEqual([*audit.errors, *audit.fixes], [])
+                self.assertEqual([layer.dxf.name for layer in drawing.layers
+                                  if layer.dxf.linetype == "DASHED"], ["UNSEEN"])
+                self.assertEqual(len(drawing.modelspace().query('*[layer=="UNSEEN"]')), 1)
 
     @unittest.skipUnless(ezdxf, "ezdxf is not installed")
     def test_texts_of_a_dxf_say_area_and_height(self):

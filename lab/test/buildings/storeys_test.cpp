@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which rooms floor plans have of simulated storeys, plain and hard ones. To see what
+// this test prints: ctest --test-dir build -R lab_buildings_test -V
+#include <gtest/gtest.h>
+
+#include <pcl_ops/buildings/floor_plan.h>
+#include <pcl_ops/buildings/plane_kinds.h>
+#include <pcl_ops/detect_planes.h>
+#include <simulation/storey.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+using namespace pcl_ops;
+using namespace pcl_ops::simulation;
+
+namespace {
+
+FloorPlan
+planOf (const LabeledCloud& points)
+{
+  const CloudView cloud (points);
+  const std::vector<PlaneSegment> planes =
+      detectPlanes (cloud, OrientedPointSamplingParameters());
+  std::vector<PlaneExtent> extents;
+  for (const PlaneSegment& plane : planes)
+    extents.push_back (planeExtent (cloud, plane));
+  const Vector3d up = Vector3d::UnitZ();
+  return findFloorPlan (cloud, planes, planeKinds (planes, extents, up), up);
+}
+
+/** \brief Numbers of rooms, and of ways between two of those that were found. */
+struct Tally {
+  double truly = 0.0, found = 0.0, exact = 0.0, drawn = 0.0, invented = 0.0;
+  double doors = 0.0, found_doors = 0.0, invented_doors = 0.0;
+};
+
+/** \brief Compares the ways between rooms.
+ * \param[in] truth of each room of the plan; none for an invented one */
+void
+addDoors (const Storey& storey,
+          const FloorPlan& plan,
+          const std::vector<std::optional<std::size_t>>& truth,
+          Tally& tally)
+{
+  std::set<std::pair<std::size_t, std::size_t>> found;
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i)
+    for (const std::size_t j : plan.roomsBehindDoorsOf (i))
+      if (truth[i] && truth[j])
+        found.insert (std::minmax (*truth[i], *truth[j]));
+  const auto is_found = [&] (std::size_t room) {
+    return std::find (truth.begin(), truth.end(), room) != truth.end();
+  };
+  for (const auto& [one, other] : storey.doors)
+    if (is_found (one) && is_found (other)) {
+      tally.doors += 1.0;
+      tally.found_doors += static_cast<double> (found.count ({one, other}));
+    }
+  for (const auto& door : found)
+    tally.invented_doors += storey.doors.count (door) == 0 ? 1.0 : 0.0;
+}
+
+/** \brief A room is found if one of the plan has its middle in it and four fifths to
+ * five quarters of its area, exact within 3 %; others of the plan are invented. */
+void
+add (const Storey& storey, const FloorPlan& plan, Tally& tally)
+{
+  constexpr double near = 1.25;
+  constexpr double exact = 1.03;
+  const Isometry3d back = turnZ (-storey.yaw);
+  std::vector<char> is_found (storey.rooms.size(), 0);
+  std::vector<std::optional<std::size_t>> truth;
+  for (const PlanRoom& drawn : plan.rooms) {
+    truth.emplace_back();
+    const Vector3d middle = back * Vector3d (drawn.middle.x(), drawn.middle.y(), 0.0);
+    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
+      const double area = storey.rooms[i].volume();
+      const double factor = std::max (drawn.area / area, area / drawn.area);
+      if (is_found[i] || factor > near ||
+          !storey.rooms[i].contains (middle.head<2>().eval()))
+        continue;
+      is_found[i] = 1;
+      truth.back() = i;
+      tally.found += 1.0;
+      tally.exact += factor < exact ? 1.0 : 0.0;
+    }
+    tally.invented += truth.back() ? 0.0 : 1.0;
+  }
+  tally.truly += static_cast<double> (storey.rooms.size());
+  tally.drawn += static_cast<double> (plan.rooms.size());
+  addDoors (storey, plan, truth, tally);
+}
+
+Tally
+tallyOf (const std::string& title, const StoreyHardship& hardship, Seed storeys = 3)
+{
+  Tally tally;
+  for (Seed seed = 1; seed <= storeys; ++seed) {
+    const Storey storey = makeStorey (seed, hardship);
+    add (storey, planOf (storey.cloud), tally);
+  }
+  std::printf ("| %s | %.0f rooms | %.0f found | %.0f within 3 %% | %.0f invented | "
+               "%.0f ways | %.0f found | %.0f invented |\n",
+               title.c_str(),
+               tally.truly,
+               tally.found,
+               tally.exact,
+               tally.invented,
+               tally.doors,
+               tally.found_doors,
+               tally.invented_doors);
+  return tally;
+}
+
+/** \brief Nine of ten rooms, four of five of them within 3 %, nearly no other, and the
+ * ways between them. */
+void
+expectNearlyAll (const Tally& rooms)
+{
+  EXPECT_GE (rooms.found, 0.9 * rooms.truly);
+  EXPECT_GE (rooms.exact, 0.8 * rooms.truly);
+  EXPECT_LE (rooms.invented, 0.05 * rooms.drawn);
+  EXPECT_GE (rooms.found_doors, 0.9 * rooms.doors);
+  EXPECT_LE (rooms.invented_doors, 0.05 * rooms.doors);
+}
+
+} // namespace
+
+TEST (Storeys, HaveAllRoomsAndNoOthers)
+{
+  const Tally plain = tallyOf ("plain", {}, 1);
+  EXPECT_EQ (plain.found, plain.truly);
+  EXPECT_EQ (plain.exact, plain.truly);
+  EXPECT_EQ (plain.invented, 0.0);
+  EXPECT_EQ (plain.found_doors, plain.doors);
+  EXPECT_EQ (plain.invented_doors, 0.0);
+}
+
+TEST (Storeys, WithFurnitureAndClutterHaveNearlyAllRooms)
+{
+  StoreyHardship furnished;
+  furnished.furnished = 0.4;
+  furnished.clutter = 4;
+  furnished.noise = 0.005;
+  expectNearlyAll (tallyOf ("furniture, clutter", furnished));
+}
+
+TEST (Storeys, WithGlassAndMissingPiecesHaveNearlyAllRooms)
+{
+  StoreyHardship unseen;
+  unseen.has_glass = true;
+  unseen.missing = 0.1;
+  unseen.noise = 0.005;
+  expectNearlyAll (tallyOf ("glass, missing", unseen));
+}
+
+TEST (Storeys, WithDriftAndNoiseHaveNearlyAllRooms)
+{
+  StoreyHardship drifting;
+  drifting.furnished = 0.2;
+  drifting.drift = 0.01;
+  drifting.noise = 0.02;
+  expectNearlyAll (tallyOf ("drift, noise", drifting));
+}
+
+TEST (Storeys, WithoutCeilingsHaveNearlyAllRooms)
+{
+  StoreyHardship open;
+  open.furnished = 0.2;
+  open.has_ceiling = false;
+  expectNearlyAll (tallyOf ("no ceilings", open));
+}

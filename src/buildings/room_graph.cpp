@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_graph.h"
+
+#include "constants.h"
+#include "planar_area.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal::buildings;
+using Eigen::Vector2d;
+
+/** \brief The room at the first place where there is one, on the way from \p nearest
+ * to \p farthest off a wall [m]. */
+std::optional<std::size_t>
+firstRoom (const std::vector<PlanRoom>& rooms,
+           const Vector2d& on_wall,
+           const Vector2d& away,
+           double nearest,
+           double farthest)
+{
+  for (double off = nearest; off <= farthest; off += constants.step_to_room)
+    for (std::size_t i = 0; i < rooms.size(); ++i)
+      if (isInRoom (rooms[i], on_wall + off * away))
+        return i;
+  return {};
+}
+
+} // namespace
+
+namespace internal::buildings {
+
+bool
+isInRoom (const PlanRoom& room, const Vector2d& place)
+{
+  return !room.rings.empty() && isWithinRing (room.rings.front(), place) &&
+         std::none_of (room.rings.begin() + 1,
+                       room.rings.end(),
+                       [&] (const auto& hole) { return isWithinRing (hole, place); });
+}
+
+void
+findRoomsOfOpenings (const std::vector<PlanRoom>& rooms, std::vector<PlanWall>& walls)
+{
+  for (PlanWall& wall : walls) {
+    const Vector2d along = (wall.to - wall.from).normalized();
+    const Vector2d front (-along.y(), along.x());
+    const double depth = wall.thickness.value_or (0.0);
+    const double farthest =
+        wall.thickness ? depth + constants.max_to_room : constants.max_thickness;
+    for (PlanOpening& opening : wall.openings) {
+      const Vector2d middle = 0.5 * (opening.from + opening.to);
+      const auto look = [&] (const Vector2d& away, double from, double to) {
+        return firstRoom (rooms, middle, away, from + constants.step_to_room, to);
+      };
+      opening.room_before = look (front, 0.0, constants.max_to_room);
+      opening.room_behind = look (-front, depth, farthest);
+    }
+  }
+}
+
+} // namespace internal::buildings
+
+bool
+PlanOpening::isDoor() const
+{
+  return !sill || *sill < constants.max_threshold;
+}
+
+std::vector<std::size_t>
+FloorPlan::roomsBehindDoorsOf (std::size_t room) const
+{
+  std::vector<std::size_t> beyond;
+  for (const PlanWall& wall : walls)
+    for (const PlanOpening& opening : wall.openings) {
+      const auto& [before, behind] =
+          std::tie (opening.room_before, opening.room_behind);
+      if (!opening.isDoor() || !before || !behind || *before == *behind)
+        continue;
+      if (*before == room)
+        beyond.push_back (*behind);
+      if (*behind == room)
+        beyond.push_back (*before);
+    }
+  std::sort (beyond.begin(), beyond.end());
+  beyond.erase (std::unique (beyond.begin(), beyond.end()), beyond.end());
+  return beyond;
+}
+
+} // namespace pcl_ops

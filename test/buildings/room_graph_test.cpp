@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "building.h"
+#include "buildings/room_graph.h"
+
+namespace {
+
+using Rooms = std::vector<std::size_t>;
+
+std::vector<PlanOpening>
+allOpenings (const FloorPlan& plan)
+{
+  std::vector<PlanOpening> all;
+  for (const PlanWall& wall : plan.walls)
+    all.insert (all.end(), wall.openings.begin(), wall.openings.end());
+  return all;
+}
+
+} // namespace
+
+TEST (RoomGraph, HasTheRoomsBeforeAndBehindADoorOnBothSidesOfItsWall)
+{
+  const FloorPlan plan = twoRooms().plan();
+  const std::vector<PlanOpening> doors = allOpenings (plan);
+  ASSERT_EQ (doors.size(), 2u);
+  for (const PlanOpening& one : doors) {
+    EXPECT_TRUE (one.isDoor());
+    const bool is_of_left = one.from.x() < 4.05;
+    const bool is_left_before =
+        plan.rooms.at (one.room_before.value()).middle.x() < 4.0;
+    EXPECT_EQ (is_left_before, is_of_left);
+    EXPECT_NE (one.room_before, one.room_behind);
+    EXPECT_TRUE (one.room_behind);
+  }
+  EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms{1});
+  EXPECT_EQ (plan.roomsBehindDoorsOf (1), Rooms{0});
+}
+
+TEST (RoomGraph, HasTheRoomBehindAWallOfWhichOneSideWasSeen)
+{
+  Building flat;
+  for (const double x : {0.0, 4.3}) {
+    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
+    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
+  }
+  flat.wall ({8.3, 0}, {8.3, 3}).wall ({0, 3}, {0, 0}).wall ({4, 0}, {4, 3}, {door});
+  const FloorPlan plan = flat.plan();
+  ASSERT_EQ (plan.rooms.size(), 2u);
+  EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms{1});
+}
+
+TEST (RoomGraph, HasNoWayThroughAWindow)
+{
+  const FloorPlan plan = twoRooms ({1.0, 1.9, 0.9, 2.0}).plan();
+  const std::vector<PlanOpening> windows = allOpenings (plan);
+  ASSERT_EQ (windows.size(), 2u);
+  for (const PlanOpening& one : windows) {
+    EXPECT_FALSE (one.isDoor());
+    EXPECT_TRUE (one.room_before && one.room_behind) << "one looks into the other";
+  }
+  EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms());
+}
+
+TEST (RoomGraph, HasNoRoomBehindADoorThatLeadsOut)
+{
+  const FloorPlan plan = roomOf4By3().plan();
+  const PlanOpening way_out = allOpenings (plan).at (0);
+  EXPECT_EQ (way_out.room_before, std::size_t (0));
+  EXPECT_FALSE (way_out.room_behind);
+  EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms());
+}
+
+TEST (RoomGraph, HasNoRoomInTheShaftOfAnother)
+{
+  PlanRoom around;
+  around.rings = {{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {2, 4}, {4, 4}, {4, 2}}};
+  EXPECT_TRUE (pcl_ops::internal::buildings::isInRoom (around, {1, 1}));
+  EXPECT_FALSE (pcl_ops::internal::buildings::isInRoom (around, {3, 3}));
+  EXPECT_FALSE (pcl_ops::internal::buildings::isInRoom (around, {7, 3}));
+}
+
+TEST (UnseenPartsOfRooms, AreNoneWhereWallsAreAllAroundButForADoor)
+{
+  EXPECT_TRUE (roomOf4By3().plan().rooms.at (0).unseen.empty());
+}
+
+TEST (UnseenPartsOfRooms, AreThoseOfTheOutlineWithoutAWall)
+{
+  Building room;
+  room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 1}).wall ({4, 3}, {0, 3});
+  room.wall ({0, 3}, {0, 0});
+  const FloorPlan plan = room.plan();
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  ASSERT_EQ (plan.rooms[0].unseen.size(), 1u);
+  const auto& [from, to] = plan.rooms[0].unseen[0];
+  EXPECT_TRUE (from.isApprox (Vector2d (4.0, 1.0), 0.01)) << from.transpose();
+  EXPECT_TRUE (to.isApprox (Vector2d (4.0, 3.0), 0.01)) << to.transpose();
+  EXPECT_NEAR (plan.rooms[0].enclosed, 12.0 / 14.0, 0.01) << "the rest";
+}
