@@ -63,6 +63,19 @@ TEST (PlaceNoise, OfThePlacesOfAWholeIsTheSameWhereTheWholeIsGiven)
              whole.noise.of_place);
 }
 
+TEST (PlaceNoise, OfABarrelIsThatOfItsPointsAndNotItsBend)
+{
+  // Supports of 40 cm and more bend by more than the noise.
+  Coordinates barrel = drawnOn ({square_of_ground}, 2_cm, 1_mm);
+  for (std::size_t i = 0; i < barrel.size(); ++i) {
+    const float off = barrel.x[i] - 1.0f;
+    barrel.z[i] -= 0.5f * off * off / 0.6f;
+  }
+  const double flat =
+      medianNoise (PlaceScene (drawnOn ({square_of_ground}, 2_cm, 1_mm)));
+  EXPECT_LT (medianNoise (PlaceScene (barrel)), 2.0 * flat);
+}
+
 TEST (PlaceNoise, IsNoneOfExactPoints)
 {
   EXPECT_LT (medianNoise (PlaceScene (drawnOn ({square_of_ground}, 2_cm, 0.0))), 1e-6);
