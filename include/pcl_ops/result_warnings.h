@@ -94,9 +94,9 @@ struct ResultContext {
   std::size_t max_warnings = 3;
 };
 
-/** \brief What is doubtful about planes, the most important first (src/doc/warnings.md
- * has the list). They depend on cloud and planes, not on how these were found, nor on
- * the order of the points.
+/** \brief What is doubtful about planes, the most important first
+ * (src/doc/command_line.md has the list). They depend on cloud and planes, not on how
+ * these were found, nor on the order of the points.
  * \param[in] cloud the input cloud the planes were found in
  * \param[in] planes as a detector gives them
  * \param[in] context what else is known

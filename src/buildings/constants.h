@@ -8,9 +8,9 @@
 namespace pcl_ops::internal::buildings {
 
 /** \brief Every number that kinds and plans were tuned with, on simulated rooms and
- * surveys; src/doc/kinds.md and src/doc/plan.md say why they are so. Lengths are in
- * meters, areas in square meters, angles in radians. What users choose is in
- * FloorPlanParameters and PlaneRegularizationParameters. */
+ * surveys; src/doc/buildings.md says why they are so. Lengths are in meters, areas in
+ * square meters, angles in radians. What users choose is in FloorPlanParameters and
+ * PlaneRegularizationParameters. */
 struct BuildingConstants {
   // Stories.
   /** \brief Planes at so nearly one height are one level. */

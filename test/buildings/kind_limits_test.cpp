@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers in the table of src/doc/kinds.md, each from both sides.
+// The numbers in the table of src/doc/buildings.md, each from both sides.
 #include "rectangles.h"
 
 #include <cmath>

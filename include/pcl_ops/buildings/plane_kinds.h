@@ -36,7 +36,7 @@ PCL_OPS_EXPORT const char*
 toString (PlaneKind kind);
 
 /** \brief What planes are, by rules on height, size, slope and what is around them (the
- * table in src/doc/kinds.md).
+ * table in src/doc/buildings.md).
  *
  * Level surfaces large enough make stories: the lowest is a floor, the next above head
  * height the ceiling, one just above a ceiling the floor of the next story. Everything
