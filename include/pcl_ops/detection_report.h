@@ -52,7 +52,7 @@ struct CloudNoise {
 };
 
 /** \brief The stages of OPS on neighborhoods that can be looked at, in their order, and
- * what \ref StageResult has of each. */
+ * what StageResult has of each. */
 enum class Stage {
   /** \brief Values: the points per area around each point, roughly [1/m^2]. */
   Density,
