@@ -139,11 +139,9 @@ numbersOf (const std::vector<std::size_t>& rooms)
 Json
 openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
 {
-  std::vector<std::size_t> rooms;
-  for (const std::optional<std::size_t>& room :
-       {opening.room_before, opening.room_behind})
-    if (room)
-      rooms.push_back (*room);
+  const auto number_or_null = [] (const std::optional<std::size_t>& room) {
+    return room ? Json (*room + 1) : Json (nullptr);
+  };
   return toFeature (
       "LineString",
       {toCoordinates (opening.from, meter), toCoordinates (opening.to, meter)},
@@ -153,7 +151,8 @@ openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
        {"sill", lengthOrNull (opening.sill)},
        {"head", lengthOrNull (opening.head)},
        {"opening", opening.isDoor() ? "door" : "window"},
-       {"rooms", numbersOf (rooms)}});
+       {"before", number_or_null (opening.room_before)},
+       {"behind", number_or_null (opening.room_behind)}});
 }
 
 Json

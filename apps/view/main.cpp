@@ -21,6 +21,7 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVersionMacros.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
@@ -78,13 +79,17 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
 }
 
 /** Whether a window can be shown. From 9.4 on VTK turns to one that draws into memory
- * where there is no display, and PCL's window of that kind ends by a broken pointer. */
+ * where there is no display, and PCL's window of that kind crashes. */
 bool
 canShow (vtkRenderWindow& window)
 {
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 4)
   const std::string kind = window.GetClassName();
-  return kind.find ("EGL") == std::string::npos &&
-         kind.find ("OSOpenGL") == std::string::npos && window.SupportsOpenGL() != 0;
+  if (kind.find ("EGL") != std::string::npos ||
+      kind.find ("OSOpenGL") != std::string::npos)
+    return false;
+#endif
+  return window.SupportsOpenGL() != 0;
 }
 
 /** Where VTK finds no display or driver, it aborts: a child process tries, silently. */

@@ -273,9 +273,9 @@ scatterClutter (const AlignedBox2d& room, int pieces, Random& random, Body& body
     const double size = random.between (0.2, 0.6);
     const Vector2d low = room.min().array() + 0.8;
     const Vector2d sizes = room.sizes().array() - 1.6;
-    const Vector3d place (low.x() + sizes.x() * random.unit(),
-                          low.y() + sizes.y() * random.unit(),
-                          0.5 * size);
+    const Vector3d place{low.x() + sizes.x() * random.unit(),
+                         low.y() + sizes.y() * random.unit(),
+                         0.5 * size};
     if (random.below (2) == 0)
       body.addSphere (place, 0.5 * size);
     else
@@ -307,9 +307,9 @@ scanRooms (const Scene& scene,
   std::optional<Vector3d> before;
   for (const AlignedBox2d& room : storey.rooms) {
     const Vector2d middle = room.center();
-    const Vector3d position (middle.x() + random.between (-0.2, 0.2),
-                             middle.y() + random.between (-0.2, 0.2),
-                             1.6);
+    const Vector3d position{middle.x() + random.between (-0.2, 0.2),
+                            middle.y() + random.between (-0.2, 0.2),
+                            1.6};
     if (before) {
       const double angle = random.angle (0.0, 360.0);
       error += hardship.drift * (position - *before).norm() *
@@ -321,7 +321,7 @@ scanRooms (const Scene& scene,
       const Hit hit = castRay (tree, position, direction);
       if (!std::isfinite (hit.distance))
         continue;
-      const Vector3d noise (random.gaussian(), random.gaussian(), random.gaussian());
+      const Vector3d noise{random.gaussian(), random.gaussian(), random.gaussian()};
       const Vector3d point = position + hit.distance * direction + error;
       storey.cloud.push_back (pointAt (turn * point + hardship.noise * noise, 0));
     }
@@ -335,7 +335,8 @@ makeStorey (Seed seed, const StoreyHardship& hardship)
 {
   Random random = randomFor (Purpose::Storey, seed);
   Storey storey;
-  const Vector2d size (random.between (10.0, 13.0), random.between (7.0, 9.0));
+  // Braces: arguments in parentheses are evaluated in any order.
+  const Vector2d size{random.between (10.0, 13.0), random.between (7.0, 9.0)};
   divide ({-0.5 * size, 0.5 * size}, random, storey.rooms);
   storey.yaw = random.angle (0.0, 45.0);
   Body body;

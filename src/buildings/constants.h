@@ -144,9 +144,10 @@ struct BuildingConstants {
   double noise_of_ends = 0.02;
   /** \brief Sine of 7 degrees, of what may be a leaf. */
   double max_sine_of_upright = 0.12;
-  /** \brief Squares of floors and ceilings, how far from a wall these are looked for,
-   * within which reach, beyond what noise moves and together nearer than the other side
-   * of a wall of 10 cm, and how many tell nothing. */
+  /** \brief Floors and ceilings beside a wall are looked for around a place beside_wall
+   * from its line, within reach_beside_wall: farther than noise moves points, and
+   * nearer than the other side of a wall of 10 cm. few_side_squares places tell
+   * nothing. */
   double edge_of_side_square = 0.05;
   double beside_wall = 0.06;
   double reach_beside_wall = 0.036;

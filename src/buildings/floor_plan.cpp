@@ -267,6 +267,19 @@ turnToRooms (const Cover& cover, std::vector<Seen>& planes)
       plane.normal = -plane.normal;
 }
 
+/** \brief Tells of each wall whether floors and ceilings end there. */
+void
+findEnds (const Cover& cover,
+          const std::vector<Seen>& planes,
+          std::vector<WallFace>& faces)
+{
+  const RoomSides rooms ({&cover.floor, &cover.ceiling});
+  for (WallFace& face : faces) {
+    const Seen& plane = planes[face.planes.front()];
+    face.ends_rooms = rooms.endAt (plane.normal.head<2>().normalized(), plane.points);
+  }
+}
+
 /** \brief One for each plane that is such. */
 template <typename IsSuch>
 std::vector<WallFace>
@@ -428,9 +441,11 @@ findFloorPlan (const CloudView& cloud,
   const Cover cover = coverAt (seen, plan.floor, plan.height);
   denyFurniture (cover, seen);
   turnToRooms (cover, seen);
-  const std::vector<WallFace> faces = withoutRecesses (
-      withoutFurniture (joinFaces (facesOf (seen, plan.height, isSeenWall))),
-      facesOf (seen, plan.height, isUpright));
+  std::vector<WallFace> walls = facesOf (seen, plan.height, isSeenWall);
+  findEnds (cover, seen, walls);
+  const std::vector<WallFace> faces =
+      withoutRecesses (withoutFurniture (joinFaces (std::move (walls))),
+                       facesOf (seen, plan.height, isUpright));
   std::vector<WallSpan> spans = spansOf (faces, parameters);
   addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
   plan.walls = toWalls (faces, spans, plan.floor, plan.height);

@@ -198,9 +198,8 @@ farthestBeyond (const std::vector<CellLine>& lines,
 }
 
 /** \brief Lines across the outermost walls, where these end at no other wall: a room
- * whose outer wall was not seen ends there, too, and not at the rim. Such lines at ends
- * within a building, as in Mura et al. 2014, divided real rooms where furniture hides
- * walls: a room of 49 m^2 had 30. */
+ * whose outer wall was not seen ends there, too, and not at the rim. Lines at all
+ * ends (Mura et al. 2014) divided real rooms: one of 49 m^2 had 30. */
 std::vector<CellLine>
 linesAcrossFreeEnds (const std::vector<CellLine>& lines)
 {
@@ -240,6 +239,8 @@ cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& sp
       lines.push_back (std::move (line));
   }
   const std::vector<CellLine> across = linesAcrossFreeEnds (lines);
+  if (lines.size() + across.size() > constants.max_walls)
+    return lines;
   lines.insert (lines.end(), across.begin(), across.end());
   return lines;
 }
@@ -512,8 +513,9 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
     const Side side = sideOf (cell, i);
     if (4.0 * (side.to - side.from).norm() < length)
       continue; // an end of it
-    const bool is_behind =
-        side.line != no_line && plan.lines[side.line].line.distance (middle) < 0.0;
+    const bool is_behind = side.line != no_line &&
+                           !plan.lines[side.line].walls.empty() &&
+                           plan.lines[side.line].line.distance (middle) < 0.0;
     ++(is_behind ? behind : before);
   }
   return behind == 2 && before == 0;

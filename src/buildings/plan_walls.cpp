@@ -151,8 +151,8 @@ spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& paramete
       // What is as short as the way its ends are moved is no wall.
       const bool has_cut =
           lengthWithin (whole, faces[i].cut) > constants.min_cut_share * whole.length();
-      if (whole.length() > parameters.max_snap && has_cut)
-        spans.push_back ({i, whole, {}});
+      if (whole.length() > parameters.max_snap && (has_cut || faces[i].ends_rooms))
+        spans.push_back ({i, whole, {}, !has_cut});
     }
   return spans;
 }
@@ -163,13 +163,16 @@ addOpenings (const std::vector<WallFace>& faces,
              const IsHidden& is_hidden,
              std::vector<WallSpan>& spans)
 {
-  for (WallSpan& span : spans)
+  for (WallSpan& span : spans) {
+    if (span.is_hidden)
+      continue;
     for (const Interval& gap : gapsOf (span.whole, faces[span.face].cut)) {
       const double least = std::max (parameters.min_opening, faces[span.face].spacing);
       if (gap.length() >= least && gap.length() <= parameters.max_opening &&
           !is_hidden (faces[span.face].line, gap))
         span.openings.push_back (gap);
     }
+  }
 }
 
 std::vector<PlanWall>

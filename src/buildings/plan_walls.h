@@ -20,6 +20,8 @@ struct WallSpan {
   std::size_t face;
   Interval whole;
   Intervals openings;
+  /** \brief It has next to no points at the height of the cut. */
+  bool is_hidden = false;
 };
 
 /** \brief The walls of each face, with ends drawn to, or cut off at, the walls they

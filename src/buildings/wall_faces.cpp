@@ -66,6 +66,7 @@ addTo (WallFace& face, const WallFace& part)
   const double moved = face.line.place (part.line.origin);
   for (const Eigen::Vector2d& point : part.points)
     face.points.emplace_back (point.x() + moved, point.y());
+  face.ends_rooms = face.ends_rooms && part.ends_rooms;
   face.planes.insert (face.planes.end(), part.planes.begin(), part.planes.end());
 }
 

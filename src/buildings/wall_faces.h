@@ -51,6 +51,9 @@ struct WallFace {
   std::vector<Eigen::Vector2d> points;
   /** \brief Gaps up to this long are between neighboring points [m]. */
   double spacing = 0.0;
+  /** \brief Whether rooms end here: it is a wall, too, where furniture hides it at the
+   * cut, and no lintel over an open way. */
+  bool ends_rooms = false;
   /** \brief Positions in the list of planes, ascending. */
   std::vector<std::size_t> planes;
 };

@@ -91,6 +91,14 @@ RoomSides::areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) cons
 }
 
 bool
+RoomSides::endAt (const Eigen::Vector2d& front, const PlanPoints& wall) const
+{
+  constexpr double at_any_height = -std::numeric_limits<double>::infinity();
+  const auto [before, behind] = countBeside (front, wall, at_any_height);
+  return behind <= std::max (constants.few_side_squares, before / 2);
+}
+
+bool
 RoomSides::goOnOver (const Eigen::Vector2d& front, const PlanPoints& wall) const
 {
   double top = -std::numeric_limits<double>::infinity();

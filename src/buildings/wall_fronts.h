@@ -29,6 +29,10 @@ public:
   bool
   goOnOver (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
+  /** \brief Whether hardly any of them are behind a wall: nothing goes on there. */
+  bool
+  endAt (const Eigen::Vector2d& front, const PlanPoints& wall) const;
+
 private:
   /** \brief How many places beside a wall have points above a height: before it, and
    * behind it. */

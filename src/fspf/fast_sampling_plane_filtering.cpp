@@ -56,6 +56,7 @@ FastSamplingPlaneFilteringParameters::paper()
   parameters.local.outer_radius = 0.14;
   parameters.local.local_samples = 80;
   parameters.local.min_inlier_fraction = 0.8;
+  parameters.distance_threshold = 0.05;
   return parameters;
 }
 

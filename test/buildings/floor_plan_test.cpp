@@ -395,6 +395,25 @@ TEST (FloorPlan, HasARoomUpToTheEndsOfItsWallsWhereTheLastOneWasNotSeen)
   EXPECT_NEAR ((to - from).norm(), 3_m, 1_cm);
 }
 
+TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutWhereTheRoomEnds)
+{
+  // The last wall of 4 m x 3 m was seen over 1.9 m alone.
+  const Eigen::Vector4d furniture (0.0, 3.0, 0.0, 1.9);
+  const auto plan_with = [&] (double floor_to) {
+    Building room;
+    room.level (PlaneKind::Floor, 0.0, {0, 0}, {floor_to, 3});
+    room.wall ({0, 0}, {4, 0}).wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
+    return room.wall ({4, 0}, {4, 3}, {furniture}).plan();
+  };
+  const FloorPlan plan = plan_with (3.5);
+  EXPECT_EQ (plan.walls.size(), 4u);
+  EXPECT_EQ (openingsOf (plan), 0u);
+  ASSERT_EQ (plan.rooms.size(), 1u);
+  EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
+  EXPECT_TRUE (plan.rooms[0].unseen.empty());
+  EXPECT_EQ (plan_with (6.0).walls.size(), 3u) << "a lintel: the floor goes on";
+}
+
 TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
 {
   Building room;
@@ -553,6 +572,7 @@ TEST (FloorPlan, IsTheSameInUtmCoordinatesAndForAnotherUpAxis)
   EXPECT_NEAR (far_off.rooms.at (0).area, 12.0, 0.01);
   EXPECT_NEAR (*far_off.rooms.at (0).floor, 100.0, 1_mm);
   EXPECT_NEAR (far_off.walls.at (1).from.x(), 500'004.0, 1_mm);
+  EXPECT_EQ (far_off.walls.at (0).openings.at (0).room_before, std::size_t (0));
 
   Building turned = building; // y down, z ahead, as cameras have it
   for (pcl::PointXYZ& point : turned.cloud)

@@ -95,7 +95,8 @@ TEST (PlanLimits, OfWallsThatMeet)
 TEST (PlanLimits, OfWallsThatAreSeenAtTheCut)
 {
   const auto walls_seen_for = [] (double meters) {
-    Building hidden;
+    Building hidden; // the floor goes on: it may be a lintel
+    hidden.level (PlaneKind::Floor, 0.0, {0, -2}, {4, 2});
     hidden.wall ({0, 0}, {4, 0}, {{meters, 4.0, 0.5, 2.0}});
     return hidden.plan().walls.size();
   };

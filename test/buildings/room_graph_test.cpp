@@ -70,7 +70,7 @@ TEST (RoomGraph, HasNoRoomBehindADoorThatLeadsOut)
   EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms());
 }
 
-TEST (RoomGraph, HasNoRoomInTheShaftOfAnother)
+TEST (IsInRoom, IsFalseInAShaft)
 {
   PlanRoom around;
   around.rings = {{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {2, 4}, {4, 4}, {4, 2}}};

@@ -48,8 +48,9 @@ struct PlanOpening {
    * nothing where the wall has no points there. */
   std::optional<double> sill;
   std::optional<double> head;
-  /** \brief The rooms before and behind the wall, positions in FloorPlan::rooms;
-   * nothing where none is within a wall's thickness. */
+  /** \brief The rooms before and behind the wall, positions in FloorPlan::rooms: the
+   * first one within 0.3 m of its side, or within 0.7 m behind it where its other side
+   * was not seen; nothing where there is none. */
   std::optional<std::size_t> room_before;
   std::optional<std::size_t> room_behind;
 
@@ -60,7 +61,8 @@ struct PlanOpening {
   }
 
   /** \brief Whether one can walk through: no wall was seen below it but for a
-   * threshold of up to 0.25 m. Else it is a window. */
+   * threshold below 0.25 m. Else it is a window; one whose parapet is hidden is taken
+   * for a door. */
   PCL_OPS_EXPORT bool
   isDoor () const;
 };
@@ -96,7 +98,8 @@ struct PlanRoom {
   /** \brief How much of the outline is walls and their openings, 0 to 1: elsewhere the
    * room goes on, or its walls were not seen. */
   double enclosed = 0.0;
-  /** \brief These other parts of the outline, two ends each. */
+  /** \brief These other parts of the outline that are 5 cm or longer, two ends each, in
+   * the frame of the plan [m]. */
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> unseen;
   /** \brief Along up, from zero of the planes' frame [m]; nothing where it was not
    * seen. */
@@ -120,7 +123,8 @@ struct FloorPlan {
   std::vector<PlanRoom> rooms;
 
   /** \brief The rooms that doors lead to from a room, ascending, each once: the graph
-   * of the rooms. */
+   * of the rooms.
+   * \param[in] room its position in \ref rooms; of another number there are none */
   PCL_OPS_EXPORT std::vector<std::size_t>
   roomsBehindDoorsOf (std::size_t room) const;
 };

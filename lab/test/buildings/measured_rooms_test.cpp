@@ -9,12 +9,16 @@
 #include <pcl_ops/buildings/plane_kinds.h>
 #include <pcl_ops/detect_planes.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace pcl_ops;
@@ -86,7 +90,93 @@ planOfFile (const fs::path& file, const Eigen::Vector3d& up)
   return findFloorPlan (*loaded.cloud, planes, planeKinds (planes, extents, up), up);
 }
 
+using Segments = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+
+double
+distanceTo (const Segments& segments, const Eigen::Vector2d& place)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [from, to] : segments) {
+    const Eigen::Vector2d way = to - from;
+    const double share =
+        std::clamp (way.dot (place - from) / way.squaredNorm(), 0.0, 1.0);
+    nearest = std::min (nearest, (from + share * way - place).norm());
+  }
+  return nearest;
+}
+
+/** How much of some segments is within a distance of others, and their length [m]. */
+std::pair<double, double>
+lengthNear (const Segments& segments, const Segments& others, double distance)
+{
+  constexpr double step = 0.02; // [m]
+  double near = 0.0;
+  double all = 0.0;
+  for (const auto& [from, to] : segments) {
+    const auto steps = static_cast<int> (std::ceil ((to - from).norm() / step));
+    for (int i = 0; i < steps; ++i) {
+      const Eigen::Vector2d place = from + (i + 0.5) / steps * (to - from);
+      all += step;
+      near += distanceTo (others, place) < distance ? step : 0.0;
+    }
+  }
+  return {near, all};
+}
+
+Segments
+outlinesOf (const MeasuredCloud& cloud)
+{
+  Segments outlines;
+  for (const MeasuredRoom& room : cloud.rooms)
+    for (std::size_t i = 0; i < room.corners.size(); ++i)
+      outlines.emplace_back (room.corners[i],
+                             room.corners[(i + 1) % room.corners.size()]);
+  return outlines;
+}
+
+Segments
+wallsOf (const FloorPlan& plan)
+{
+  Segments walls;
+  for (const PlanWall& wall : plan.walls)
+    walls.emplace_back (wall.from, wall.to);
+  return walls;
+}
+
 } // namespace
+
+TEST (MeasuredRooms, HaveTheirWalls)
+{
+  constexpr double same = 0.1; // [m]
+  double measured_length = 0.0;
+  double found = 0.0;
+  double drawn = 0.0;
+  double right = 0.0;
+  for (const auto& [name, measured] : measuredClouds()) {
+    const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
+    if (measured.rooms.empty())
+      continue;
+    if (!fs::exists (file))
+      GTEST_SKIP() << "no " << file;
+    const Segments truth = outlinesOf (measured);
+    const Segments walls = wallsOf (planOfFile (file, measured.up));
+    const auto [near_walls, of_truth] = lengthNear (truth, walls, same);
+    const auto [near_truth, of_walls] = lengthNear (walls, truth, same);
+    std::printf (
+        "| %s | walls of %.1f m, found %.0f %% | drawn %.1f m, right %.0f %% |\n",
+        name.c_str(),
+        of_truth,
+        100.0 * near_walls / of_truth,
+        of_walls,
+        100.0 * near_truth / of_walls);
+    measured_length += of_truth;
+    found += near_walls;
+    drawn += of_walls;
+    right += near_truth;
+  }
+  EXPECT_GT (found, 0.85 * measured_length);
+  EXPECT_GT (right, 0.9 * drawn);
+}
 
 TEST (MeasuredRooms, AreFoundAndNoOthers)
 {

@@ -452,7 +452,7 @@ class PlanOpening(NamedTuple):
     rooms: Tuple[Optional[int], Optional[int]]
     """Before and behind the wall, positions in the list of rooms; None where none is."""
     is_door: bool
-    """No wall was seen below it but for a threshold of up to 0.25 m."""
+    """No wall was seen below it but for a threshold below 0.25 m."""
 
 
 class PlanWall(NamedTuple):

@@ -8,6 +8,7 @@ is missing for is skipped: ezdxf, shapely, ogrinfo (gdal-bin), assimp (assimp-ut
 
 import collections
 import json
+import math
 import os
 import pathlib
 import random
@@ -130,15 +131,20 @@ class Readers(unittest.TestCase):
             for plan in ("plan.geojson", "plan.svg", "plan.dxf"):
                 output_of(flat, PROGRAMS / "pcl_ops_segment", "flat.xyz", "--quiet", "--floor-plan",
                           plan)
-            features = [one["properties"] for one in
-                        json.loads((flat / "plan.geojson").read_text())["features"]]
+            written = json.loads((flat / "plan.geojson").read_text())["features"]
+            features = [one["properties"] for one in written]
             rooms = [one for one in features if one["layer"] == "ROOM"]
             self.assertEqual([one["doors_to"] for one in rooms], ["2", "1"])
             openings = [one for one in features if one["layer"] == "OPENING"]
-            self.assertEqual(sorted(one["rooms"] for one in openings), ["1 2", "2 1"])
+            self.assertEqual(sorted((one["before"], one["behind"]) for one in openings),
+                             [(1, 2), (2, 1)])
             self.assertEqual({one["opening"] for one in openings}, {"door"})
             (unseen,) = [one for one in features if one["layer"] == "UNSEEN"]
             self.assertAlmostEqual(unseen["length"], 2.0, delta=0.05)
+            (((start, end),),) = [one["geometry"]["coordinates"] for one in written
+                                  if one["properties"]["layer"] == "UNSEEN"]
+            for place, true in ((start, (8.1, 1.0)), (end, (8.1, 3.0))):
+                self.assertLess(math.dist(place, true), 0.05)
             dashed = [group.get("id") for group in
                       xml.etree.ElementTree.parse(flat / "plan.svg").getroot()
                       if group.get("stroke-dasharray")]
