@@ -267,16 +267,25 @@ turnToRooms (const Cover& cover, std::vector<Seen>& planes)
       plane.normal = -plane.normal;
 }
 
-/** \brief Tells of each wall whether floors and ceilings end there. */
+/** \brief Tells of each wall that is seen over furniture at the cut whether floors and
+ * ceilings end there. */
 void
 findEnds (const Cover& cover,
           const std::vector<Seen>& planes,
+          double height,
           std::vector<WallFace>& faces)
 {
   const RoomSides rooms ({&cover.floor, &cover.ceiling});
   for (WallFace& face : faces) {
     const Seen& plane = planes[face.planes.front()];
-    face.ends_rooms = rooms.endAt (plane.normal.head<2>().normalized(), plane.points);
+    const auto is_over_furniture = [height] (const Vector3d& point) {
+      const double over_cut = point.z() - height;
+      return over_cut > constants.half_band_of_cloud &&
+             over_cut < constants.max_furniture_over_cut;
+    };
+    face.ends_rooms =
+        std::any_of (plane.points.begin(), plane.points.end(), is_over_furniture) &&
+        rooms.endAt (plane.normal.head<2>().normalized(), plane.points);
   }
 }
 
@@ -442,7 +451,7 @@ findFloorPlan (const CloudView& cloud,
   denyFurniture (cover, seen);
   turnToRooms (cover, seen);
   std::vector<WallFace> walls = facesOf (seen, plan.height, isSeenWall);
-  findEnds (cover, seen, walls);
+  findEnds (cover, seen, plan.height, walls);
   const std::vector<WallFace> faces =
       withoutRecesses (withoutFurniture (joinFaces (std::move (walls))),
                        facesOf (seen, plan.height, isUpright));

@@ -414,6 +414,20 @@ TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutWhereTheRoomEnds)
   EXPECT_EQ (plan_with (6.0).walls.size(), 3u) << "a lintel: the floor goes on";
 }
 
+TEST (FloorPlan, HasNoWallThatBeginsTooHighOverTheCutForFurniture)
+{
+  Building high;
+  high.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
+  EXPECT_TRUE (high.wall ({0, 3}, {4, 3}, {{0.0, 4.0, 0.0, 2.3}}).plan().walls.empty());
+}
+
+TEST (FloorPlan, HasNoWallThatEndsBelowTheCut)
+{
+  FloorPlanParameters over_it;
+  over_it.cut_height = 3_m;
+  EXPECT_TRUE (Building().wall ({0, 0}, {4, 0}).plan (over_it).walls.empty());
+}
+
 TEST (FloorPlan, OfAnLHasOneRoomOfSixCorners)
 {
   Building room;
