@@ -123,8 +123,10 @@ struct BuildingConstants {
   /** \brief The same of walls, at least, and in spacings of their points. */
   double half_band_of_wall = 0.05;
   double spacings_of_band = 3.0;
-  /** \brief What hides a wall at the cut is no higher over it. */
+  /** \brief What hides a wall at the cut is no higher over it; share of the points of
+   * the wall between. */
   double max_furniture_over_cut = 1.0;
+  double min_share_over_furniture = 0.1;
 
   // Faces of walls.
   /** \brief Cosine of 4 degrees. */

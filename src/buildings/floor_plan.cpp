@@ -283,9 +283,12 @@ findEnds (const Cover& cover,
       return over_cut > constants.half_band_of_cloud &&
              over_cut < constants.max_furniture_over_cut;
     };
-    face.ends_rooms =
-        std::any_of (plane.points.begin(), plane.points.end(), is_over_furniture) &&
-        rooms.endAt (plane.normal.head<2>().normalized(), plane.points);
+    const auto over_furniture =
+        std::count_if (plane.points.begin(), plane.points.end(), is_over_furniture);
+    face.ends_rooms = static_cast<double> (over_furniture) >
+                          constants.min_share_over_furniture *
+                              static_cast<double> (plane.points.size()) &&
+                      rooms.endAt (plane.normal.head<2>().normalized(), plane.points);
   }
 }
 
