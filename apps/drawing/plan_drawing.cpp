@@ -136,12 +136,18 @@ numbersOf (const std::vector<std::size_t>& rooms)
   return numbers;
 }
 
+/** \brief The number of the room at a position, from 1 on. */
+Json
+numberOrNull (const std::optional<std::size_t>& room)
+{
+  if (!room)
+    return nullptr;
+  return *room + 1;
+}
+
 Json
 openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
 {
-  const auto number_or_null = [] (const std::optional<std::size_t>& room) {
-    return room ? Json (*room + 1) : Json (nullptr);
-  };
   return toFeature (
       "LineString",
       {toCoordinates (opening.from, meter), toCoordinates (opening.to, meter)},
@@ -151,8 +157,8 @@ openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
        {"sill", lengthOrNull (opening.sill)},
        {"head", lengthOrNull (opening.head)},
        {"opening", opening.isDoor() ? "door" : "window"},
-       {"before", number_or_null (opening.room_before)},
-       {"behind", number_or_null (opening.room_behind)}});
+       {"before", numberOrNull (opening.room_before)},
+       {"behind", numberOrNull (opening.room_behind)}});
 }
 
 Json

@@ -55,7 +55,7 @@ enum class Purpose : std::uint32_t {
   Slabs,
   PointsOfSlabs,
   SlabsScan,
-  Storey
+  Story
 };
 
 inline Random

@@ -39,9 +39,9 @@ struct Opening {
 Body
 drawTownHouse (double width, Random& random)
 {
-  const int storeys = 1 + int (random.below (4));
+  const int stories = 1 + int (random.below (4));
   const int bays = int (width / random.between (2.8, 3.4));
-  const double storey_height = random.between (2.7, 3.2);
+  const double story_height = random.between (2.7, 3.2);
   const double bay_width = width / bays;
   // An initializer list is drawn from left to right.
   const Opening window{random.between (0.9, 1.6),
@@ -54,15 +54,15 @@ drawTownHouse (double width, Random& random)
                      0.06,
                      random.between (0.28, 0.40)};
   const int bay_of_door = int (random.below (std::uint32_t (bays)));
-  const double eaves = storeys * storey_height + random.between (0.2, 0.6);
+  const double eaves = stories * story_height + random.between (0.2, 0.6);
   Body house;
-  for (int storey = 0; storey < storeys; ++storey)
+  for (int story = 0; story < stories; ++story)
     for (int bay = 0; bay < bays; ++bay) {
       const auto& [hole, height, sill, depth] =
-          storey == 0 && bay == bay_of_door ? door : window;
-      const double floor = storey * storey_height;
+          story == 0 && bay == bay_of_door ? door : window;
+      const double floor = story * story_height;
       const double bottom = floor + sill;
-      const double top = storey + 1 == storeys ? eaves : (storey + 1) * storey_height;
+      const double top = story + 1 == stories ? eaves : (story + 1) * story_height;
       const double left = bay * bay_width - 0.5 * width;
       const double middle = ((bay + 0.5) / bays - 0.5) * width;
       house.addWallAround (

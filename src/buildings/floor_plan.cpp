@@ -258,9 +258,8 @@ denyFurniture (const Cover& cover, std::vector<Seen>& planes)
 
 /** \brief Turns the walls to the rooms whose floors and ceilings end at them. */
 void
-turnToRooms (const Cover& cover, std::vector<Seen>& planes)
+turnToRooms (const RoomSides& rooms, std::vector<Seen>& planes)
 {
-  const RoomSides rooms ({&cover.floor, &cover.ceiling});
   for (Seen& plane : planes)
     if (plane.kind == PlaneKind::Wall &&
         rooms.areBehind (plane.normal.head<2>().normalized(), plane.points))
@@ -270,12 +269,11 @@ turnToRooms (const Cover& cover, std::vector<Seen>& planes)
 /** \brief Tells of each wall that is seen over furniture at the cut whether floors and
  * ceilings end there. */
 void
-findEnds (const Cover& cover,
+findEnds (const RoomSides& rooms,
           const std::vector<Seen>& planes,
           double height,
           std::vector<WallFace>& faces)
 {
-  const RoomSides rooms ({&cover.floor, &cover.ceiling});
   for (WallFace& face : faces) {
     const Seen& plane = planes[face.planes.front()];
     const auto is_over_furniture = [height] (const Vector3d& point) {
@@ -452,9 +450,10 @@ findFloorPlan (const CloudView& cloud,
   plan.floor = floorBelow (seen, plan.height, lowest);
   const Cover cover = coverAt (seen, plan.floor, plan.height);
   denyFurniture (cover, seen);
-  turnToRooms (cover, seen);
+  const RoomSides rooms ({&cover.floor, &cover.ceiling});
+  turnToRooms (rooms, seen);
   std::vector<WallFace> walls = facesOf (seen, plan.height, isSeenWall);
-  findEnds (cover, seen, plan.height, walls);
+  findEnds (rooms, seen, plan.height, walls);
   const std::vector<WallFace> faces =
       withoutRecesses (withoutFurniture (joinFaces (std::move (walls))),
                        facesOf (seen, plan.height, isUpright));

@@ -6,6 +6,7 @@
 #include "planar_area.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace pcl_ops {
@@ -23,10 +24,13 @@ firstRoom (const std::vector<PlanRoom>& rooms,
            double nearest,
            double farthest)
 {
-  for (double off = nearest; off <= farthest; off += constants.step_to_room)
+  const long steps = std::lround ((farthest - nearest) / constants.step_to_room);
+  for (long step = 1; step <= steps; ++step) {
+    const double off = nearest + static_cast<double> (step) * constants.step_to_room;
     for (std::size_t i = 0; i < rooms.size(); ++i)
       if (isInRoom (rooms[i], on_wall + off * away))
         return i;
+  }
   return {};
 }
 
@@ -55,7 +59,7 @@ findRoomsOfOpenings (const std::vector<PlanRoom>& rooms, std::vector<PlanWall>& 
     for (PlanOpening& opening : wall.openings) {
       const Vector2d middle = 0.5 * (opening.from + opening.to);
       const auto look = [&] (const Vector2d& away, double from, double to) {
-        return firstRoom (rooms, middle, away, from + constants.step_to_room, to);
+        return firstRoom (rooms, middle, away, from, to);
       };
       opening.room_before = look (front, 0.0, constants.max_to_room);
       opening.room_behind = look (-front, depth, farthest);

@@ -61,6 +61,12 @@ TEST (RoomGraph, HasNoWayThroughAWindow)
   EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms());
 }
 
+TEST (RoomGraph, HasAWayOverAThreshold)
+{
+  EXPECT_EQ (twoRooms ({1.0, 1.9, 0.2, 2.0}).plan().roomsBehindDoorsOf (0), Rooms{1});
+  EXPECT_EQ (twoRooms ({1.0, 1.9, 0.3, 2.0}).plan().roomsBehindDoorsOf (0), Rooms());
+}
+
 TEST (RoomGraph, HasNoRoomBehindADoorThatLeadsOut)
 {
   const FloorPlan plan = roomOf4By3().plan();

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which rooms floor plans have of simulated storeys, plain and hard ones. To see what
+// Which rooms floor plans have of simulated stories, plain and hard ones. To see what
 // this test prints: ctest --test-dir build -R lab_buildings_test -V
 #include <gtest/gtest.h>
 
 #include <pcl_ops/buildings/floor_plan.h>
 #include <pcl_ops/buildings/plane_kinds.h>
 #include <pcl_ops/detect_planes.h>
-#include <simulation/storey.h>
+#include <simulation/story.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -43,7 +43,7 @@ struct Tally {
 /** \brief Compares the ways between rooms.
  * \param[in] truth of each room of the plan; none for an invented one */
 void
-addDoors (const Storey& storey,
+addDoors (const Story& story,
           const FloorPlan& plan,
           const std::vector<std::optional<std::size_t>>& truth,
           Tally& tally)
@@ -56,33 +56,33 @@ addDoors (const Storey& storey,
   const auto is_found = [&] (std::size_t room) {
     return std::find (truth.begin(), truth.end(), room) != truth.end();
   };
-  for (const auto& [one, other] : storey.doors)
+  for (const auto& [one, other] : story.doors)
     if (is_found (one) && is_found (other)) {
       tally.doors += 1.0;
       tally.found_doors += static_cast<double> (found.count ({one, other}));
     }
   for (const auto& door : found)
-    tally.invented_doors += storey.doors.count (door) == 0 ? 1.0 : 0.0;
+    tally.invented_doors += story.doors.count (door) == 0 ? 1.0 : 0.0;
 }
 
 /** \brief A room is found if one of the plan has its middle in it and four fifths to
  * five quarters of its area, exact within 3 %; others of the plan are invented. */
 void
-add (const Storey& storey, const FloorPlan& plan, Tally& tally)
+add (const Story& story, const FloorPlan& plan, Tally& tally)
 {
   constexpr double near = 1.25;
   constexpr double exact = 1.03;
-  const Isometry3d back = turnZ (-storey.yaw);
-  std::vector<char> is_found (storey.rooms.size(), 0);
+  const Isometry3d back = turnZ (-story.yaw);
+  std::vector<char> is_found (story.rooms.size(), 0);
   std::vector<std::optional<std::size_t>> truth;
   for (const PlanRoom& drawn : plan.rooms) {
     truth.emplace_back();
     const Vector3d middle = back * Vector3d (drawn.middle.x(), drawn.middle.y(), 0.0);
-    for (std::size_t i = 0; i < storey.rooms.size(); ++i) {
-      const double area = storey.rooms[i].volume();
+    for (std::size_t i = 0; i < story.rooms.size(); ++i) {
+      const double area = story.rooms[i].volume();
       const double factor = std::max (drawn.area / area, area / drawn.area);
       if (is_found[i] || factor > near ||
-          !storey.rooms[i].contains (middle.head<2>().eval()))
+          !story.rooms[i].contains (middle.head<2>().eval()))
         continue;
       is_found[i] = 1;
       truth.back() = i;
@@ -91,18 +91,18 @@ add (const Storey& storey, const FloorPlan& plan, Tally& tally)
     }
     tally.invented += truth.back() ? 0.0 : 1.0;
   }
-  tally.truly += static_cast<double> (storey.rooms.size());
+  tally.truly += static_cast<double> (story.rooms.size());
   tally.drawn += static_cast<double> (plan.rooms.size());
-  addDoors (storey, plan, truth, tally);
+  addDoors (story, plan, truth, tally);
 }
 
 Tally
-tallyOf (const std::string& title, const StoreyHardship& hardship, Seed storeys = 3)
+tallyOf (const std::string& title, const StoryHardship& hardship, Seed stories = 3)
 {
   Tally tally;
-  for (Seed seed = 1; seed <= storeys; ++seed) {
-    const Storey storey = makeStorey (seed, hardship);
-    add (storey, planOf (storey.cloud), tally);
+  for (Seed seed = 1; seed <= stories; ++seed) {
+    const Story story = makeStory (seed, hardship);
+    add (story, planOf (story.cloud), tally);
   }
   std::printf ("| %s | %.0f rooms | %.0f found | %.0f within 3 %% | %.0f invented | "
                "%.0f ways | %.0f found | %.0f invented |\n",
@@ -131,7 +131,7 @@ expectNearlyAll (const Tally& rooms)
 
 } // namespace
 
-TEST (Storeys, HaveAllRoomsAndNoOthers)
+TEST (Stories, HaveAllRoomsAndNoOthers)
 {
   const Tally plain = tallyOf ("plain", {}, 1);
   EXPECT_EQ (plain.found, plain.truly);
@@ -141,36 +141,36 @@ TEST (Storeys, HaveAllRoomsAndNoOthers)
   EXPECT_EQ (plain.invented_doors, 0.0);
 }
 
-TEST (Storeys, WithFurnitureAndClutterHaveNearlyAllRooms)
+TEST (Stories, WithFurnitureAndClutterHaveNearlyAllRooms)
 {
-  StoreyHardship furnished;
+  StoryHardship furnished;
   furnished.furnished = 0.4;
   furnished.clutter = 4;
   furnished.noise = 0.005;
   expectNearlyAll (tallyOf ("furniture, clutter", furnished));
 }
 
-TEST (Storeys, WithGlassAndMissingPiecesHaveNearlyAllRooms)
+TEST (Stories, WithGlassAndMissingPiecesHaveNearlyAllRooms)
 {
-  StoreyHardship unseen;
+  StoryHardship unseen;
   unseen.has_glass = true;
   unseen.missing = 0.1;
   unseen.noise = 0.005;
   expectNearlyAll (tallyOf ("glass, missing", unseen));
 }
 
-TEST (Storeys, WithDriftAndNoiseHaveNearlyAllRooms)
+TEST (Stories, WithDriftAndNoiseHaveNearlyAllRooms)
 {
-  StoreyHardship drifting;
+  StoryHardship drifting;
   drifting.furnished = 0.2;
   drifting.drift = 0.01;
   drifting.noise = 0.02;
   expectNearlyAll (tallyOf ("drift, noise", drifting));
 }
 
-TEST (Storeys, WithoutCeilingsHaveNearlyAllRooms)
+TEST (Stories, WithoutCeilingsHaveNearlyAllRooms)
 {
-  StoreyHardship open;
+  StoryHardship open;
   open.furnished = 0.2;
   open.has_ceiling = false;
   expectNearlyAll (tallyOf ("no ceilings", open));

@@ -10,8 +10,8 @@
 
 namespace pcl_ops::simulation {
 
-/** What makes a storey hard to draw a plan of. */
-struct StoreyHardship {
+/** What makes a story hard to draw a plan of. */
+struct StoryHardship {
   /** Share of each wall with cupboards before it, 0.7 to 2 m high. */
   double furnished = 0.0;
   /** Whether the wall between two rooms has a pane from floor to ceiling, which no
@@ -30,7 +30,7 @@ struct StoreyHardship {
 
 /** Rooms between walls of 8 to 24 cm, with doors between most neighbors and windows in
  * the outer walls, scanned from a tripod in each room; z is up, the floor is at 0. */
-struct Storey {
+struct Story {
   /** Between the faces of their walls. */
   std::vector<Eigen::AlignedBox2d> rooms;
   /** Pairs of rooms with a door or a pane between them, each with the smaller first. */
@@ -40,7 +40,7 @@ struct Storey {
   LabeledCloud cloud;
 };
 
-Storey
-makeStorey (Seed seed, const StoreyHardship& hardship);
+Story
+makeStory (Seed seed, const StoryHardship& hardship);
 
 } // namespace pcl_ops::simulation

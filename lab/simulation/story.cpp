@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storey.h"
+#include "story.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,10 +115,10 @@ addReveal (const Face& face, const Hole& hole, double depth, Body& body)
 }
 
 void
-cutDoorsAndPanes (const StoreyHardship& hardship,
+cutDoorsAndPanes (const StoryHardship& hardship,
                   Random& random,
                   std::vector<Face>& faces,
-                  Storey& storey,
+                  Story& story,
                   Body& body)
 {
   constexpr double door_width = 0.9;
@@ -143,7 +143,7 @@ cutDoorsAndPanes (const StoreyHardship& hardship,
       }
       for (Face* const face : {&one, &other})
         face->holes.push_back (hole);
-      storey.doors.emplace (one.room, other.room);
+      story.doors.emplace (one.room, other.room);
       if (!is_pane)
         addReveal (one, hole, depth, body);
     }
@@ -297,15 +297,15 @@ directionOf (std::size_t i)
 
 void
 scanRooms (const Scene& scene,
-           const StoreyHardship& hardship,
+           const StoryHardship& hardship,
            Random& random,
-           Storey& storey)
+           Story& story)
 {
   const ShapeTree tree = treeOf (scene);
-  const Isometry3d turn = turnZ (storey.yaw);
+  const Isometry3d turn = turnZ (story.yaw);
   Vector3d error = Vector3d::Zero();
   std::optional<Vector3d> before;
-  for (const AlignedBox2d& room : storey.rooms) {
+  for (const AlignedBox2d& room : story.rooms) {
     const Vector2d middle = room.center();
     const Vector3d position{middle.x() + random.between (-0.2, 0.2),
                             middle.y() + random.between (-0.2, 0.2),
@@ -323,25 +323,25 @@ scanRooms (const Scene& scene,
         continue;
       const Vector3d noise{random.gaussian(), random.gaussian(), random.gaussian()};
       const Vector3d point = position + hit.distance * direction + error;
-      storey.cloud.push_back (pointAt (turn * point + hardship.noise * noise, 0));
+      story.cloud.push_back (pointAt (turn * point + hardship.noise * noise, 0));
     }
   }
 }
 
 } // namespace
 
-Storey
-makeStorey (Seed seed, const StoreyHardship& hardship)
+Story
+makeStory (Seed seed, const StoryHardship& hardship)
 {
-  Random random = randomFor (Purpose::Storey, seed);
-  Storey storey;
+  Random random = randomFor (Purpose::Story, seed);
+  Story story;
   // Braces: arguments in parentheses are evaluated in any order.
   const Vector2d size{random.between (10.0, 13.0), random.between (7.0, 9.0)};
-  divide ({-0.5 * size, 0.5 * size}, random, storey.rooms);
-  storey.yaw = random.angle (0.0, 45.0);
+  divide ({-0.5 * size, 0.5 * size}, random, story.rooms);
+  story.yaw = random.angle (0.0, 45.0);
   Body body;
-  std::vector<Face> faces = facesOf (storey.rooms);
-  cutDoorsAndPanes (hardship, random, faces, storey, body);
+  std::vector<Face> faces = facesOf (story.rooms);
+  cutDoorsAndPanes (hardship, random, faces, story, body);
   cutWindows (random, faces, body);
   for (const Face& face : faces) {
     const double length = hardship.missing * (face.to - face.from);
@@ -349,13 +349,13 @@ makeStorey (Seed seed, const StoreyHardship& hardship)
     addFace (face, {begin, begin + length, 0.0, ceiling_height}, body);
     furnish (face, hardship.furnished, random, body);
   }
-  addLevels (storey.rooms, faces, hardship.has_ceiling, body);
-  for (const AlignedBox2d& room : storey.rooms)
+  addLevels (story.rooms, faces, hardship.has_ceiling, body);
+  for (const AlignedBox2d& room : story.rooms)
     scatterClutter (room, hardship.clutter, random, body);
   Scene scene;
   scene.add (body, Isometry3d::Identity());
-  scanRooms (scene, hardship, random, storey);
-  return storey;
+  scanRooms (scene, hardship, random, story);
+  return story;
 }
 
 } // namespace pcl_ops::simulation
