@@ -191,6 +191,8 @@ struct BuildingConstants {
   double min_hole_area = 0.02;
   /** \brief Shorter parts of an outline without a wall are not worth a line. */
   double min_unseen_part = 0.05;
+  /** \brief Of squares that count once for the height of a floor or a ceiling. */
+  double edge_of_height_square = 0.5;
   /** \brief Rooms of an opening: how far from the side of the wall they may begin, and
    * the step at which they are looked for. */
   double max_to_room = 0.3;

@@ -401,23 +401,38 @@ roomWithin (const std::vector<Side>& sides, const PlanCell& largest)
   return room;
 }
 
-/** \brief The median height of the points in a ring. */
+double
+medianOf (std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
+  std::nth_element (values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** \brief The median height of the points in a ring, each square of a grid counted
+ * once: beside the sensor are most points, and a scan that drifted is bent. By points,
+ * the height of a measured room was wrong by 3.4 cm, by squares it is by less than 1.
+ */
 std::optional<double>
 heightIn (const PlanarPoints& ring, const PlanPoints& points)
 {
   Eigen::AlignedBox2d box;
   for (const Vector2d& corner : ring)
     box.extend (corner);
-  std::vector<double> heights;
+  std::map<std::pair<long, long>, std::vector<double>> squares;
   for (const Eigen::Vector3d& point : points)
-    if (box.contains (point.head<2>().eval()) && isWithinRing (ring, point.head<2>()))
-      heights.push_back (point.z());
-  if (heights.empty())
+    if (box.contains (point.head<2>().eval()) && isWithinRing (ring, point.head<2>())) {
+      const Vector2d square =
+          (point.head<2>() - box.min()) / constants.edge_of_height_square;
+      squares[{std::lround (square.x()), std::lround (square.y())}].push_back (
+          point.z());
+    }
+  if (squares.empty())
     return {};
-  const auto middle =
-      heights.begin() + static_cast<std::ptrdiff_t> (heights.size() / 2);
-  std::nth_element (heights.begin(), middle, heights.end());
-  return *middle;
+  std::vector<double> heights;
+  for (auto& [square, of_square] : squares)
+    heights.push_back (medianOf (of_square));
+  return medianOf (heights);
 }
 
 Eigen::AlignedBox2d

@@ -35,6 +35,22 @@ TEST (FloorPlan, OfARoomOf4By3MetersHasFourWallsADoorAnd12SquareMeters)
   EXPECT_NEAR (plan.height, 1.2_m, 1_mm);
 }
 
+TEST (FloorPlan, HasTheHeightOfMostOfTheFloorWhereverMostPointsAre)
+{
+  Building room = roomOf4By3();
+  // A corner of the floor, near the sensor, that drift has lowered.
+  std::vector<Vector3d> dense;
+  for (double x = 0.005; x < 1.0; x += 1_cm)
+    for (double y = 0.005; y < 1.0; y += 1_cm)
+      dense.emplace_back (x, y, -4_cm);
+  room.add (PlaneKind::Floor, Vector3d::UnitZ(), dense);
+
+  const FloorPlan plan = room.plan();
+
+  ASSERT_EQ (plan.rooms.size(), 1U);
+  EXPECT_NEAR (*plan.rooms[0].floor, 0.0, 1_mm);
+}
+
 TEST (FloorPlan, OfAWallWithAWindowSaysWhereItsSillAndHeadAre)
 {
   Building house = roomOf4By3();

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -29,7 +30,8 @@ namespace fs = std::filesystem;
 
 struct MeasuredRoom {
   std::vector<Eigen::Vector2d> corners = {};
-  double max_error = 0.0; // of the area, as a share
+  double max_error = 0.0;                         // of the area, as a share
+  std::optional<double> floor = {}, ceiling = {}; // [m], where they were seen
 
   double
   area () const
@@ -48,6 +50,12 @@ struct MeasuredCloud {
   std::vector<MeasuredRoom> rooms = {}; // by falling area
 };
 
+std::optional<double>
+heightOf (const std::string& text)
+{
+  return text == "unseen" ? std::nullopt : std::make_optional (std::stod (text));
+}
+
 /** By the names of their files. */
 std::map<std::string, MeasuredCloud>
 measuredClouds ()
@@ -58,8 +66,8 @@ measuredClouds ()
     if (line.empty() || line[0] == '#')
       continue;
     std::istringstream row (line);
-    std::string name, up, corners, percent;
-    for (std::string* const text : {&name, &up, &corners, &percent})
+    std::string name, up, corners, percent, floor, ceiling;
+    for (std::string* const text : {&name, &up, &corners, &percent, &floor, &ceiling})
       std::getline (row, *text, '\t');
     MeasuredCloud& cloud = clouds[name];
     char comma = ',';
@@ -69,6 +77,8 @@ measuredClouds ()
       continue;
     MeasuredRoom& room = cloud.rooms.emplace_back();
     room.max_error = 0.01 * std::stod (percent);
+    room.floor = heightOf (floor);
+    room.ceiling = heightOf (ceiling);
     std::istringstream places (corners);
     for (double x = 0.0, y = 0.0; places >> x >> comma >> y;)
       room.corners.emplace_back (x, y);
@@ -197,6 +207,32 @@ TEST (MeasuredRooms, AreFoundAndNoOthers)
                    area,
                    plan.rooms[i].area,
                    100.0 * (plan.rooms[i].area / area - 1.0));
+    }
+  }
+}
+
+TEST (MeasuredRooms, HaveTheirHeights)
+{
+  constexpr double same = 0.02; // [m]
+  for (const auto& [name, measured] : measuredClouds()) {
+    const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
+    if (measured.rooms.empty())
+      continue;
+    if (!fs::exists (file))
+      GTEST_SKIP() << "no " << file;
+    const FloorPlan plan = planOfFile (file, measured.up);
+    ASSERT_EQ (plan.rooms.size(), measured.rooms.size()) << name;
+    for (std::size_t i = 0; i < measured.rooms.size(); ++i) {
+      const MeasuredRoom& truth = measured.rooms[i];
+      const PlanRoom& room = plan.rooms[i];
+      ASSERT_EQ (room.floor.has_value(), truth.floor.has_value()) << name;
+      ASSERT_EQ (room.ceiling.has_value(), truth.ceiling.has_value()) << name;
+      EXPECT_NEAR (*room.floor, *truth.floor, same) << name;
+      if (truth.ceiling) {
+        EXPECT_NEAR (*room.ceiling, *truth.ceiling, same) << name;
+        EXPECT_NEAR (*room.ceiling - *room.floor, *truth.ceiling - *truth.floor, same)
+            << name;
+      }
     }
   }
 }
