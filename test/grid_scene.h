@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "geometry/points.h"
+#include "cloud/points.h"
+#include "cloud/voxel_grid.h"
 #include "scene.h"
-#include "voxels/voxel_grid.h"
 
 /** \brief Points anywhere in a cube about zero. */
 inline pcl_ops::internal::Coordinates

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "places/place_noise.h"
-#include "places/regions.h"
+#include "cloud/distinct_places.h"
+#include "ops/place_noise.h"
+#include "ops/regions.h"
 #include "scene.h"
-#include "voxels/distinct_places.h"
 
 #include <vector>
 

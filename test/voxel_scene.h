@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bounded/bounded_planes.h"
 #include "grid_scene.h"
+#include "voxels/bounded_planes.h"
 
 // In the middle of voxels of 10 cm; 20 x 20 of them each.
 inline const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/stage_clock.h"
+#include "cloud/points.h"
 #include "detection/plane_assignment.h"
-#include "geometry/points.h"
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/visibility.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "geometry/points.h"
+#include "cloud/points.h"
 #include <pcl_ops/plane.h>
 
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "geometry/points.h"
+#include "cloud/points.h"
 
 namespace pcl_ops::internal {
 

@@ -4,9 +4,9 @@
 
 #include "ops/place_parameters.h"
 #include "ops/planes_of_regions.h"
+#include "ops/region_evidence.h"
+#include "ops/region_joining.h"
 #include "ops/stage_reports.h"
-#include "places/region_evidence.h"
-#include "places/region_joining.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/angles.h"
-#include "ops/detect_as_in_paper.h"
 #include "ops/detect_on_places.h"
-#include "ops/detect_on_voxels.h"
 #include "ops/stage_reports.h"
+#include "paper/detect_as_in_paper.h"
+#include "voxels/detect_on_voxels.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>

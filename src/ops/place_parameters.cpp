@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/place_parameters.h"
 
-#include "places/places.h"
+#include "ops/places.h"
 
 #include <algorithm>
 #include <cmath>

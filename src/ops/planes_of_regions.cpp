@@ -4,9 +4,9 @@
 
 #include "detection/plane_assignment.h"
 #include "detection/plane_layers.h"
+#include "ops/constants.h"
 #include "ops/place_parameters.h"
-#include "places/constants.h"
-#include "places/region_labels.h"
+#include "ops/region_labels.h"
 
 #include <algorithm>
 #include <cmath>

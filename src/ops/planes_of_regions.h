@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "cloud/distinct_places.h"
 #include "detection/labelled_planes.h"
-#include "places/place_noise.h"
-#include "places/places.h"
-#include "places/regions.h"
-#include "voxels/distinct_places.h"
+#include "ops/place_noise.h"
+#include "ops/places.h"
+#include "ops/regions.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <vector>

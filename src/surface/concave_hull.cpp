@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "alpha_shape.h"
-#include "extent/planar_ring.h"
 #include "geometry/planar_area.h"
+#include "planes/planar_ring.h"
 #include <pcl_ops/surface/concave_hull.h>
 
 #include <algorithm>

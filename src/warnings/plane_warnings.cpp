@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "warnings/plane_warnings.h"
 
-#include "places/point_tree.h"
+#include "cloud/point_tree.h"
 #include "warnings/constants.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <pcl/common/angles.h>
 #include <pcl/search/kdtree.h>
 
-#include "ops/detect_as_in_paper.h"
+#include "paper/detect_as_in_paper.h"
 #include "presets.h"
 #include "scene.h"
 

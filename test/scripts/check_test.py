@@ -56,7 +56,7 @@ class Includes(unittest.TestCase):
 
     def test_of_a_later_layer_are_refused(self):
         self.assertIn("geometry must not include what is above it",
-                      self.check("src/geometry/plane.cpp", '"places/constants.h"'))
+                      self.check("src/geometry/plane.cpp", '"ops/constants.h"'))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "extent/planar_ring.h"
 #include "geometry/planar_area.h"
+#include "planes/planar_ring.h"
 #include "scene.h"
 #include <pcl_ops/surface/concave_hull.h>
 

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud/octant_neighbors.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace pcl_ops::internal {
+namespace {
+
+constexpr std::uint32_t max_points_of_leaf = 8;
+
+/** \brief Whether no point of a box is nearer than what is known in all octants that
+ * the box reaches into.
+ * \param[in] low, high corners of the box relative to the point */
+bool
+isTooFar (const Eigen::Array2d& low,
+          const Eigen::Array2d& high,
+          const OctantNeighbors& nearest)
+{
+  const Eigen::Array2d outside = low.max (-high).max (0.0);
+  const double squared = outside.square().sum();
+  if (squared == 0.0)
+    return false;
+  // As seen from a point outside, a box takes less than half a turn around its center.
+  constexpr int half_turn = octants / 2;
+  constexpr int turn = octants;
+  const int middle = static_cast<int> (octantOf (0.5 * (low + high)));
+  int first = 0;
+  int last = 0;
+  for (const double x : {low.x(), high.x()})
+    for (const double y : {low.y(), high.y()}) {
+      const int octant = static_cast<int> (octantOf ({x, y}));
+      const int turned = (octant - middle + turn + half_turn) % turn - half_turn;
+      first = std::min (first, turned);
+      last = std::max (last, turned);
+      // Either way around.
+      if (turned == -half_turn)
+        last = half_turn - 1;
+    }
+  for (int turned = first; turned <= last; ++turned)
+    if (squared < nearest.squared_distances[(middle + turned + turn) % turn])
+      return false;
+  return true;
+}
+
+/** \brief Takes a point for a neighbor if it is nearer than the one there is.
+ * \param[in] step to it; none to the point that is searched around */
+void
+offer (const Eigen::Vector2d& step, std::uint32_t point, OctantNeighbors& nearest)
+{
+  const double squared = step.squaredNorm();
+  if (squared == 0.0)
+    return;
+  const std::size_t octant = octantOf (step);
+  auto known = std::tie (nearest.squared_distances[octant], nearest.points[octant]);
+  if (std::tie (squared, point) < known)
+    known = std::tie (squared, point);
+}
+
+} // namespace
+
+std::size_t
+octantOf (const Eigen::Vector2d& direction)
+{
+  const bool is_left =
+      direction.y() > 0.0 || (direction.y() == 0.0 && direction.x() > 0.0);
+  const Eigen::Vector2d turned = is_left ? direction : Eigen::Vector2d (-direction);
+  const double x = turned.x();
+  const double y = turned.y();
+  const std::size_t first = is_left ? 0 : octants / 2;
+  if (x > 0.0)
+    return first + (y < x ? 0 : 1);
+  return first + (y > -x ? 2 : 3);
+}
+
+OctantTree::OctantTree (const PlanarPoints& points)
+: points_ (points), order_ (points.size())
+{
+  std::iota (order_.begin(), order_.end(), 0U);
+  if (!points.empty())
+    build (0, static_cast<std::uint32_t> (points.size()));
+}
+
+void
+OctantTree::build (std::uint32_t begin, std::uint32_t end)
+{
+  const std::size_t position = nodes_.size();
+  Node node{points_[order_[begin]], points_[order_[begin]], begin, end};
+  for (std::uint32_t i = begin; i < end; ++i) {
+    node.low = node.low.min (points_[order_[i]].array());
+    node.high = node.high.max (points_[order_[i]].array());
+  }
+  nodes_.push_back (node);
+  if (end - begin <= max_points_of_leaf) {
+    std::sort (order_.begin() + begin, order_.begin() + end);
+    return;
+  }
+  const Eigen::Array2d size = node.high - node.low;
+  const Eigen::Index wider = size.y() > size.x() ? 1 : 0;
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  // Points differ, so that one order of their places decides.
+  std::nth_element (order_.begin() + begin,
+                    order_.begin() + middle,
+                    order_.begin() + end,
+                    [&] (std::uint32_t a, std::uint32_t b) {
+                      return std::make_tuple (points_[a][wider],
+                                              points_[a][1 - wider]) <
+                             std::make_tuple (points_[b][wider], points_[b][1 - wider]);
+                    });
+  build (begin, middle);
+  nodes_[position].second = static_cast<std::uint32_t> (nodes_.size());
+  build (middle, end);
+}
+
+void
+OctantTree::search (std::size_t position,
+                    const Eigen::Vector2d& place,
+                    std::size_t left_out,
+                    OctantNeighbors& nearest) const
+{
+  const Node& node = nodes_[position];
+  if (position == left_out ||
+      isTooFar (node.low - place.array(), node.high - place.array(), nearest))
+    return;
+  if (node.second == 0) {
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+      offer (points_[order_[i]] - place, order_[i], nearest);
+    return;
+  }
+  // The half with the place in it first: what it has saves most of the other.
+  const Node& next = nodes_[node.second];
+  const bool is_in_second = (place.array() >= next.low).all();
+  search (is_in_second ? node.second : position + 1, place, left_out, nearest);
+  search (is_in_second ? position + 1 : node.second, place, left_out, nearest);
+}
+
+OctantNeighbors
+OctantTree::neighborsAt (const Eigen::Vector2d& place, std::size_t left_out) const
+{
+  OctantNeighbors nearest;
+  nearest.points.fill (no_neighbor);
+  nearest.squared_distances.fill (std::numeric_limits<double>::infinity());
+  search (0, place, left_out, nearest);
+  return nearest;
+}
+
+OctantNeighbors
+OctantTree::neighborsOf (std::uint32_t point) const
+{
+  return neighborsAt (points_[point], nodes_.size());
+}
+
+std::vector<OctantTree::Group>
+OctantTree::groups (unsigned threads) const
+{
+  std::vector<std::size_t> leaves;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].second == 0)
+      leaves.push_back (i);
+  std::vector<Group> groups (leaves.size());
+  forEach (threads, leaves.size(), [&] (std::size_t i) {
+    const Node& leaf = nodes_[leaves[i]];
+    Group& group = groups[i];
+    group.points.assign (order_.begin() + leaf.begin, order_.begin() + leaf.end);
+    group.center.setZero();
+    for (const std::uint32_t point : group.points)
+      group.center += points_[point] / static_cast<double> (group.points.size());
+    group.neighbors = neighborsAt (group.center, leaves[i]);
+  });
+  return groups;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud/voxel_grid.h"
+
+#include "base/parallel.h"
+#include "cloud/sorted_points.h"
+
+#include <memory>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Moments of the points of some runs, and their numbers.
+Moments
+addUp (const Coordinates& positions,
+       const PointRun* begin,
+       const PointRun* end,
+       std::uint32_t* order)
+{
+  Moments moments;
+  for (const PointRun* run = begin; run != end; ++run)
+    for (std::uint32_t i = run->first(); i < run->end(); ++i) {
+      moments.add (positions.x[i], positions.y[i], positions.z[i]);
+      *order++ = i;
+    }
+  return moments;
+}
+
+/** \brief Where each voxel's runs begin, and where the last one's end. */
+Indices
+divide (const PointRuns& runs, VoxelGrid& grid)
+{
+  Indices first_run;
+  std::uint32_t points = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (r == 0 || runs[r].code() != runs[r - 1].code()) {
+      first_run.push_back (static_cast<std::uint32_t> (r));
+      grid.codes.push_back (runs[r].code());
+      grid.first_point.push_back (points);
+    }
+    points += runs[r].size();
+  }
+  first_run.push_back (static_cast<std::uint32_t> (runs.size()));
+  return first_run;
+}
+
+} // namespace
+
+VoxelGrid
+voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
+{
+  const PointRuns runs = sortedRuns (positions, voxel_size, threads);
+  VoxelGrid grid;
+  grid.voxel_size = voxel_size;
+  const Indices first_run = divide (runs, grid);
+  grid.moments.resize (grid.size());
+  const auto order = std::make_shared<Indices> (positions.size());
+  forEach (threads, grid.size(), [&] (std::size_t voxel) {
+    grid.moments[voxel] = addUp (positions,
+                                 runs.data() + first_run[voxel],
+                                 runs.data() + first_run[voxel + 1],
+                                 order->data() + grid.first_point[voxel]);
+  });
+  grid.order = order;
+  return grid;
+}
+
+void
+connect (VoxelGrid& grid, unsigned threads)
+{
+  ConnectedVoxels voxels = connected (grid.codes, threads);
+  grid.neighbors = std::move (voxels.neighbors);
+  grid.larger = std::move (voxels.larger);
+}
+
+std::vector<Moments>
+momentsOf (const std::vector<Moments>& moments, const LargerVoxels& larger)
+{
+  std::vector<Moments> sums (larger.codes.size());
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    sums[larger.holding[i]].addAligned (moments[i]);
+  return sums;
+}
+
+Indices
+voxelsOfPoints (const VoxelGrid& grid)
+{
+  Indices voxels (grid.order->size());
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
+    for (const std::uint32_t point : grid.pointsOf (voxel))
+      voxels[point] = static_cast<std::uint32_t> (voxel);
+  return voxels;
+}
+
+VoxelLevels
+coarsen (VoxelGrid finest)
+{
+  LargerVoxels larger = largerVoxels (finest.codes);
+  VoxelLevels voxels;
+  VoxelGrid& coarse = voxels.coarse;
+  coarse.voxel_size = 2.0 * finest.voxel_size;
+  coarse.order = finest.order;
+  coarse.moments = momentsOf (finest.moments, larger);
+  for (std::size_t i = 0; i < finest.size(); ++i)
+    if (larger.holding[i] == coarse.first_point.size())
+      coarse.first_point.push_back (finest.first_point[i]);
+  coarse.codes = std::move (larger.codes);
+  voxels.coarse_of_finest = std::move (larger.holding);
+  voxels.finest = std::move (finest);
+  return voxels;
+}
+
+} // namespace pcl_ops::internal

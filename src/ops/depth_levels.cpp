@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/depth_levels.h"
+
+#include <Eigen/Geometry>
+
+#include "geometry/principal_axes.h"
+#include "ops/constants.h"
+#include <pcl_ops/plane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Fewer points have no levels that would matter.
+constexpr std::size_t min_points_on_levels = 2000;
+constexpr std::size_t min_levels = 12;
+
+/** \brief A point whose nearest points are flat. */
+struct FlatPlace {
+  Eigen::Vector3d normal;
+  Eigen::Vector3d point;
+  double width; // of its nearest points [m]
+  double rms;
+};
+
+// The nearest points of one, itself first.
+std::vector<Eigen::Vector3d>
+pointsAround (const Coordinates& points,
+              const PointTree& tree,
+              std::size_t position,
+              std::size_t number)
+{
+  NearestPoints found;
+  found.start (number);
+  tree.find (position, found);
+  std::vector<Eigen::Vector3d> nearest;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    nearest.push_back (points[found[k]]);
+  return nearest;
+}
+
+FlatPlace
+flatPlaceOf (const std::vector<Eigen::Vector3d>& nearest)
+{
+  Moments moments;
+  moments.origin = nearest.front();
+  for (const Eigen::Vector3d& point : nearest) {
+    const Eigen::Vector3d p = point - moments.origin;
+    moments.add (p.x(), p.y(), p.z());
+  }
+  const PrincipalAxes axes = principalAxes (moments.covariance());
+  return {axes.normal,
+          nearest.front(),
+          std::sqrt (squared_width_of_variance * std::max (0.0, axes.values[1])),
+          std::sqrt (std::max (0.0, axes.values[0]))};
+}
+
+// Where coordinates were rounded the normal of few points leans by degrees, and levels
+// would blur: that of more points on the same plane leans by less. Without it the
+// direction of dense levels stays .1 degrees off where they are sharpest nearby.
+void
+straighten (const std::vector<Eigen::Vector3d>& nearest, FlatPlace& place)
+{
+  constexpr double reach = 3.0;
+  std::vector<Eigen::Vector3d> on_plane;
+  for (const Eigen::Vector3d& point : nearest)
+    if (std::abs (place.normal.dot (point - place.point)) <= reach * place.rms)
+      on_plane.push_back (point);
+  if (on_plane.size() > nearest.size() / 4)
+    place.normal = flatPlaceOf (on_plane).normal;
+}
+
+// The flattest of some neighborhoods. Those of levels are exactly flat, or nearly so
+// where coordinates were rounded later.
+std::vector<FlatPlace>
+flattestPlaces (const Coordinates& points, const PointTree& tree)
+{
+  constexpr std::size_t places = 2000;
+  constexpr std::size_t neighbors = 17;
+  constexpr std::size_t more_neighbors = 100;
+  constexpr std::size_t wanted = places / 10;
+  constexpr double exact_thickness = 0.005;
+  constexpr double max_thickness = 0.06;
+  const auto positionOf = [&] (std::size_t s) { return s * points.size() / places; };
+  std::vector<std::pair<double, std::size_t>> thickness;
+  std::vector<FlatPlace> all;
+  for (std::size_t s = 0; s < places; ++s) {
+    all.push_back (
+        flatPlaceOf (pointsAround (points, tree, positionOf (s), neighbors)));
+    if (all[s].width > 0.0)
+      thickness.emplace_back (all[s].rms / all[s].width, s);
+  }
+  if (thickness.size() < wanted)
+    return {};
+  std::sort (thickness.begin(), thickness.end());
+  // All that are exact: faces of a model are in several directions.
+  const double limit = std::max (exact_thickness, thickness[wanted - 1].first);
+  std::vector<FlatPlace> flattest;
+  for (const auto& [thick, s] : thickness)
+    if (thick <= limit && limit < max_thickness) {
+      if (thick > exact_thickness)
+        straighten (pointsAround (points, tree, positionOf (s), more_neighbors),
+                    all[s]);
+      flattest.push_back (all[s]);
+    }
+  return flattest;
+}
+
+// The direction that nearly all of the normals have, or zero. The faces of a CAD model
+// have several.
+Eigen::Vector3d
+commonDirection (const std::vector<FlatPlace>& places)
+{
+  constexpr std::size_t tried = 100;
+  constexpr double min_share = 0.8;
+  const double min_cosine = std::cos (3.0 * M_PI / 180.0);
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  std::size_t most = 0;
+  const std::size_t step = std::max<std::size_t> (1, places.size() / tried);
+  for (std::size_t k = 0; k < places.size(); k += step) {
+    std::size_t number = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const FlatPlace& place : places) {
+      const Eigen::Vector3d& normal = place.normal;
+      const double cosine = normal.dot (places[k].normal);
+      if (std::abs (cosine) <= min_cosine)
+        continue;
+      ++number;
+      sum += cosine > 0.0 ? normal : Eigen::Vector3d (-normal);
+    }
+    if (number > most) {
+      most = number;
+      direction = sum.normalized();
+    }
+  }
+  if (static_cast<double> (most) < min_share * static_cast<double> (places.size()))
+    direction.setZero();
+  return direction;
+}
+
+// How blurred the levels of some points are: the sum of the roots of the distances from
+// one offset to the next. Most are zero on levels that are seen edge on.
+double
+blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction)
+{
+  std::vector<double> offset;
+  for (const Eigen::Vector3d& point : points)
+    offset.push_back (direction.dot (point));
+  std::sort (offset.begin(), offset.end());
+  double sum = 0.0;
+  for (std::size_t k = 1; k < offset.size(); ++k)
+    sum += std::sqrt (offset[k] - offset[k - 1]);
+  return sum;
+}
+
+// The direction nearby that blurs levels least. Normals of rounded coordinates are
+// wrong by tenths of a degree, and levels of a room are meters wide.
+Eigen::Vector3d
+sharpened (const Coordinates& points, Eigen::Vector3d direction)
+{
+  constexpr std::size_t most = 4000;
+  constexpr int max_moves = 8;
+  std::vector<Eigen::Vector3d> some;
+  for (std::size_t s = 0; s < most; ++s)
+    some.push_back (points[s * points.size() / most]);
+  double least = blurOf (some, direction);
+  for (const double degrees : {0.2, 0.1, 0.05, 0.025, 0.0125})
+    for (int move = 0; move < max_moves; ++move) {
+      const Eigen::Vector3d u = direction.unitOrthogonal();
+      const Eigen::Vector3d before = direction;
+      const Eigen::Vector3d v = before.cross (u);
+      for (const Eigen::Vector3d& side :
+           {u, v, Eigen::Vector3d (-u), Eigen::Vector3d (-v)}) {
+        const Eigen::Vector3d moved =
+            (before + degrees * M_PI / 180.0 * side).normalized();
+        const double blur = blurOf (some, moved);
+        if (blur < least) {
+          least = blur;
+          direction = moved;
+        }
+      }
+      if (direction == before)
+        break;
+    }
+  return direction;
+}
+
+/** \brief Offsets of one level, along the direction [m]. */
+struct DepthLevel {
+  double begin, end;
+  std::size_t points;
+};
+
+// Offsets that are no farther apart than this make one level.
+std::vector<DepthLevel>
+levelsOf (const std::vector<double>& sorted, double max_gap)
+{
+  std::vector<DepthLevel> levels;
+  for (const double offset : sorted)
+    if (levels.empty() || offset > levels.back().end + max_gap)
+      levels.push_back ({offset, offset, 1});
+    else {
+      levels.back().end = offset;
+      ++levels.back().points;
+    }
+  return levels;
+}
+
+double
+middleOf (const DepthLevel& level)
+{
+  return 0.5 * (level.begin + level.end);
+}
+
+// The median distance of levels around one.
+double
+stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
+{
+  constexpr std::size_t around = 2;
+  const std::size_t first = number >= around ? number - around : 0;
+  const std::size_t last = std::min (levels.size() - 1, number + around);
+  std::vector<double> steps;
+  for (std::size_t k = first; k < last; ++k)
+    steps.push_back (middleOf (levels[k + 1]) - middleOf (levels[k]));
+  // The lower one of two: the last level may be a wall far behind all others.
+  const std::size_t middle = (steps.size() - 1) / 2;
+  std::nth_element (
+      steps.begin(), steps.begin() + static_cast<std::ptrdiff_t> (middle), steps.end());
+  return steps[middle];
+}
+
+// Whether there are enough levels with as many points as others have: a floor and the
+// leg of a chair are none. A tenth of the mean is enough.
+bool
+areMany (const std::vector<DepthLevel>& levels, std::size_t points)
+{
+  constexpr std::size_t share = 10;
+  return std::count_if (levels.begin(), levels.end(), [&] (const DepthLevel& level) {
+           return share * level.points * levels.size() >= points;
+         }) >= static_cast<std::ptrdiff_t> (min_levels);
+}
+
+// The share of the points on levels that are thin for their distance, if points are
+// many a level.
+double
+shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
+{
+  constexpr std::size_t points_of_level = 50;
+  constexpr double max_thickness = 0.3;
+  if (levels.size() * points_of_level > points || !areMany (levels, points))
+    return 0.0;
+  std::size_t thin = 0;
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    if (levels[k].end - levels[k].begin < max_thickness * stepAt (levels, k))
+      thin += levels[k].points;
+  return static_cast<double> (thin) / static_cast<double> (points);
+}
+
+// The division of the offsets into levels that are thinnest for their distance, if most
+// are: coordinates that are rounded to millimeters, or jittered, have levels of some
+// thickness, and a division that is too fine cuts these into several.
+std::vector<DepthLevel>
+findLevels (const std::vector<double>& sorted)
+{
+  constexpr double min_share = 0.8;
+  constexpr double finest = 1e-6; // of the range
+  constexpr int doublings = 14;
+  const double range = sorted.back() - sorted.front();
+  double best = min_share;
+  std::vector<DepthLevel> best_levels;
+  for (int k = 0; k < doublings; ++k) {
+    std::vector<DepthLevel> levels = levelsOf (sorted, std::ldexp (finest, k) * range);
+    const double share = shareOnThinLevels (levels, sorted.size());
+    if (share > best) {
+      best = share;
+      best_levels = std::move (levels);
+    }
+  }
+  return best_levels;
+}
+
+// The number of the level that an offset is on, or that is below it.
+std::size_t
+levelOf (const std::vector<DepthLevel>& levels, double offset)
+{
+  const auto above = std::upper_bound (
+      levels.begin(), levels.end(), offset, [] (double value, const DepthLevel& level) {
+        return value < level.begin;
+      });
+  return static_cast<std::size_t> (above - levels.begin()) - 1;
+}
+
+// Whether flat places are on several levels. Those of one exact wall are on one, and
+// what is on others may be the rows of a grid.
+bool
+areSeenFlat (const std::vector<DepthLevel>& levels,
+             const std::vector<FlatPlace>& places,
+             const Eigen::Vector3d& direction)
+{
+  constexpr std::size_t min_flat_levels = 3;
+  std::set<std::size_t> flat;
+  for (const FlatPlace& place : places)
+    flat.insert (levelOf (levels, direction.dot (place.point)));
+  return flat.size() >= min_flat_levels;
+}
+
+} // namespace
+
+DepthLevels
+findDepthLevels (const Coordinates& points, const PointTree& tree)
+{
+  DepthLevels found;
+  if (points.size() < min_points_on_levels)
+    return found;
+  const std::vector<FlatPlace> flattest = flattestPlaces (points, tree);
+  const Eigen::Vector3d common = commonDirection (flattest);
+  if (common.isZero())
+    return found;
+  const Eigen::Vector3d direction = sharpened (points, common);
+  std::vector<double> offset (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    offset[i] = direction.dot (points[i]);
+  std::vector<double> sorted (offset);
+  std::sort (sorted.begin(), sorted.end());
+  const std::vector<DepthLevel> levels = findLevels (sorted);
+  if (levels.empty() || !areSeenFlat (levels, flattest, direction))
+    return found;
+  std::vector<float> steps (levels.size());
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    steps[k] = static_cast<float> (stepAt (levels, k));
+  found.direction = direction;
+  found.step.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    found.step[i] = steps[levelOf (levels, offset[i])];
+  return found;
+}
+
+} // namespace pcl_ops::internal

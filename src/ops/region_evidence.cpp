@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/region_evidence.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include "base/parallel.h"
+#include "ops/constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Regions of fewer places are scraps.
+constexpr std::size_t min_places = 12;
+
+std::vector<Indices>
+membersOf (const Regions& regions)
+{
+  std::vector<Indices> members (regions.list.size());
+  for (std::size_t i = 0; i < regions.of_place.size(); ++i)
+    if (regions.of_place[i] != no_plane)
+      members[regions.of_place[i]].push_back (static_cast<std::uint32_t> (i));
+  return members;
+}
+
+// The rms of the quadratic surface through the places of a region, over what is left.
+double
+bendOf (const Places& places, const Region& region, const Indices& members)
+{
+  constexpr std::size_t terms = 6;
+  constexpr double regular = 1e-9;
+  constexpr double least_rest = 1e-6; // of the squared width
+  using Normal = Eigen::Matrix<double, terms, terms>;
+  using Vector = Eigen::Matrix<double, terms, 1>;
+  if (members.size() < terms)
+    return 0.0;
+  const Eigen::Vector3d& normal = region.fit.plane.normal;
+  const Eigen::Vector3d u = normal.unitOrthogonal();
+  const Eigen::Vector3d v = normal.cross (u);
+  const double width = region.width() + 1e-12;
+  Normal products = Normal::Zero();
+  Vector right = Vector::Zero();
+  double squares = 0.0;
+  for (const std::uint32_t place : members) {
+    const Eigen::Vector3d from_center = places.position[place] - region.fit.centroid;
+    const double s = from_center.dot (u) / width;
+    const double t = from_center.dot (v) / width;
+    const double height = from_center.dot (normal);
+    Vector row;
+    row << 1.0, s, t, s * s, s * t, t * t;
+    products += row * row.transpose();
+    right += row * height;
+    squares += height * height;
+  }
+  const auto number = static_cast<double> (members.size());
+  products.diagonal().array() += regular * number;
+  const double explained =
+      std::clamp (products.ldlt().solve (right).dot (right), 0.0, squares);
+  const double rest = (squares - explained) / number + least_rest * width * width;
+  return std::min (std::sqrt (explained / number / rest), place_constants.max_bend);
+}
+
+/** \brief Pairs of places beside each other of which one is the region's own. */
+struct Border {
+  double links = 0.0;
+  double open = 0.0;
+  double smooth = 0.0;
+  double bend_of_smooth = 0.0;
+};
+
+// Whether a plane goes on beyond a border: near it, turned by little, but turned.
+bool
+isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& step)
+{
+  constexpr double max_slope = 0.7;
+  constexpr double min_turn = 4.0 * (M_PI / 180.0);
+  constexpr double max_turn = 35.0 * (M_PI / 180.0);
+  const double cosine = std::abs (own.normal.dot (other.normal));
+  return std::abs (own.normal.dot (step)) < max_slope * step.norm() &&
+         cosine < std::cos (min_turn) && cosine > std::cos (max_turn);
+}
+
+Border
+borderOf (const Places& places,
+          const ChosenSupports& chosen,
+          const Regions& regions,
+          const std::vector<Indices>& members,
+          const std::vector<double>& bend,
+          std::size_t region)
+{
+  Border border;
+  for (const std::uint32_t place : members[region])
+    for (std::size_t k = 0; k < places.neighbors; ++k) {
+      const std::uint32_t beside = places.nearestOf (place)[k];
+      const std::int32_t other = regions.of_place[beside];
+      if (other == static_cast<std::int32_t> (region))
+        continue;
+      border.links += 1.0;
+      if (other == no_plane || members[other].size() < min_places)
+        border.open += 1.0;
+      if (other == no_plane || chosen.is_flat[beside] == 0 ||
+          !isSmooth (regions.list[region].fit.plane,
+                     regions.list[other].fit.plane,
+                     places.position[beside] - places.position[place]))
+        continue;
+      border.smooth += 1.0;
+      border.bend_of_smooth += bend[other];
+    }
+  return border;
+}
+
+RegionEvidence
+evidenceOf (double points,
+            double all_points,
+            double common_errors,
+            double bend,
+            const Border& border)
+{
+  RegionEvidence evidence;
+  evidence.size = std::log10 (points + 1.0) - 0.5 * std::log10 (all_points + 1.0) -
+                  place_constants.common_error_exponent * std::log10 (common_errors);
+  evidence.bend = bend;
+  if (border.links > 0.0) {
+    evidence.smooth_border = border.bend_of_smooth / border.links;
+    evidence.open_border = border.open / border.links;
+  }
+  return evidence;
+}
+
+} // namespace
+
+double
+RegionEvidence::sum() const
+{
+  constexpr double least_bend = 0.1;
+  return place_constants.evidence + place_constants.evidence_of_size * size +
+         place_constants.evidence_of_bend * std::log (least_bend + bend) +
+         place_constants.evidence_of_smooth_border * smooth_border +
+         place_constants.evidence_of_open_border * open_border;
+}
+
+std::vector<char>
+planesAmong (const Places& places,
+             const PlaceNoise& noise,
+             const ChosenSupports& chosen,
+             const Regions& regions,
+             double min_points_factor,
+             unsigned threads)
+{
+  const std::vector<Indices> members = membersOf (regions);
+  const double min_points = min_points_factor * place_constants.min_independent_points *
+                            noise.cloud.common_errors;
+  std::vector<double> bend (members.size());
+  parallelFor (threads, members.size(), 1, [&] (std::size_t region, std::size_t) {
+    bend[region] = bendOf (places, regions.list[region], members[region]);
+  });
+  std::vector<char> is_plane (members.size(), 0);
+  parallelFor (threads, members.size(), 1, [&] (std::size_t region, std::size_t) {
+    const auto points = static_cast<double> (members[region].size());
+    const auto flat = std::count_if (
+        members[region].begin(), members[region].end(), [&] (std::uint32_t place) {
+          return chosen.is_flat[place] != 0;
+        });
+    if (points < min_points || flat < place_constants.min_flat_places)
+      return;
+    const RegionEvidence evidence =
+        evidenceOf (points,
+                    noise.cloud.points,
+                    noise.cloud.common_errors,
+                    bend[region],
+                    borderOf (places, chosen, regions, members, bend, region));
+    is_plane[region] = evidence.sum() > 0.0 ? 1 : 0;
+  });
+  return is_plane;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/region_labels.h"
+
+#include "base/parallel.h"
+#include "ops/constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+/** \brief The likeliest plane of a place so far. */
+struct Likeliest {
+  double cost = std::numeric_limits<double>::infinity();
+  std::int32_t region = no_plane;
+};
+
+void
+offer (const Region& region,
+       std::int32_t number,
+       const Eigen::Vector3d& position,
+       double noise_of_place,
+       std::optional<double> distance_threshold,
+       Likeliest& best)
+{
+  constexpr double least_spread = 1e-9;
+  const double distance = std::abs (region.fit.plane.distance (position));
+  const double noise = std::max (
+      region.scatter,
+      std::min (noise_of_place, place_constants.max_noise_over_region * region.noise));
+  // Parts that lean a little, as those of a cambered road, lie beyond the noise of what
+  // they are joined to. Of all regions it would be hills that become thick.
+  const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
+  const double thickness =
+      region.is_joined
+          ? std::clamp (rms, noise, place_constants.max_rms_over_noise * noise)
+          : noise;
+  const double reach =
+      distance_threshold.value_or (place_constants.noises_of_point * thickness +
+                                   place_constants.bend_of_width * region.width());
+  if (distance > reach)
+    return;
+  const double spread = noise + least_spread;
+  const double cost = distance * distance / (spread * spread) + 2.0 * std::log (spread);
+  if (cost < best.cost || (cost == best.cost && number < best.region))
+    best = {cost, number};
+}
+
+} // namespace
+
+Labels
+labelPlaces (const Places& places,
+             const PlaceNoise& noise,
+             const Regions& regions,
+             const std::vector<char>& is_plane,
+             std::optional<double> distance_threshold,
+             unsigned threads)
+{
+  Labels labels (places.size(), no_plane);
+  forEach (threads, places.size(), [&] (std::size_t i) {
+    Likeliest best;
+    std::int32_t last = no_plane;
+    const auto look = [&] (std::int32_t region) {
+      if (region == no_plane || region == last || is_plane[region] == 0)
+        return;
+      last = region; // most neighbors are of one region
+      offer (regions.list[region],
+             region,
+             places.position[i],
+             noise.of_place[i],
+             distance_threshold,
+             best);
+    };
+    look (regions.of_place[i]);
+    for (std::size_t k = 0; k < places.neighbors; ++k)
+      look (regions.of_place[places.nearestOf (i)[k]]);
+    labels[i] = best.region;
+  });
+  return labels;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/regions.h"
+
+#include "ops/constants.h"
+#include "ops/usual_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+constexpr double points_of_fit = 6.0;
+
+// Flat places, the flattest first.
+std::vector<std::pair<float, std::uint32_t>>
+seedsOf (const ChosenSupports& chosen)
+{
+  std::vector<std::pair<float, std::uint32_t>> seeds;
+  for (std::size_t i = 0; i < chosen.is_flat.size(); ++i)
+    if (chosen.is_flat[i] != 0)
+      seeds.emplace_back (chosen.scatter[i] / chosen.width[i],
+                          static_cast<std::uint32_t> (i));
+  std::sort (seeds.begin(), seeds.end());
+  return seeds;
+}
+
+/** \brief A region while it grows. */
+class GrowingRegion {
+public:
+  GrowingRegion (const Places& places,
+                 const PlaceNoise& noise,
+                 const ChosenSupports& chosen,
+                 std::optional<double> distance_threshold)
+  : places_ (places)
+  , noise_ (noise)
+  , chosen_ (chosen)
+  , distance_threshold_ (distance_threshold)
+  {}
+
+  Region
+  grow (std::uint32_t seed, std::int32_t number, Labels& of_place)
+  {
+    start (seed);
+    of_place[seed] = number;
+    for (std::size_t next = 0; next < members_.size(); ++next) {
+      const std::uint32_t* nearest = places_.nearestOf (members_[next]);
+      for (std::size_t k = 0; k < places_.neighbors; ++k)
+        if (of_place[nearest[k]] == no_plane && fits (nearest[k])) {
+          of_place[nearest[k]] = number;
+          take (nearest[k]);
+        }
+    }
+    return finished();
+  }
+
+private:
+  void
+  start (std::uint32_t seed)
+  {
+    region_ = Region();
+    region_.fit.plane = planeThrough (places_.position[seed], chosen_.normal[seed]);
+    members_.clear();
+    scatters_.clear();
+    sum_of_logarithms_ = 0.0;
+    rms_ = 0.0;
+    width_ = chosen_.width[seed];
+    fitted_points_ = min_fitted_points;
+    add (seed);
+    region_.noise = noise_.of_place[seed];
+  }
+
+  bool
+  fits (std::uint32_t place) const
+  {
+    const Plane& plane = region_.fit.plane;
+    return std::abs (chosen_.normal[place].dot (plane.normal)) >= min_cosine_ &&
+           std::abs (plane.distance (places_.position[place])) <= reach (place);
+  }
+
+  // The rms of a region follows its own bend: it counts up to some noises only, lest a
+  // surface that bends grows noisier, and with it farther.
+  double
+  reach (std::uint32_t place) const
+  {
+    if (distance_threshold_)
+      return *distance_threshold_;
+    const double noise = std::min<double> (
+        noise_.of_place[place], place_constants.max_noise_over_region * region_.noise);
+    const double counted =
+        std::min (std::max (noise, rms_), place_constants.max_rms_over_noise * noise);
+    return place_constants.noises_of_region * counted +
+           place_constants.bend_of_width * width_;
+  }
+
+  void
+  take (std::uint32_t place)
+  {
+    add (place);
+    const double points = region_.moments.count;
+    if (points < min_fitted_points ||
+        points <= place_constants.refit_growth * fitted_points_)
+      return;
+    constexpr double clear = 4.0; // of which variance is the smallest
+    fitted_points_ = points;
+    region_.noise = meanNoise();
+    const std::optional<PlaneFit> fit = fitPlane (region_.moments);
+    if (!fit || fit->variances[1] <= clear * fit->variances[0])
+      return;
+    region_.fit = *fit;
+    width_ = region_.width();
+    rms_ = std::sqrt (fit->variances[0] * points / (points - 3.0));
+  }
+
+  void
+  add (std::uint32_t place)
+  {
+    const Eigen::Vector3d& position = places_.position[place];
+    region_.moments.add (position.x(), position.y(), position.z());
+    members_.push_back (place);
+    scatters_.push_back (chosen_.scatter[place]);
+    sum_of_logarithms_ += std::log (noise_.of_place[place] + least_noise);
+  }
+
+  double
+  meanNoise () const
+  {
+    return std::exp (sum_of_logarithms_ / static_cast<double> (members_.size()));
+  }
+
+  Region
+  finished ()
+  {
+    constexpr double half = 0.5;
+    region_.noise = meanNoise();
+    region_.scatter = quantileOf (scatters_, half);
+    region_.fit.centroid = region_.moments.centroid();
+    region_.fit.variances = {0.0, width_ * width_ / squared_width_of_variance, 0.0};
+    region_.refit();
+    return region_;
+  }
+
+  static constexpr double min_fitted_points = 12.0;
+  const double min_cosine_ = std::cos (place_constants.max_angle);
+  const Places& places_;
+  const PlaceNoise& noise_;
+  const ChosenSupports& chosen_;
+  std::optional<double> distance_threshold_;
+  Region region_;
+  Indices members_;
+  std::vector<float> scatters_;
+  double sum_of_logarithms_ = 0.0;
+  double rms_ = 0.0;
+  double width_ = 0.0;
+  double fitted_points_ = 0.0;
+};
+
+} // namespace
+
+double
+Region::width() const
+{
+  return std::sqrt (squared_width_of_variance * std::max (0.0, fit.variances[1]));
+}
+
+double
+Region::length() const
+{
+  return std::sqrt (squared_width_of_variance * std::max (0.0, fit.variances[2]));
+}
+
+void
+Region::refit()
+{
+  if (moments.count < points_of_fit)
+    return;
+  if (const std::optional<PlaneFit> fitted = fitPlane (moments))
+    fit = *fitted;
+}
+
+void
+Region::take (Region& other)
+{
+  const double own = moments.count;
+  const double taken = other.moments.count;
+  is_joined = is_joined || taken > place_constants.min_share_of_part * own;
+  const double share = taken / (own + taken);
+  scatter = std::sqrt ((1.0 - share) * scatter * scatter +
+                       share * other.scatter * other.scatter);
+  noise = (1.0 - share) * noise + share * other.noise;
+  moments.addAligned (other.moments);
+  other.moments = Moments();
+}
+
+Regions
+growRegions (const Places& places,
+             const PlaceNoise& noise,
+             const ChosenSupports& chosen,
+             std::optional<double> distance_threshold)
+{
+  Regions regions;
+  regions.of_place.assign (places.size(), no_plane);
+  GrowingRegion growing (places, noise, chosen, distance_threshold);
+  for (const auto& [thickness, seed] : seedsOf (chosen))
+    if (regions.of_place[seed] == no_plane) {
+      const auto number = static_cast<std::int32_t> (regions.list.size());
+      regions.list.push_back (growing.grow (seed, number, regions.of_place));
+    }
+  return regions;
+}
+
+} // namespace pcl_ops::internal

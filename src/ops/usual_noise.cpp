@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/usual_noise.h"
+
+#include "ops/constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// The density is 0 of points as far apart as numbers go.
+double
+logarithmOf (double density)
+{
+  constexpr double limit = 300.0;
+  return std::clamp (std::log2 (density), -limit, limit);
+}
+
+int
+octaveOf (double density)
+{
+  return static_cast<int> (std::floor (logarithmOf (density)));
+}
+
+// The values of an octave, and every other one of those beside it.
+std::vector<float>
+around (const std::map<int, std::vector<float>>& by_octave, int octave)
+{
+  std::vector<float> values;
+  for (int step = -1; step <= 1; ++step)
+    if (const auto found = by_octave.find (octave + step); found != by_octave.end())
+      for (std::size_t i = 0; i < found->second.size(); i += step == 0 ? 1 : 2)
+        values.push_back (found->second[i]);
+  return values;
+}
+
+} // namespace
+
+float
+quantileOf (std::vector<float>& values, double share)
+{
+  if (values.empty())
+    return 0.0F;
+  const auto number = static_cast<double> (values.size());
+  const auto place =
+      std::min (values.size() - 1, static_cast<std::size_t> (share * number));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (place);
+  std::nth_element (values.begin(), middle, values.end());
+  return *middle;
+}
+
+void
+setUsualNoise (const std::vector<float>& density,
+               const std::vector<float>& noise,
+               CloudNoise& cloud)
+{
+  constexpr double half = 0.5;
+  std::map<int, std::vector<float>> by_octave;
+  for (std::size_t i = 0; i < density.size(); ++i)
+    by_octave[octaveOf (density[i])].push_back (noise[i]);
+  std::vector<float> all (noise);
+  cloud.usual = quantileOf (all, half);
+  cloud.usual_of_octave.clear();
+  for (const auto& [octave, values] : by_octave) {
+    std::vector<float> near = around (by_octave, octave);
+    cloud.usual_of_octave[octave] = std::min<double> (
+        quantileOf (near, half), place_constants.max_usual_over_cloud * cloud.usual);
+  }
+}
+
+double
+usualNoise (const CloudNoise& cloud, double density)
+{
+  // An octave's value is that of its middle.
+  const double place = logarithmOf (density) - 0.5;
+  const int below = static_cast<int> (std::floor (place));
+  const auto first = cloud.usual_of_octave.find (below);
+  const auto second = cloud.usual_of_octave.find (below + 1);
+  const auto end = cloud.usual_of_octave.end();
+  if (first == end && second == end)
+    return cloud.usual;
+  if (first == end)
+    return second->second;
+  if (second == end)
+    return first->second;
+  const double share = place - below;
+  return std::pow (first->second, 1.0 - share) * std::pow (second->second, share);
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/stage_clock.h"
+#include "cloud/voxel_size.h"
+#include "detection/labelled_planes.h"
+#include "paper/hough_planes.h"
+#include "voxels/bounded_assignment.h"
+#include "voxels/bounded_planes.h"
+#include "voxels/plane_growing.h"
+#include <pcl_ops/kernel_hough_transform.h>
+
+#include <string>
+#include <utility>
+
+namespace pcl_ops {
+
+namespace internal {
+namespace {
+
+// Into how many voxels a cloud is divided to follow its planes' outlines.
+constexpr double wanted_voxels = 9000.0;
+
+/** Each voxel goes to the plane of the first cluster that has a point in it. */
+BoundedPlanes
+voxelsOfClusters (const std::vector<HoughPlane>& planes,
+                  const OctreeClusters& found,
+                  const VoxelGrid& grid)
+{
+  const Indices voxel_of_point = voxelsOfPoints (grid);
+  BoundedPlanes voxels;
+  voxels.plane_of_voxel.assign (grid.size(), no_plane);
+  for (const HoughPlane& plane : planes) {
+    const auto label = static_cast<std::int32_t> (voxels.planes.size());
+    voxels.planes.push_back (plane.plane);
+    for (const std::uint32_t c : plane.clusters) {
+      const CoplanarCluster& cluster = found.clusters[c];
+      for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
+        const std::uint32_t voxel = voxel_of_point[found.points[i].index];
+        if (voxels.plane_of_voxel[voxel] == no_plane)
+          voxels.plane_of_voxel[voxel] = label;
+      }
+    }
+  }
+  return voxels;
+}
+
+/** Takes voxels off planes that their points are not on. */
+void
+releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
+{
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (std::int32_t& plane = planes.plane_of_voxel[i]; plane != no_plane) {
+      const double limit = noises_of_a_voxel * planes.noise[plane];
+      if (meanSquaredDistance (grid.moments[i], planes.planes[plane]) > limit * limit)
+        plane = no_plane;
+    }
+}
+
+/** Grows and merges planes on their voxels. */
+void
+settleVoxels (const VoxelGrid& grid,
+              const KernelHoughTransformParameters& parameters,
+              BoundedPlanes& planes)
+{
+  measureNoise (grid, parameters.threads, planes);
+  releaseVoxels (grid, planes);
+  growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
+  renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), mergingOf (parameters)),
+                  planes);
+  measureNoise (grid, parameters.threads, planes);
+}
+
+/** Replaces each least squares plane by the plane its points were assigned to, with the
+ * centroid moved onto it: the first one's where planes were merged. */
+void
+restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
+{
+  for (std::size_t i = planes.size(); i-- > 0;)
+    if (const std::int32_t group = merged.merged_into[i]; group != no_plane)
+      merged.fits[static_cast<std::size_t> (group)].plane = planes[i];
+  for (PlaneFit& fit : merged.fits)
+    fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
+}
+
+/** Planes without end: \ref assignPoints, block by block of the octree, where most
+ * planes are far away, and \ref mergePlanes. */
+LabelledPlanes
+assignToUnboundedPlanes (const Points& points,
+                         const OctreeClusters& found,
+                         const std::vector<HoughPlane>& hough_planes,
+                         const KernelHoughTransformParameters& parameters,
+                         StageDurations& durations)
+{
+  const unsigned threads = parameters.threads;
+  const double theta_h = *parameters.distance_threshold;
+  StageClock clock;
+  std::vector<Plane> planes;
+  for (const HoughPlane& plane : hough_planes)
+    planes.push_back (plane.plane);
+  Coordinates in_octree_order;
+  for (const OctreePoint& point : found.points)
+    in_octree_order.add (point.x, point.y, point.z);
+  const Labels labels =
+      assignPoints (in_octree_order, planes, theta_h, AssignmentRule::First, threads);
+  AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    assigned.labels[found.points[i].index] = labels[i];
+  clock.lap (durations.assignment);
+  assigned.moments = momentsOfLabels (points, assigned.labels, planes.size(), threads);
+  LabelledPlanes merged =
+      mergeAssigned (std::move (assigned), mergingOf (parameters), threads);
+  restorePlanes (merged.planes, planes);
+  clock.lap (durations.merging);
+  return merged;
+}
+
+/** Planes that hold what their clusters cover and what they grow into: merging first,
+ * on the voxels of a grid, and then \ref assignToBoundedPlanes of voxels. */
+LabelledPlanes
+assignToOutlinedPlanes (const Points& points,
+                        const OctreeClusters& found,
+                        const std::vector<HoughPlane>& hough_planes,
+                        const KernelHoughTransformParameters& parameters,
+                        StageDurations& durations)
+{
+  if (hough_planes.empty())
+    return {Labels (points.size(), no_plane), {}, 0};
+  constexpr double follows_noise_up_to = 4.0;
+  StageClock clock;
+  VoxelGrid grid =
+      voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
+  connect (grid, parameters.threads);
+  clock.lap (durations.search);
+  BoundedPlanes planes = voxelsOfClusters (hough_planes, found, grid);
+  settleVoxels (grid, parameters, planes);
+  clock.lap (durations.merging);
+  AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  assignToBoundedPlanes (points,
+                         grid,
+                         planes,
+                         parameters.distance_threshold,
+                         follows_noise_up_to,
+                         parameters.threads,
+                         {},
+                         assigned);
+  MergingParameters keep_apart;
+  keep_apart.enabled = false;
+  LabelledPlanes kept =
+      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+  clock.lap (durations.assignment);
+  return kept;
+}
+
+LabelledPlanes
+detectByVotes (const Points& points,
+               const KernelHoughTransformParameters& parameters,
+               StageDurations& durations)
+{
+  const double theta_h = *parameters.distance_threshold;
+  StageClock clock;
+  // octree: nodes of approximately coplanar points
+  const OctreeClusters clusters =
+      findCoplanarClusters (points, parameters.clusters, parameters.threads);
+  clock.lap (durations.search);
+  // accumulator ball: Gaussian kernels vote for (rho, phi, theta), peaks are planes
+  std::vector<HoughPlane> planes =
+      voteForPlanes (clusters, parameters.phi_num, parameters.rho_num);
+  // the planes freed from the bins
+  if (parameters.refit.enabled)
+    planes = refitPlanes (planes, clusters, parameters.refit.min_share, theta_h);
+  clock.lap (durations.extraction);
+  // every point to a plane, and the coplanarity test of the OPS paper on each pair
+  LabelledPlanes found =
+      parameters.refit.enabled
+          ? assignToOutlinedPlanes (points, clusters, planes, parameters, durations)
+          : assignToUnboundedPlanes (points, clusters, planes, parameters, durations);
+  found.planes_before_merging = planes.size();
+  return found;
+}
+
+} // namespace
+} // namespace internal
+
+detail::Detection
+detail::detect (const DetectorInput& input,
+                const KernelHoughTransformParameters& parameters)
+{
+  using namespace internal;
+  return detectInFinitePoints (
+      input, parameters, [&] (const auto& points, auto& durations) {
+        return detectByVotes (points, parameters, durations);
+      });
+}
+
+KernelHoughTransformParameters::KernelHoughTransformParameters()
+{
+  clusters.first_level = 3;
+  clusters.s_alpha = 15.0;
+}
+
+KernelHoughTransformParameters
+KernelHoughTransformParameters::paper()
+{
+  KernelHoughTransformParameters parameters;
+  parameters.phi_num = 80;
+  parameters.rho_num = 800;
+  parameters.clusters = Clusters();
+  parameters.refit.enabled = false;
+  parameters.distance_threshold = 0.05;
+  parameters.merging.enabled = false;
+  return parameters;
+}
+
+std::string
+validate (const KernelHoughTransformParameters& parameters)
+{
+  constexpr int max_phi = 1000;
+  constexpr int max_rho = 10000;
+  // Each level is a call within a call; nodes are below any noise long before.
+  constexpr int max_levels = 60;
+  const KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
+  if (parameters.phi_num < 2 || parameters.phi_num > max_phi)
+    return "phi_num must be between 2 and " + std::to_string (max_phi);
+  if (parameters.rho_num < 2 || parameters.rho_num > max_rho)
+    return "rho_num must be between 2 and " + std::to_string (max_rho);
+  if (clusters.min_samples < 3)
+    return "a cluster needs at least three samples";
+  if (clusters.first_level < 0 || clusters.max_level < clusters.first_level)
+    return "s_level must be 0 or more and no more than the deepest level";
+  if (clusters.max_level > max_levels)
+    return "the deepest level must be no more than " + std::to_string (max_levels);
+  if (!(clusters.s_alpha > 0.0 && clusters.s_beta > 0.0))
+    return "s_alpha and s_beta must be above 0";
+  if (!(parameters.refit.min_share >= 0.0 && parameters.refit.min_share <= 1.0))
+    return "the smallest share of a plane must be between 0 and 1";
+  if (!parameters.distance_threshold)
+    return "the distance threshold must be a length above 0";
+  return validate (static_cast<const PlaneDetectorParameters&> (parameters));
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/kernel_votes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace pcl_ops::internal {
+namespace {
+
+// Squared Mahalanobis distance of two standard deviations, where votes end.
+constexpr double largest_squared_distance = 4.0;
+
+// Votes go no farther than this from the middle of a row and a ray [bins]. Without
+// noise to speak of a plane through the center has kernels that reach all directions,
+// and votes everywhere are votes for nothing: to end them here finds a little more,
+// too.
+constexpr double max_directions = 8.0;
+constexpr double max_bins = 32.0;
+
+// Patches of a row as counted through all turns: where a kernel hardly knows its
+// azimuth, the likeliest one of another row may be any number of turns away.
+constexpr int max_patches = 1 << 30;
+
+// Keeps the Jacobian finite at the poles and for planes through the center [m^2].
+constexpr double smallest_squared_distance = 1e-5;
+
+// Added to the variance of rho [m^2].
+constexpr double min_rho_variance = 1e-5;
+
+/** To int, bounded so that no double overflows it. */
+int
+bounded (double value, int low, int high)
+{
+  return static_cast<int> (std::clamp<double> (value, low, high));
+}
+
+/** A direction's offset from the mean of a kernel. */
+struct Offset {
+  double phi = 0.0;
+  double theta = 0.0;
+};
+
+/** A kernel's density, in the terms that its votes are computed from. */
+class KernelDensity {
+public:
+  explicit KernelDensity (const PlaneKernel& kernel)
+  {
+    const Eigen::Matrix3d& sigma = kernel.covariance;
+    mean_rho = kernel.mean[0];
+    mean_phi = kernel.mean[1];
+    mean_theta = kernel.mean[2];
+    phi_deviation = std::sqrt (sigma (1, 1));
+    const double determinant =
+        sigma (1, 1) * sigma (2, 2) - sigma (1, 2) * sigma (1, 2);
+    pp_ = sigma (2, 2) / determinant;
+    pt_ = -sigma (1, 2) / determinant;
+    tt_ = sigma (1, 1) / determinant;
+    rho_per_phi_ = pp_ * sigma (0, 1) + pt_ * sigma (0, 2);
+    rho_per_theta_ = pt_ * sigma (0, 1) + tt_ * sigma (0, 2);
+    rho_variance =
+        sigma (0, 0) - rho_per_phi_ * sigma (0, 1) - rho_per_theta_ * sigma (0, 2);
+    peak = kernel.weight / std::sqrt (8.0 * pi * pi * pi * determinant * rho_variance);
+  }
+
+  /** False where the covariance is not positive definite. */
+  bool
+  isDefined () const
+  {
+    return std::isfinite (peak) && peak > 0.0;
+  }
+
+  /** Squared Mahalanobis distance of a direction, the best rho assumed. */
+  double
+  squaredDistance (const Offset& offset) const
+  {
+    return offset.phi * (pp_ * offset.phi + 2.0 * pt_ * offset.theta) +
+           tt_ * offset.theta * offset.theta;
+  }
+
+  double
+  likeliestTheta (double phi_offset) const
+  {
+    return -pt_ / tt_ * phi_offset;
+  }
+
+  /** How far in theta a squared Mahalanobis distance reaches on one row. */
+  double
+  thetaReach (double squared_distance) const
+  {
+    return std::sqrt (squared_distance / tt_);
+  }
+
+  double
+  likeliestRho (const Offset& offset) const
+  {
+    return mean_rho + rho_per_phi_ * offset.phi + rho_per_theta_ * offset.theta;
+  }
+
+  double mean_rho = 0.0;
+  double mean_phi = 0.0;
+  double mean_theta = 0.0;
+  double phi_deviation = 0.0;
+  /** About the likeliest rho of a direction. */
+  double rho_variance = 0.0;
+  /** The density at the mean. */
+  double peak = 0.0;
+
+private:
+  // The inverse of the covariance of phi and theta.
+  double pp_ = 0.0;
+  double pt_ = 0.0;
+  double tt_ = 0.0;
+  // The line of the likeliest rho over phi and theta.
+  double rho_per_phi_ = 0.0;
+  double rho_per_theta_ = 0.0;
+};
+
+class VoteCaster {
+public:
+  VoteCaster (const KernelDensity& density, const HoughSpace& space, KernelVotes& votes)
+  : density_ (density)
+  , space_ (space)
+  , votes_ (votes)
+  , ratio_change_ (std::exp (-space.rho_step * space.rho_step / density.rho_variance))
+  {}
+
+  void
+  castAll ()
+  {
+    const double step = space_.directions.phi_step;
+    const double reach =
+        std::min (std::sqrt (largest_squared_distance) * density_.phi_deviation,
+                  max_directions * step);
+    const int phi_num = space_.directions.phi_num;
+    const int first =
+        bounded (std::ceil ((density_.mean_phi - reach) / step), -phi_num, 2 * phi_num);
+    const int last = bounded (
+        std::floor ((density_.mean_phi + reach) / step), -phi_num, 2 * phi_num);
+    for (int row = first; row <= last; ++row)
+      castRow (row);
+    castOwnBin();
+    if (has_wrapped_)
+      keepLargestVotes();
+  }
+
+private:
+  void
+  castRow (int row)
+  {
+    const BallDirections& directions = space_.directions;
+    const double phi_offset = row * directions.phi_step - density_.mean_phi;
+    const double room =
+        largest_squared_distance -
+        phi_offset * phi_offset / (density_.phi_deviation * density_.phi_deviation);
+    if (room < 0.0)
+      return;
+    const bool is_beyond_pole = row < 0 || row > directions.phi_num;
+    if (is_beyond_pole)
+      has_wrapped_ = true;
+    const int reflected = reflectedRow (row);
+    const double middle = density_.likeliestTheta (phi_offset);
+    const int patches = directions.patchesOfRow (reflected);
+    if (patches == 1) { // All azimuths meet at a pole.
+      castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
+      return;
+    }
+
+    const double start = density_.mean_theta + (is_beyond_pole ? pi : 0.0);
+    const double step = 2.0 * pi / patches;
+    const double middle_patch = (start + middle) / step - 0.5;
+    const double reach =
+        std::min ({density_.thetaReach (room) / step, 0.5 * patches, max_directions});
+    const int first =
+        bounded (std::ceil (middle_patch - reach), -max_patches, max_patches);
+    const int last = std::min (
+        bounded (std::floor (middle_patch + reach), -max_patches, max_patches),
+        first + patches - 1);
+    for (int patch = first; patch <= last; ++patch)
+      castRay (directions.patchOfRow (reflected, patch),
+               {phi_offset, (patch + 0.5) * step - start});
+  }
+
+  /** Rows beyond a pole are those of its other side. */
+  int
+  reflectedRow (int row) const
+  {
+    const int last_row = space_.directions.phi_num;
+    if (row < 0)
+      return -row;
+    if (row > last_row)
+      return 2 * last_row - row;
+    return row;
+  }
+
+  void
+  castRay (std::uint32_t direction, const Offset& offset)
+  {
+    const double distance = density_.squaredDistance (offset);
+    const double room = std::max (0.0, largest_squared_distance - distance);
+    const double middle = density_.likeliestRho (offset);
+    const double step = space_.rho_step;
+    const double reach =
+        std::min (std::sqrt (room * density_.rho_variance), max_bins * step);
+    const int bins = space_.rho_num;
+    const int first = bounded (std::ceil ((middle - reach) / step - 0.5), -bins, bins);
+    const int last =
+        bounded (std::floor ((middle + reach) / step - 0.5), -bins - 1, bins - 1);
+    const double height = density_.peak * std::exp (-0.5 * distance);
+    if (last < first)
+      return;
+    if (last >= 0) {
+      const int from = std::max (first, 0);
+      const double start = space_.rhoOf (from) - middle;
+      addRay (direction, from, last + 1, start, step, height);
+    }
+    if (first < 0) {
+      has_wrapped_ = true;
+      const int from = std::min (last, -1);
+      const double start = space_.rhoOf (from) - middle;
+      const std::uint32_t opposite = space_.directions.opposite (direction);
+      addRay (opposite, -1 - from, -first, start, -step, height);
+    }
+  }
+
+  /** The density along rho at offset, offset + step, ..: the ratio of neighbors changes
+   * by a constant factor, so that no bin costs an exponential. */
+  void
+  addRay (std::uint32_t direction,
+          int begin,
+          int end,
+          double offset,
+          double step,
+          double height)
+  {
+    double value = height * std::exp (-0.5 * offset * offset / density_.rho_variance);
+    double ratio = std::exp (-step * (offset + 0.5 * step) / density_.rho_variance);
+    const auto first_value = static_cast<std::uint32_t> (votes_.values.size());
+    votes_.rays.push_back ({direction, begin, end, first_value});
+    for (int bin = begin; bin < end; ++bin) {
+      votes_.values.push_back (static_cast<float> (value));
+      value *= ratio;
+      ratio *= ratio_change_;
+    }
+  }
+
+  void
+  castOwnBin ()
+  {
+    const BallDirections& directions = space_.directions;
+    const int row =
+        static_cast<int> (std::lround (density_.mean_phi / directions.phi_step));
+    const std::uint32_t direction = directions.at (row, density_.mean_theta);
+    const int bin = std::min (static_cast<int> (density_.mean_rho / space_.rho_step),
+                              space_.rho_num - 1);
+    Offset offset;
+    offset.phi = directions.phiOf (direction) - density_.mean_phi;
+    if (directions.patchesOfRow (row) == 1)
+      offset.theta = density_.likeliestTheta (offset.phi);
+    else
+      offset.theta = std::remainder (
+          directions.thetaOf (direction) - density_.mean_theta, 2.0 * pi);
+    const double rho_offset = space_.rhoOf (bin) - density_.likeliestRho (offset);
+    if (density_.squaredDistance (offset) +
+            rho_offset * rho_offset / density_.rho_variance <=
+        largest_squared_distance)
+      return;
+    const double height = density_.peak * std::exp (-0.5 * largest_squared_distance);
+    addRay (direction, bin, bin + 1, 0.0, 0.0, height);
+  }
+
+  void
+  keepLargestVotes ()
+  {
+    std::vector<VoteRay>& rays = votes_.rays;
+    std::sort (rays.begin(), rays.end(), [] (const VoteRay& a, const VoteRay& b) {
+      return std::tie (a.direction, a.first_value) <
+             std::tie (b.direction, b.first_value);
+    });
+    for (auto a = rays.begin(); a != rays.end(); ++a)
+      for (auto b = a + 1; b != rays.end() && b->direction == a->direction; ++b)
+        keepLargerVote (*a, *b);
+  }
+
+  void
+  keepLargerVote (const VoteRay& a, const VoteRay& b)
+  {
+    const int end = std::min (a.end, b.end);
+    for (int bin = std::max (a.begin, b.begin); bin < end; ++bin) {
+      float& of_a = votes_.values[a.first_value + (bin - a.begin)];
+      float& of_b = votes_.values[b.first_value + (bin - b.begin)];
+      if (of_a < of_b)
+        of_a = 0.0f;
+      else
+        of_b = 0.0f;
+    }
+  }
+
+  const KernelDensity& density_;
+  const HoughSpace& space_;
+  KernelVotes& votes_;
+  /** Of the ratio of neighboring bins, from bin to bin. */
+  const double ratio_change_;
+  /** The votes may meet themselves. */
+  bool has_wrapped_ = false;
+};
+
+} // namespace
+
+PlaneKernel
+planeKernel (const PlaneFit& fit,
+             const Eigen::Matrix3d& covariance,
+             const Eigen::Vector3d& center,
+             double weight)
+{
+  const double signed_rho = (fit.centroid - center).dot (fit.plane.normal);
+  const Eigen::Vector3d normal = (signed_rho < 0.0 ? -1.0 : 1.0) * fit.plane.normal;
+  const double rho = std::abs (signed_rho);
+  const double theta = std::atan2 (normal.y(), normal.x());
+  const double horizontal = std::hypot (normal.x(), normal.y());
+  const double guard = std::sqrt (smallest_squared_distance);
+
+  // p = rho n, w = px^2 + py^2, q = w + pz^2. The rows are written with the cosine and
+  // sine of theta for px / sqrt (w) and py / sqrt (w), which stay defined at the poles.
+  const double root_w = std::max (rho * horizontal, guard);
+  const double root_q = std::max (rho, guard);
+  Eigen::Matrix3d jacobian;
+  jacobian.row (0) = normal;
+  jacobian.row (1) << std::cos (theta) * normal.z(), std::sin (theta) * normal.z(),
+      -horizontal;
+  jacobian.row (1) /= root_q;
+  jacobian.row (2) << -std::sin (theta) / root_w, std::cos (theta) / root_w, 0.0;
+
+  const double phi = std::acos (std::clamp (normal.z(), -1.0, 1.0));
+  PlaneKernel kernel{
+      {rho, phi, theta}, jacobian * covariance * jacobian.transpose(), weight};
+  kernel.covariance (0, 0) += min_rho_variance;
+  return kernel;
+}
+
+void
+castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes)
+{
+  votes.rays.clear();
+  votes.values.clear();
+  const KernelDensity density (kernel);
+  if (density.isDefined())
+    VoteCaster (density, space, votes).castAll();
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/local_plane_sampling.h"
+
+#include <Eigen/Geometry>
+
+#include "cloud/voxel_grid.h"
+#include "cloud/voxel_size.h"
+#include "geometry/float_plane.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace pcl_ops::internal {
+namespace {
+
+/** \brief Finds the points within a fixed radius of any of the points. The points are
+ * sorted into voxels with edges of that radius, or into larger ones if most of these
+ * would be nearly empty. That takes a fraction of the time of building a kd-tree. */
+struct FixedRadiusSearch {
+  float squared_radius;
+  VoxelNeighbors neighbors_of_voxel;
+  /** \brief Position of each voxel's first point, and where the last voxel ends. */
+  Indices voxel_begin;
+  /** \brief All points, voxel by voxel. */
+  Coordinates points;
+
+  FixedRadiusSearch (const Coordinates& positions, double radius, unsigned threads)
+  : squared_radius (static_cast<float> (radius * radius))
+  {
+    // A voxel takes time even if it holds next to no points.
+    constexpr double points_per_voxel = 16.0;
+    const double max_voxels =
+        std::max (1.0, static_cast<double> (positions.size()) / points_per_voxel);
+    const double edge = std::max (radius, voxelSizeFor (positions, max_voxels));
+    VoxelGrid grid = voxelize (positions, edge, threads);
+    connect (grid, threads);
+    neighbors_of_voxel = std::move (grid.neighbors);
+    voxel_begin = std::move (grid.first_point);
+    voxel_begin.push_back (static_cast<std::uint32_t> (positions.size()));
+    points = selected (positions, *grid.order);
+  }
+
+  /** \param[out] sphere the points within the radius
+   * \return how many points were looked at for that */
+  std::size_t
+  find (std::uint32_t point, Indices& sphere) const
+  {
+    const float x = points.x[point];
+    const float y = points.y[point];
+    const float z = points.z[point];
+    const auto next_voxel =
+        std::upper_bound (voxel_begin.begin(), voxel_begin.end(), point);
+    const auto own_voxel =
+        static_cast<std::size_t> (next_voxel - voxel_begin.begin()) - 1;
+    std::size_t number = 0;
+    std::size_t looked_at = 0;
+    for (const std::uint32_t neighbor : neighbors_of_voxel[own_voxel]) {
+      const std::uint32_t* const voxel = &voxel_begin[neighbor];
+      looked_at += voxel[1] - voxel[0];
+      sphere.resize (number + (voxel[1] - voxel[0]));
+      for (std::uint32_t i = voxel[0]; i < voxel[1]; ++i) {
+        const float dx = points.x[i] - x;
+        const float dy = points.y[i] - y;
+        const float dz = points.z[i] - z;
+        // Each point is written, and overwritten by the next one if it is not near. A
+        // branch instead would often be mispredicted.
+        sphere[number] = i;
+        number += dx * dx + dy * dy + dz * dz <= squared_radius;
+      }
+    }
+    sphere.resize (number);
+    return looked_at;
+  }
+};
+
+/** So many points are drawn for a hypothesis before it is given up. */
+constexpr int max_draws = 1000;
+
+std::uint32_t
+drawFrom (const Indices& positions, RandomGenerator& generator)
+{
+  const auto size = static_cast<std::uint32_t> (positions.size());
+  return positions[drawBelow (generator, size)];
+}
+
+struct PlaneSampler {
+  const Coordinates& points;
+  const LocalSamplingParameters& parameters;
+  float threshold;
+  RandomGenerator generator;
+
+  /** The inliers of a hypothesis, if it passes the local test: more than alpha_min
+   * N_loc of the samples are inliers. The test ends as soon as the samples not yet
+   * drawn cannot change its result. */
+  std::optional<Moments>
+  inliersOf (const FloatPlane& plane, const Indices& sphere)
+  {
+    const auto is_inlier = [&] (std::uint32_t i) {
+      return plane.distance (points.x[i], points.y[i], points.z[i]) < threshold;
+    };
+    const bool counts_sphere =
+        parameters.inliers == LocalSamplingParameters::Inliers::Sphere;
+    const double needed = parameters.min_inlier_fraction * parameters.local_samples;
+    Indices samples;
+    unsigned inliers = 0;
+    for (unsigned to_come = parameters.local_samples; to_come > 0;) {
+      samples.push_back (drawFrom (sphere, generator));
+      inliers += is_inlier (samples.back());
+      if (inliers + --to_come <= needed)
+        return std::nullopt;
+      if (inliers > needed && counts_sphere)
+        break;
+    }
+    Moments moments;
+    for (const std::uint32_t i : counts_sphere ? sphere : samples)
+      if (is_inlier (i))
+        moments.add (points.x[i], points.y[i], points.z[i]);
+    return moments;
+  }
+
+  /** One turn of the paper's loop: the inliers of a plane around p_r0, if there is one.
+   * \param[in,out] visits so many points were looked at; draws without a result are
+   * added, those of the sphere are not */
+  std::optional<Moments>
+  planeAround (std::uint32_t origin, const Indices& sphere, double& visits)
+  {
+    if (sphere.size() < parameters.local_samples)
+      return std::nullopt;
+    const std::optional<Plane> plane =
+        drawHypothesis (points, origin, sphere, parameters.inner_radius, generator);
+    if (!plane) {
+      visits += max_draws;
+      return std::nullopt;
+    }
+    return inliersOf (FloatPlane (*plane), sphere);
+  }
+};
+
+} // namespace
+
+Spheres
+spheresAround (const DetectorInput& input,
+               const Points& points,
+               double radius,
+               unsigned threads)
+{
+  if (input.search_over && points.size() > 0) {
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    Indices place_of (input.cloud.size, none);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      place_of[points.indexOf (i)] = static_cast<std::uint32_t> (i);
+    return {points,
+            [&points,
+             radius,
+             search = input.search_over (points.index),
+             place_of = std::move (place_of)] (std::uint32_t center, Indices& sphere) {
+              pcl::Indices neighbors;
+              std::vector<float> squared_distances;
+              search.within (
+                  points.indexOf (center), radius, neighbors, squared_distances);
+              sphere.clear();
+              for (const pcl::index_t neighbor : neighbors)
+                if (const auto place = place_of[neighbor]; place != none)
+                  sphere.push_back (place);
+              return sphere.size();
+            }};
+  }
+  const auto search =
+      std::make_shared<const FixedRadiusSearch> (points, radius, threads);
+  return {search->points, [search] (std::uint32_t center, Indices& sphere) {
+            return search->find (center, sphere);
+          }};
+}
+
+std::optional<Plane>
+drawHypothesis (const Coordinates& points,
+                std::uint32_t origin,
+                const Indices& sphere,
+                double inner_radius,
+                RandomGenerator& generator)
+{
+  // A triangle counts as a line if it is narrower than a thousandth of its length.
+  constexpr double smallest_sine = 1e-3;
+  const Eigen::Vector3d p0 = points[origin];
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  for (int draw = 0; draw < max_draws; ++draw) {
+    const Eigen::Vector3d edge = points[drawFrom (sphere, generator)] - p0;
+    if (edge.isZero (0.0) || edge.squaredNorm() > inner_radius * inner_radius)
+      continue;
+    const Eigen::Vector3d cross = first.cross (edge);
+    if (cross.norm() > smallest_sine * first.norm() * edge.norm())
+      return planeThrough (p0, cross.normalized());
+    first = first.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
+  }
+  return std::nullopt;
+}
+
+LocalPlanes
+sampleLocalPlanes (const Coordinates& points,
+                   const SphereFinder& find_sphere,
+                   const LocalSamplingParameters& parameters,
+                   double distance_threshold,
+                   std::uint32_t seed)
+{
+  const auto size = static_cast<std::uint32_t> (points.size());
+  const double n_max = parameters.max_inliers_per_point * size;
+  const double k_max = parameters.max_hypotheses_per_point * size;
+  const double max_visits = parameters.max_visits_per_point * size;
+  constexpr double usually_looked_at = 3.0;
+  constexpr double visits_of_any_sphere = 100.0;
+  double n = 0.0;
+  double k = 0.0;
+  double visits = 0.0;
+  PlaneSampler sampler{points,
+                       parameters,
+                       static_cast<float> (distance_threshold),
+                       RandomGenerator (seed)};
+  LocalPlanes found;
+  Indices sphere;
+  for (; n < n_max && k < k_max && visits < max_visits; ++k) {
+    const std::uint32_t origin = drawBelow (sampler.generator, size);
+    // A search looks at three times as many points as there are in a sphere on a
+    // surface, at more in noise; an empty sphere costs, too.
+    const auto looked_at = static_cast<double> (find_sphere (origin, sphere));
+    visits += visits_of_any_sphere + std::max (static_cast<double> (sphere.size()),
+                                               looked_at / usually_looked_at);
+    const std::optional<Moments> inliers = sampler.planeAround (origin, sphere, visits);
+    if (!inliers)
+      continue;
+    n += inliers->count;
+    found.moments.push_back (*inliers);
+  }
+  found.hypotheses = static_cast<std::size_t> (k);
+  return found;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/octree_clusters.h"
+
+#include <Eigen/Geometry>
+
+#include "base/parallel.h"
+#include "cloud/morton_code.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace pcl_ops::internal {
+namespace {
+
+// A smaller cube counts as a single point: single precision cannot number its leaves
+// [m].
+constexpr double smallest_edge = 1e-30;
+
+// Points farther from a node's plane than this share of its edge are dropped.
+constexpr double dropped_distance_share = 0.1;
+
+// All points are sorted into the nodes of this level at once: 8^5 of them fit a 16 bit
+// code and the second level cache.
+constexpr int sorted_level = 5;
+
+// The nodes of this level are divided among threads, or those of s_level if that is
+// nearer to the root.
+constexpr int max_start_level = 2;
+
+/** The lowest and the highest value without the 2 per cent at either end, which may be
+ * outliers. Only some thousand of the values are looked at. */
+std::pair<double, double>
+middleOf (const std::vector<float>& values)
+{
+  constexpr std::size_t looked_at = 10000;
+  constexpr double stray_share = 0.02;
+  const std::size_t stride = values.size() / looked_at + 1;
+  std::vector<float> some;
+  for (std::size_t i = 0; i < values.size(); i += stride)
+    some.push_back (values[i]);
+  const auto stray =
+      static_cast<std::ptrdiff_t> (std::ceil (stray_share * (some.size() - 1)));
+  const auto low = some.begin() + stray;
+  const auto high = some.end() - 1 - stray;
+  std::nth_element (some.begin(), low, some.end());
+  const double lowest = *low;
+  std::nth_element (some.begin(), high, some.end());
+  return {lowest, *high};
+}
+
+/** The box of the points that are not outliers. It reaches as far beyond most points as
+ * these are wide. */
+Eigen::AlignedBox3d
+fenceOf (const Coordinates& points)
+{
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  std::tie (low.x(), high.x()) = middleOf (points.x);
+  std::tie (low.y(), high.y()) = middleOf (points.y);
+  std::tie (low.z(), high.z()) = middleOf (points.z);
+  const double spread = (high - low).maxCoeff();
+  // Where nearly all points are equal nothing tells how far the others may be.
+  const double width = spread > 0.0 ? spread : std::numeric_limits<double>::infinity();
+  return {low - Eigen::Vector3d::Constant (width),
+          high + Eigen::Vector3d::Constant (width)};
+}
+
+/** A range of points in a cube. */
+struct OctreeNode {
+  std::uint32_t begin = 0, end = 0;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /** Length of its edge [m]. */
+  double edge = 0.0;
+  /** 0 for the root. */
+  int level = 0;
+  /** Its place in Morton order among the nodes of its level, down to sorted_level. */
+  std::size_t code = 0;
+
+  std::size_t
+  size () const
+  {
+    return end - begin;
+  }
+};
+
+/** Sorts a node's points into the 8^levels cubes within, in Morton order (a stable
+ * counting sort).
+ * \param[in] pointAt (i) one of its points
+ * \param[out] sorted where the points of the root begin
+ * \return where each cube begins there, and where the last one ends */
+template <typename PointAt>
+Indices
+sortIntoCubes (const OctreeNode& node,
+               int levels,
+               PointAt&& pointAt,
+               OctreePoint* sorted)
+{
+  const int cubes = 1 << levels;
+  const auto scale = static_cast<float> (cubes / node.edge);
+  const auto half = 0.5f * static_cast<float> (cubes);
+  const auto last = static_cast<float> (cubes - 1);
+  const Eigen::Vector3f center = node.center.cast<float>();
+  const auto bits = [=] (float value, float middle) {
+    // A point in the middle of a cube of no size gives NaN, which std::max in this
+    // order turns into 0.
+    const float cube =
+        std::min (last, std::max (0.0f, (value - middle) * scale + half));
+    return spreadBits (static_cast<std::uint32_t> (cube));
+  };
+  std::vector<std::uint16_t> codes (node.size());
+  Indices begins ((std::size_t (1) << (3 * levels)) + 1, 0);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const OctreePoint p = pointAt (i);
+    codes[i] = static_cast<std::uint16_t> (bits (p.x, center.x()) |
+                                           bits (p.y, center.y()) << 1 |
+                                           bits (p.z, center.z()) << 2);
+    ++begins[codes[i] + std::size_t (1)];
+  }
+  begins[0] = node.begin;
+  std::partial_sum (begins.begin(), begins.end(), begins.begin());
+  Indices next = begins;
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    sorted[next[codes[i]]++] = pointAt (i);
+  return begins;
+}
+
+/** Descends from a node and collects the clusters below, depth first. */
+struct Descent {
+  const RootCube& root;
+  /** Where the nodes of sorted_level begin, and where the last one ends. */
+  const Indices& begins;
+  const OctreeClusterParameters& parameters;
+  std::vector<OctreePoint>& points;
+  std::vector<CoplanarCluster> clusters = {};
+
+  /** A node of sorted_level or above. */
+  OctreeNode
+  sortedNode (int level, std::size_t code) const
+  {
+    const double edge = std::ldexp (root.edge, -level);
+    const VoxelKey place = numbersOf (code);
+    const Eigen::Vector3d from_corner (place.x + 0.5, place.y + 0.5, place.z + 0.5);
+    const Eigen::Vector3d half_root = Eigen::Vector3d::Constant (root.edge / 2.0);
+    const int shift = 3 * (sorted_level - level);
+    return {begins[code << shift],
+            begins[(code + 1) << shift],
+            root.center - half_root + edge * from_corner,
+            edge,
+            level,
+            code};
+  }
+
+  void
+  descend (const OctreeNode& node)
+  {
+    if (node.size() < parameters.min_samples ||
+        (node.level >= parameters.first_level && addIfCoplanar (node)) ||
+        node.level >= parameters.max_level)
+      return;
+    if (node.level < sorted_level) {
+      for (std::size_t octant = 0; octant < 8; ++octant)
+        descend (sortedNode (node.level + 1, 8 * node.code + octant));
+      return;
+    }
+    const std::vector<OctreePoint> unsorted (points.begin() + node.begin,
+                                             points.begin() + node.end);
+    const Indices octants = sortIntoCubes (
+        node, 1, [&] (std::size_t i) { return unsorted[i]; }, points.data());
+    const double quarter = node.edge / 4.0;
+    for (unsigned octant = 0; octant < 8; ++octant) {
+      const Eigen::Vector3d offset (octant & 1u ? quarter : -quarter,
+                                    octant & 2u ? quarter : -quarter,
+                                    octant & 4u ? quarter : -quarter);
+      descend ({octants[octant],
+                octants[octant + 1],
+                node.center + offset,
+                node.edge / 2.0,
+                node.level + 1});
+    }
+  }
+
+private:
+  bool
+  addIfCoplanar (const OctreeNode& node)
+  {
+    CoplanarCluster cluster{{}, {}, node.edge, node.level, node.begin, node.end};
+    std::optional<PlaneFit> fit = fitTo (cluster);
+    if (!fit || !isCoplanar (fit->variances))
+      return false;
+    cluster.end = dropFarPoints (node, fit->plane);
+    if (cluster.end < node.end)
+      fit = fitTo (cluster);
+    if (!fit)
+      return true;
+    cluster.fit = *fit;
+    clusters.push_back (cluster);
+    return true;
+  }
+
+  /** Measures a cluster's moments and fits a plane. The moments are about the center of
+   * the root, so that moments of several clusters can be added. */
+  std::optional<PlaneFit>
+  fitTo (CoplanarCluster& cluster) const
+  {
+    const Eigen::Vector3d center = root.center;
+    Moments moments{center}; // a local variable, which stays in registers
+    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
+      moments.add (
+          points[i].x - center.x(), points[i].y - center.y(), points[i].z - center.z());
+    cluster.moments = moments;
+    return fitPlane (cluster.moments);
+  }
+
+  bool
+  isCoplanar (const Eigen::Vector3d& variances) const
+  {
+    return variances[0] * parameters.s_alpha < variances[1] &&
+           variances[1] * parameters.s_beta > variances[2];
+  }
+
+  /** Moves the points near the plane to the node's front; returns their end. */
+  std::uint32_t
+  dropFarPoints (const OctreeNode& node, const Plane& plane)
+  {
+    const double most = dropped_distance_share * node.edge;
+    std::uint32_t end = node.begin;
+    for (std::uint32_t i = node.begin; i < node.end; ++i)
+      if (std::abs (plane.distance (points[i].position())) <= most)
+        std::swap (points[end++], points[i]);
+    return end;
+  }
+};
+
+} // namespace
+
+RootCube
+rootCubeOf (const Coordinates& points)
+{
+  RootCube root;
+  if (points.size() == 0)
+    return root;
+  const Eigen::AlignedBox3d fence = fenceOf (points);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::AlignedBox3d box;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3d point = points[i]; fence.contains (point)) {
+      sum += point;
+      box.extend (point);
+      ++count;
+    }
+  root.center = sum / static_cast<double> (count);
+  const double edge =
+      2.0 * (box.max() - root.center).cwiseMax (root.center - box.min()).maxCoeff();
+  root.edge = box.max() == box.min() || edge < smallest_edge ? 0.0 : edge;
+  double squared_radius = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3d point = points[i]; root.holds (point))
+      squared_radius = std::max (squared_radius, (point - root.center).squaredNorm());
+  root.radius = std::sqrt (squared_radius);
+  return root;
+}
+
+OctreeClusters
+findCoplanarClusters (const Coordinates& points,
+                      const OctreeClusterParameters& parameters,
+                      unsigned threads)
+{
+  OctreeClusters result;
+  result.root = rootCubeOf (points);
+  if (!(result.root.edge > 0.0))
+    return result;
+  Indices order (points.size());
+  std::iota (order.begin(), order.end(), 0);
+  const auto outside =
+      std::stable_partition (order.begin(), order.end(), [&] (std::uint32_t i) {
+        return result.root.holds (points[i]);
+      });
+  const OctreeNode root{0,
+                        static_cast<std::uint32_t> (outside - order.begin()),
+                        result.root.center,
+                        result.root.edge};
+  const auto point_at = [&] (std::size_t i) {
+    const std::uint32_t p = order[i];
+    return OctreePoint{points.x[p], points.y[p], points.z[p], p};
+  };
+  result.points.resize (points.size());
+  for (std::size_t i = root.end; i < points.size(); ++i)
+    result.points[i] = point_at (i);
+  const Indices begins =
+      sortIntoCubes (root, sorted_level, point_at, result.points.data());
+  const int start_level = std::clamp (parameters.first_level, 0, max_start_level);
+  const auto found =
+      parallelChunks (threads,
+                      std::size_t (1) << (3 * start_level),
+                      1,
+                      [&] (std::size_t code, std::size_t) {
+                        Descent descent{result.root, begins, parameters, result.points};
+                        descent.descend (descent.sortedNode (start_level, code));
+                        return std::move (descent.clusters);
+                      });
+  for (const std::vector<CoplanarCluster>& clusters : found)
+    result.clusters.insert (result.clusters.end(), clusters.begin(), clusters.end());
+  return result;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/oriented_points.h"
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "cloud/box_tree.h"
+#include "geometry/principal_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+Indices
+drawSample (std::size_t size, double rate, std::uint32_t seed)
+{
+  const double drawn_share = std::min (1.0, std::max (0.0, rate));
+  auto wanted = static_cast<std::size_t> (
+      std::llround (drawn_share * static_cast<double> (size)));
+  RandomGenerator generator (seed);
+  Indices sample;
+  sample.reserve (wanted);
+  for (std::size_t i = 0; wanted > 0; ++i)
+    if (drawBelow (generator, static_cast<std::uint32_t> (size - i)) < wanted) {
+      sample.push_back (static_cast<std::uint32_t> (i));
+      --wanted;
+    }
+  return sample;
+}
+
+namespace {
+
+Eigen::Vector3d
+positionIn (const CloudView& cloud, pcl::index_t index)
+{
+  const float* const position = cloud[index];
+  return {position[0], position[1], position[2]};
+}
+
+// M_i of one sample, in the frame of its position.
+Eigen::Matrix3d
+weightedScatter (const CloudView& cloud,
+                 pcl::index_t sample,
+                 const pcl::Indices& neighbors,
+                 const std::vector<float>& squared_distances,
+                 std::optional<double> given_sigma)
+{
+  float farthest = 0.0f;
+  for (const float squared_distance : squared_distances)
+    farthest = std::max (farthest, squared_distance);
+  const double sigma = given_sigma.value_or (std::sqrt (farthest));
+  const Eigen::Vector3d p = positionIn (cloud, sample);
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const pcl::index_t neighbor : neighbors) {
+    const Eigen::Vector3d q = positionIn (cloud, neighbor) - p;
+    const double squared_distance = q.squaredNorm();
+    if (squared_distance == 0.0)
+      continue;
+    const double weight = std::exp (-squared_distance / (2.0 * sigma * sigma));
+    scatter.noalias() += (weight / squared_distance) * q * q.transpose();
+  }
+  return scatter;
+}
+
+} // namespace
+
+NeighborSearch
+searchOver (const DetectorInput& input, const Points& points, unsigned threads)
+{
+  if (input.search_over)
+    return input.search_over (points.index);
+  const auto tree = std::make_shared<const BoxTree> (points, input.cloud);
+  const auto nearest = [tree, cloud = input.cloud] (pcl::index_t point,
+                                                    int k,
+                                                    pcl::Indices& neighbors,
+                                                    std::vector<float>& distances) {
+    const Eigen::Vector3f position = positionIn (cloud, point).cast<float>();
+    NeighborQuery query{position, static_cast<std::size_t> (k)};
+    query.sorted = false;
+    tree->find (query, neighbors, distances);
+  };
+  return {nearest, {}, threads};
+}
+
+Eigen::Vector3d
+normalOfScatter (const Eigen::Matrix3d& scatter)
+{
+  const PrincipalAxes axes = principalAxes (scatter);
+  // Narrower than a thousandth of its length it is a line: rounding decides the rest.
+  constexpr double smallest_relative_variance = 1e-6;
+  if (!(axes.values[1] > smallest_relative_variance * axes.values[2]))
+    return Eigen::Vector3d::Zero();
+  return axes.normal;
+}
+
+OrientedSamples
+orientSamples (const CloudView& cloud,
+               const Points& points,
+               const Indices& sample,
+               const NeighborSearch& search,
+               int k,
+               std::optional<double> sigma)
+{
+  // The nearest neighbor of a point of the cloud is the point itself: q_ij != p_i.
+  const auto asked =
+      static_cast<int> (std::min (static_cast<std::size_t> (k) + 1, points.size()));
+  constexpr std::size_t samples_per_piece = 256;
+  std::vector<Eigen::Vector3d> normals (sample.size());
+  parallelFor (search.threads,
+               sample.size(),
+               samples_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 pcl::Indices neighbors;
+                 std::vector<float> squared_distances;
+                 for (std::size_t i = begin; i < end; ++i) {
+                   const pcl::index_t point = points.indexOf (sample[i]);
+                   search.nearest (point, asked, neighbors, squared_distances);
+                   normals[i] = normalOfScatter (weightedScatter (
+                       cloud, point, neighbors, squared_distances, sigma));
+                 }
+               });
+  OrientedSamples samples;
+  for (std::size_t i = 0; i < sample.size(); ++i)
+    if (!normals[i].isZero())
+      samples.add (points[sample[i]], normals[i]);
+  return samples;
+}
+
+std::array<Indices, 3>
+groupByOrientation (const OrientedSamples& samples,
+                    const Eigen::Vector3d& up,
+                    double tolerance)
+{
+  std::array<Indices, 3> groups;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Orientation group = orientationOf (samples.normals[i], up, tolerance);
+    groups[static_cast<std::size_t> (group)].push_back (static_cast<std::uint32_t> (i));
+  }
+  return groups;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud/points.h"
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/plane_detector.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace pcl_ops::internal {
+
+/** \brief P_s with normals, in the local frame of Points. */
+struct OrientedSamples : Coordinates {
+  /** \brief Unit normals; their sign means nothing. */
+  Coordinates normals;
+
+  /** \brief Adds a sample. */
+  void
+  add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
+  {
+    const Eigen::Vector3f p = position.cast<float>();
+    const Eigen::Vector3f n = normal.cast<float>();
+    Coordinates::add (p.x(), p.y(), p.z());
+    normals.add (n.x(), n.y(), n.z());
+  }
+};
+
+/** \brief Draws alpha_s N of the N points, each subset equally likely (Knuth's
+ * selection sampling: one pass, no repetition).
+ * \param[in] rate alpha_s, 0 .. 1; the number drawn is rounded to the nearest */
+Indices
+drawSample (std::size_t size, double rate, std::uint32_t seed);
+
+/** \brief The user's search over the finite points, or, where there is none, the
+ * library's own.
+ * \param[in] input used as long as the search is
+ * \param[in] threads that may ask the library's own; 0: all */
+NeighborSearch
+searchOver (const DetectorInput& input, const Points& points, unsigned threads);
+
+/** \brief The weighted normal of each sample: the eigenvector of the smallest
+ * eigenvalue of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij -
+ * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbors (paper, equation of section
+ * III-A). Neighbors at distance 0 are skipped.
+ * \param[in] sigma of the weight [m]; none: the distance to the farthest neighbor
+ * \return position and normal of each sample, in order; samples whose neighbors are
+ * fewer than two or on one line have no normal and are left out */
+OrientedSamples
+orientSamples (const CloudView& cloud,
+               const Points& points,
+               const Indices& sample,
+               const NeighborSearch& search,
+               int k,
+               std::optional<double> sigma);
+
+/** \brief The eigenvector of the smallest eigenvalue of a scatter matrix.
+ * \return a unit vector, or zero where the matrix has rank one or less */
+Eigen::Vector3d
+normalOfScatter (const Eigen::Matrix3d& scatter);
+
+/** \brief Strategy 2: the horizontal, vertical and other samples. */
+std::array<Indices, 3>
+groupByOrientation (const OrientedSamples& samples,
+                    const Eigen::Vector3d& up,
+                    double tolerance);
+
+} // namespace pcl_ops::internal

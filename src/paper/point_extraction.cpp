@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper/point_extraction.h"
+
+#include "geometry/float_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+bool
+isWithin (const Coordinates& points,
+          std::size_t i,
+          const Plane& plane,
+          double distance_threshold)
+{
+  return std::abs (plane.distance (points[i])) < distance_threshold;
+}
+
+Coordinates
+pointsOffPlane (const Coordinates& points, const Plane& plane, double threshold)
+{
+  Coordinates off;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!isWithin (points, i, plane, threshold))
+      off.add (points.x[i], points.y[i], points.z[i]);
+  return off;
+}
+
+std::optional<PlaneFit>
+fitTo (const Coordinates& points, const Indices& inliers)
+{
+  Moments moments;
+  for (const std::uint32_t i : inliers)
+    moments.add (points.x[i], points.y[i], points.z[i]);
+  return fitPlane (moments);
+}
+
+void
+remove (const ExtractedPlane& found, double threshold, Candidates& candidates)
+{
+  Indices rest;
+  std::set_difference (candidates.left.begin(),
+                       candidates.left.end(),
+                       found.inliers.begin(),
+                       found.inliers.end(),
+                       std::back_inserter (rest));
+  candidates.left = std::move (rest);
+  if (candidates.remaining)
+    *candidates.remaining =
+        pointsOffPlane (*candidates.remaining, found.plane, threshold);
+}
+
+} // namespace
+
+std::size_t
+requiredDraws (double probability, double inlier_ratio)
+{
+  if (!(inlier_ratio < 1.0))
+    return 1;
+  const double draws = std::log1p (-probability) / std::log1p (-inlier_ratio);
+  constexpr auto most = static_cast<double> (std::numeric_limits<std::int32_t>::max());
+  return static_cast<std::size_t> (draws > 0.0 && draws < most ? std::ceil (draws)
+                                                               : most);
+}
+
+std::size_t
+countWithinDistance (const Coordinates& points,
+                     const Plane& plane,
+                     double distance_threshold)
+{
+  const auto threshold = static_cast<float> (distance_threshold);
+  std::int32_t count = 0;
+  const auto add = [&count, threshold] (std::size_t, float distance) {
+    count += distance < threshold;
+  };
+  forDistances (FloatPlane (plane), points, 0, points.size(), add);
+  return static_cast<std::size_t> (count);
+}
+
+Indices
+selectWithinDistance (const Coordinates& points,
+                      const Indices& candidates,
+                      const Plane& plane,
+                      double distance_threshold)
+{
+  Indices inliers;
+  for (const std::uint32_t i : candidates)
+    if (isWithin (points, i, plane, distance_threshold))
+      inliers.push_back (i);
+  return inliers;
+}
+
+std::optional<Plane>
+onePointRansac (const Candidates& candidates,
+                const RansacParameters& parameters,
+                RandomGenerator& generator)
+{
+  const auto& [samples, left, remaining] = candidates;
+  if (left.size() <= parameters.min_samples)
+    return std::nullopt;
+  const auto draws_for = [&] (std::size_t inliers, std::size_t among) {
+    return requiredDraws (parameters.paper_only.probability,
+                          static_cast<double> (inliers) / static_cast<double> (among));
+  };
+  const Coordinates own = selected (samples, left);
+  const Coordinates& voters = remaining ? *remaining : own;
+  std::optional<Plane> best;
+  // No plane smaller than theta_N is worth a draw: that ends a round without any.
+  std::size_t most = parameters.min_samples;
+  std::size_t n_iter = draws_for (most, left.size());
+  for (std::size_t iter = 0; iter < n_iter; ++iter) {
+    const std::uint32_t drawn =
+        left[drawBelow (generator, static_cast<std::uint32_t> (left.size()))];
+    const Plane hypothesis = planeThrough (samples[drawn], samples.normals[drawn]);
+    const double theta_h = *parameters.distance_threshold;
+    const std::size_t votes = countWithinDistance (voters, hypothesis, theta_h);
+    if (votes <= most ||
+        selectWithinDistance (samples, left, hypothesis, theta_h).size() <=
+            parameters.min_samples)
+      continue;
+    best = hypothesis;
+    most = votes;
+    n_iter = draws_for (votes, voters.size());
+  }
+  return best;
+}
+
+std::optional<ExtractedPlane>
+largestPlane (const Candidates& candidates,
+              const RansacParameters& parameters,
+              RandomGenerator& generator)
+{
+  const std::optional<Plane> hypothesis =
+      onePointRansac (candidates, parameters, generator);
+  if (!hypothesis)
+    return std::nullopt;
+  const auto select = [&] (const Plane& plane) {
+    return selectWithinDistance (
+        candidates.samples, candidates.left, plane, *parameters.distance_threshold);
+  };
+  ExtractedPlane found{*hypothesis, select (*hypothesis)};
+  while (const auto fit = fitTo (candidates.samples, found.inliers)) {
+    found.plane = fit->plane;
+    if (!parameters.paper_only.local_optimization)
+      break;
+    Indices selected = select (found.plane);
+    if (selected.size() <= found.inliers.size())
+      break;
+    found.inliers = std::move (selected);
+  }
+  return found;
+}
+
+std::vector<ExtractedPlane>
+extractAll (Candidates& candidates,
+            const RansacParameters& parameters,
+            RandomGenerator& generator)
+{
+  std::vector<ExtractedPlane> planes;
+  while (auto found = largestPlane (candidates, parameters, generator)) {
+    remove (*found, *parameters.distance_threshold, candidates);
+    planes.push_back (std::move (*found));
+  }
+  return planes;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Dense>
+
+#include "geometry/angles.h"
+#include "geometry/inliers.h"
+#include "geometry/planar_area.h"
+#include "planes/intervals.h"
+#include <pcl_ops/plane_detector.h>
+#include <pcl_ops/plane_edges.h>
+#include <pcl_ops/plane_extent.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal;
+using Eigen::Vector3d;
+
+/** \brief What two ascending lists have in common, but for what is shorter. */
+Intervals
+inCommon (const Intervals& first, const Intervals& second, double min_length)
+{
+  Intervals common;
+  auto a = first.begin();
+  auto b = second.begin();
+  while (a != first.end() && b != second.end()) {
+    const Interval both{std::max (a->from, b->from), std::min (a->to, b->to)};
+    const double length = both.to - both.from;
+    if (length >= min_length && length > 0.0)
+      common.push_back (both);
+    if (a->to < b->to)
+      ++a;
+    else
+      ++b;
+  }
+  return common;
+}
+
+using Line = Eigen::ParametrizedLine<double, 3>;
+
+/** \brief Two planes with points of both along their line. */
+struct Meeting {
+  std::size_t first, second;
+  Line line;
+  /** \brief Between the planes, 0 to pi/2 [rad]. */
+  double angle;
+  /** \brief How far two ends may be apart that are one. */
+  double max_gap;
+  Intervals intervals;
+};
+
+/** \brief A plane with its points, and how fine they are. */
+struct Body {
+  PlaneFrame frame;
+  PlanarPoints points;
+  /** \brief Around those that are finite. */
+  Eigen::AlignedBox2d box;
+  double rms;
+  /** \brief Mean distance between neighboring points [m]. */
+  double spacing;
+};
+
+std::optional<Body>
+bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift)
+{
+  const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+  if (!fit)
+    return {};
+  const PlaneFrame in_cloud (plane.centroid - shift, plane.normal);
+  // Of a rectangle, whose sides are the roots of 12 times its variances.
+  const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
+  Body body{PlaneFrame (plane.centroid, plane.normal),
+            pointsOnPlane (cloud, plane, in_cloud),
+            {},
+            std::sqrt (std::max (0.0, fit->variances[0])),
+            std::sqrt (area / plane.moments.count)};
+  for (const Eigen::Vector2d& point : body.points)
+    if (point.allFinite())
+      body.box.extend (point);
+  return body;
+}
+
+/** \brief Noise leaves points within so many standard deviations of two planes to
+ * either, and so a strip beside their line without points of one. */
+double
+reachOf (const Body& first, const Body& second, double sine)
+{
+  constexpr double deviations = 3.0;
+  constexpr double spacings = 4.0;
+  return deviations * std::hypot (first.rms, second.rms) / sine +
+         spacings * std::max (first.spacing, second.spacing);
+}
+
+/** \brief Of circles around all points. */
+bool
+areNear (const Body& first, const Body& second, double reach)
+{
+  const double apart = (first.frame.toSpace (first.box.center()) -
+                        second.frame.toSpace (second.box.center()))
+                           .norm();
+  const double diameters = first.box.diagonal().norm() + second.box.diagonal().norm();
+  return apart <= 0.5 * diameters + 2.0 * reach;
+}
+
+/** \brief Signed distance of a point, exact far from zero where offsets are not. */
+double
+signedDistance (const Vector3d& point, const PlaneSegment& plane)
+{
+  return plane.normal.dot (point - plane.centroid);
+}
+
+/** \brief The line that two planes have in common, with its origin next to the middle
+ * of their centroids; nothing for planes at an angle with a smaller sine. */
+std::optional<Line>
+meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_sine)
+{
+  const Vector3d along = first.normal.cross (second.normal);
+  const double sine = along.norm();
+  const Vector3d middle = 0.5 * (first.centroid + second.centroid);
+  if (!(sine >= min_sine && sine > 0.0) || !middle.allFinite())
+    return {};
+  // [1 c; c 1] [a b]^T = -[d1 d2]^T with c = n1 . n2 and distances d of the middle
+  const double c = first.normal.dot (second.normal);
+  const double d1 = signedDistance (middle, first);
+  const double d2 = signedDistance (middle, second);
+  const double a = (c * d2 - d1) / (sine * sine);
+  const double b = (c * d1 - d2) / (sine * sine);
+  return Line{middle + a * first.normal + b * second.normal, along / sine};
+}
+
+/** \brief Where along a line of the plane its points beside the line are. */
+std::vector<double>
+placesBeside (const Body& body, const Line& line, double reach)
+{
+  const Eigen::Vector2d origin = body.frame.toPlane (line.origin());
+  const Eigen::Vector2d along = body.frame.toPlane (line.pointAt (1.0)) - origin;
+  const double radius = 0.5 * body.box.diagonal().norm();
+  if (std::abs (cross (along, body.box.center() - origin)) > radius + reach)
+    return {};
+  std::vector<double> places;
+  for (const Eigen::Vector2d& point : body.points)
+    if (std::abs (cross (along, point - origin)) <= reach)
+      places.push_back (along.dot (point - origin));
+  return places;
+}
+
+std::optional<Meeting>
+meetingOf (const std::vector<PlaneSegment>& planes,
+           const std::vector<std::optional<Body>>& bodies,
+           std::size_t first,
+           std::size_t second,
+           const PlaneEdgeParameters& parameters)
+{
+  constexpr double reaches_of_gap = 2.0;
+  constexpr double reaches_of_length = 3.0;
+  if (!bodies[first] || !bodies[second])
+    return {};
+  const Body& one = *bodies[first];
+  const Body& other = *bodies[second];
+  const double angle = angleBetween (planes[first], planes[second]);
+  const double reach =
+      parameters.reach.value_or (reachOf (one, other, std::sin (angle)));
+  if (!areNear (one, other, reach))
+    return {};
+  const std::optional<Line> line =
+      meetingLine (planes[first], planes[second], std::sin (parameters.min_angle));
+  if (!line)
+    return {};
+  const double gap = parameters.max_gap.value_or (reaches_of_gap * reach);
+  const double length = parameters.min_length.value_or (reaches_of_length * reach);
+  // The smaller plane first: mostly it is not there, and the larger need not be asked.
+  const bool is_first_smaller = one.points.size() < other.points.size();
+  const Body& smaller = is_first_smaller ? one : other;
+  const Body& larger = is_first_smaller ? other : one;
+  Intervals common = intervalsOf (placesBeside (smaller, *line, reach), gap);
+  if (!common.empty())
+    common = inCommon (
+        common, intervalsOf (placesBeside (larger, *line, reach), gap), length);
+  if (common.empty())
+    return {};
+  return Meeting{first, second, *line, angle, gap, std::move (common)};
+}
+
+/** \brief The point that three planes have in common, each two of which meet; nothing
+ * where one of them is at an angle with a smaller sine to the line of the others. */
+std::optional<Vector3d>
+meetingPoint (const PlaneSegment& first,
+              const PlaneSegment& second,
+              const PlaneSegment& third,
+              double min_sine)
+{
+  Eigen::Matrix3d normals;
+  normals << first.normal.transpose(), second.normal.transpose(),
+      third.normal.transpose();
+  const double volume = std::abs (normals.determinant());
+  for (const int i : {0, 1, 2}) {
+    const Vector3d along = normals.row (i).cross (normals.row ((i + 1) % 3));
+    if (!(volume >= min_sine * along.norm()))
+      return {};
+  }
+  const Vector3d middle = (first.centroid + second.centroid + third.centroid) / 3.0;
+  const Vector3d distances (signedDistance (middle, first),
+                            signedDistance (middle, second),
+                            signedDistance (middle, third));
+  return middle - normals.partialPivLu().solve (distances);
+}
+
+bool
+comesTo (const Meeting& meeting, const Vector3d& point)
+{
+  const double place = meeting.line.direction().dot (point - meeting.line.origin());
+  for (const Interval& interval : meeting.intervals)
+    if (place >= interval.from - meeting.max_gap &&
+        place <= interval.to + meeting.max_gap)
+      return true;
+  return false;
+}
+
+/** \brief The points that three planes have in common, where an interval of each two of
+ * them passes, or ends no farther off than their bridged gap; in ascending order.
+ * \param[in] meetings in ascending order */
+std::vector<PlaneCorner>
+cornersOf (const std::vector<Meeting>& meetings,
+           const std::vector<PlaneSegment>& planes,
+           double min_sine)
+{
+  std::vector<PlaneCorner> corners;
+  for (auto first = meetings.begin(); first != meetings.end(); ++first)
+    for (auto next = first + 1; next != meetings.end() && next->first == first->first;
+         ++next) {
+      const auto [i, j, k] = std::tie (first->first, first->second, next->second);
+      const auto last =
+          std::find_if (next, meetings.end(), [j = j, k = k] (const Meeting& meeting) {
+            return meeting.first == j && meeting.second == k;
+          });
+      if (last == meetings.end())
+        continue;
+      const auto point = meetingPoint (planes[i], planes[j], planes[k], min_sine);
+      if (point && comesTo (*first, *point) && comesTo (*next, *point) &&
+          comesTo (*last, *point))
+        corners.push_back ({{i, j, k}, *point});
+    }
+  return corners;
+}
+
+/** \brief The nearest corner of a meeting that is no farther off than the bridged gap;
+ * the end itself where there is none. */
+Vector3d
+drawn (const Vector3d& end,
+       const Meeting& meeting,
+       const std::vector<PlaneCorner>& corners)
+{
+  Vector3d nearest = end;
+  double least = meeting.max_gap;
+  for (const PlaneCorner& corner : corners) {
+    const auto has = [&] (std::size_t plane) {
+      return std::count (corner.planes.begin(), corner.planes.end(), plane) > 0;
+    };
+    const double distance = (corner.position - end).norm();
+    if (distance <= least && has (meeting.first) && has (meeting.second)) {
+      least = distance;
+      nearest = corner.position;
+    }
+  }
+  return nearest;
+}
+
+/** \brief An interval as an edge. Each end is drawn to a corner near it, if something
+ * of the interval is left then; where both are near one corner, the nearer end. */
+PlaneEdge
+edgeOf (const Interval& interval,
+        const Meeting& meeting,
+        const std::vector<PlaneCorner>& corners)
+{
+  PlaneEdge edge{{meeting.first, meeting.second},
+                 meeting.line.pointAt (interval.from),
+                 meeting.line.pointAt (interval.to),
+                 meeting.angle};
+  const Vector3d from = drawn (edge.from, meeting, corners);
+  const Vector3d to = drawn (edge.to, meeting, corners);
+  const auto is_edge = [&] (const Vector3d& begin, const Vector3d& end) {
+    return meeting.line.direction().dot (end - begin) > 0.0;
+  };
+  const bool is_begin_nearer = (from - edge.from).norm() <= (to - edge.to).norm();
+  const bool is_long = is_edge (from, to);
+  if (is_long || (is_begin_nearer && is_edge (from, edge.to)))
+    edge.from = from;
+  if (is_long || (!is_begin_nearer && is_edge (edge.from, to)))
+    edge.to = to;
+  return edge;
+}
+
+bool
+isLengthOrNotGiven (const std::optional<double>& length)
+{
+  return !length || (*length >= 0.0 && std::isfinite (*length));
+}
+
+} // namespace
+
+std::string
+validate (const PlaneEdgeParameters& parameters)
+{
+  if (!isLengthOrNotGiven (parameters.reach))
+    return "the reach must be a length from 0, or not be given";
+  if (!isLengthOrNotGiven (parameters.max_gap))
+    return "the bridged gap must be a length from 0, or not be given";
+  if (!isLengthOrNotGiven (parameters.min_length))
+    return "the smallest length must be a length from 0, or not be given";
+  if (!(parameters.min_angle > 0.0 && parameters.min_angle <= right_angle))
+    return "the smallest angle must be above 0 and at most pi/2 (radians)";
+  return {};
+}
+
+PlaneEdges
+findPlaneEdges (const CloudView& cloud,
+                const std::vector<PlaneSegment>& planes,
+                const PlaneEdgeParameters& parameters,
+                const Eigen::Vector3d& shift)
+{
+  detail::throwOn (validate (parameters));
+  for (const PlaneSegment& plane : planes)
+    checkInliers (cloud, plane);
+  std::vector<std::optional<Body>> bodies;
+  for (const PlaneSegment& plane : planes)
+    bodies.push_back (bodyOf (cloud, plane, shift));
+  // By their first plane, then by their second.
+  std::vector<Meeting> meetings;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t j = i + 1; j < planes.size(); ++j)
+      if (std::optional<Meeting> meeting = meetingOf (planes, bodies, i, j, parameters))
+        meetings.push_back (std::move (*meeting));
+  PlaneEdges found;
+  found.corners = cornersOf (meetings, planes, std::sin (parameters.min_angle));
+  for (const Meeting& meeting : meetings)
+    for (const Interval& interval : meeting.intervals)
+      found.edges.push_back (edgeOf (interval, meeting, found.corners));
+  return found;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Cholesky>
+
+#include "geometry/angles.h"
+#include "planes/patch.h"
+#include <pcl_ops/plane_detector.h>
+#include <pcl_ops/plane_matching.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace pcl_ops {
+namespace {
+
+using namespace internal;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+using Patches = std::vector<std::optional<Patch>>;
+
+/** \brief Covariance of (slope along, slope across, height) of a patch over its axes,
+ * at its center. Neighboring points err alike and surfaces are not quite flat, so that
+ * a mean over all points is no better than one of them: \ref planeCovariance without
+ * its division by the number of points. */
+Matrix3d
+covarianceOf (const Patch& patch)
+{
+  // Coordinates in single precision.
+  constexpr double rounding = 1e-5;
+  const double size = patch.half.maxCoeff();
+  const double noise = patch.noise + rounding * rounding * size * size;
+  const Eigen::Array2d spread = patch.half.array().square() / 3.0;
+  return Vector3d (noise / spread.x(), noise / spread.y(), noise).asDiagonal();
+}
+
+/** \brief The parameters over other axes, at a place that many meters along the old. */
+Matrix3d
+transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& place)
+{
+  Matrix3d result = Matrix3d::Identity();
+  result.topLeftCorner<2, 2>() = turn;
+  result.bottomLeftCorner<1, 2>() = place.transpose();
+  return result;
+}
+
+/** \param[in] motion a rotation vector about the frame's origin and a shift */
+Eigen::Isometry3d
+turnedAndShifted (Eigen::Isometry3d pose, const Eigen::Matrix<double, 6, 1>& motion)
+{
+  const Vector3d rotation = motion.head<3>();
+  const double angle = rotation.norm();
+  if (angle > 0.0)
+    pose.linear() =
+        Eigen::AngleAxisd (angle, rotation / angle).toRotationMatrix() * pose.linear();
+  pose.translation() += motion.tail<3>();
+  return pose;
+}
+
+/** \brief How the second of two patches lies over the first. */
+struct Mismatch {
+  /** \brief Slopes along the two axes of the first, and the height of the second's
+   * center over it [m]. */
+  Vector3d heights;
+  /** \brief Covariance of \ref heights by what both patches are off. */
+  Matrix3d covariance;
+  /** \brief How they change with a rotation vector about the origin of the second's
+   * frame, and a shift. */
+  Eigen::Matrix<double, 3, 6> by_motion;
+};
+
+/** \brief What is known of the pose of a frame in another: a pose, and the covariance
+ * of its error, a rotation vector [rad] about the frame's origin and a shift [m], both
+ * along the axes of the other. */
+struct PoseEstimate {
+  Eigen::Isometry3d pose;
+  Eigen::Matrix<double, 6, 6> covariance;
+
+  PoseEstimate (const Eigen::Isometry3d& given,
+                const PlaneMatchingParameters& parameters)
+  : pose (given)
+  {
+    Eigen::Matrix<double, 6, 1> errors;
+    errors << Vector3d::Constant (parameters.rotation_error),
+        Vector3d::Constant (parameters.translation_error);
+    covariance = errors.cwiseAbs2().asDiagonal();
+  }
+
+  /** \param[in] fixed in the other frame
+   * \param[in] seen in the frame of the pose, on the side of \p fixed or not */
+  Mismatch
+  mismatchOf (const Patch& fixed, const Patch& seen) const
+  {
+    const Patch over = moved (pose, seen);
+    const Eigen::Matrix<double, 3, 2> axes = fixed.axes.leftCols<2>();
+    const Vector3d normal = fixed.normal();
+    const Vector3d between = over.center - fixed.center;
+    Mismatch mismatch;
+    // Which side was seen does not matter: no sign to turn.
+    const Eigen::Vector2d slopes =
+        -axes.transpose() * over.normal() / over.normal().dot (normal);
+    mismatch.heights << slopes, normal.dot (between);
+    const Matrix3d of_fixed =
+        transfer (Eigen::Matrix2d::Identity(), axes.transpose() * between);
+    const Matrix3d of_seen =
+        transfer (axes.transpose() * over.axes.leftCols<2>(), Eigen::Vector2d::Zero());
+    mismatch.covariance = of_fixed * covarianceOf (fixed) * of_fixed.transpose() +
+                          of_seen * covarianceOf (seen) * of_seen.transpose();
+    const Vector3d lever = over.center - pose.translation();
+    mismatch.by_motion.setZero();
+    mismatch.by_motion.row (0).head<3>() = -normal.cross (axes.col (0));
+    mismatch.by_motion.row (1).head<3>() = -normal.cross (axes.col (1));
+    mismatch.by_motion.row (2) << lever.cross (normal).transpose(), normal.transpose();
+    return mismatch;
+  }
+
+  Matrix3d
+  expectedCovariance (const Mismatch& mismatch) const
+  {
+    return mismatch.covariance +
+           mismatch.by_motion * covariance * mismatch.by_motion.transpose();
+  }
+
+  /** \brief The squared Mahalanobis distance: what both patches and the pose may be off
+   * explains a mismatch the better, the smaller it is. */
+  double
+  squaredDistance (const Mismatch& mismatch) const
+  {
+    return mismatch.heights.dot (
+        expectedCovariance (mismatch).ldlt().solve (mismatch.heights));
+  }
+
+  /** \brief Lets the pose follow from two patches that are one plane (the update of an
+   * iterated extended Kalman filter). */
+  void
+  update (const Patch& fixed, const Patch& seen)
+  {
+    constexpr int iterations = 3; // a turn of 20 degrees is not linear
+    const Eigen::Isometry3d before = pose;
+    Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
+    Eigen::Matrix<double, 6, 6> explained;
+    for (int i = 0; i < iterations; ++i) {
+      const Mismatch mismatch = mismatchOf (fixed, seen);
+      const auto& jacobian = mismatch.by_motion;
+      const Eigen::Matrix<double, 6, 3> gain = expectedCovariance (mismatch)
+                                                   .ldlt()
+                                                   .solve (jacobian * covariance)
+                                                   .transpose();
+      motion = -gain * (mismatch.heights - jacobian * motion);
+      pose = turnedAndShifted (before, motion);
+      explained = gain * jacobian * covariance;
+    }
+    covariance -= explained;
+    covariance = 0.5 * (covariance + covariance.transpose()).eval();
+  }
+};
+
+/** \brief Slopes of planes at more than this to each other are no small errors. */
+constexpr double min_cosine = 0.7;
+
+/** \brief Of three numbers with a normal distribution, 99.7 % have a smaller sum of
+ * squares: three standard deviations. */
+constexpr double largest_squared_distance = 14.16;
+
+Patches
+patchesOf (const std::vector<PlaneSegment>& planes)
+{
+  Patches patches;
+  for (const PlaneSegment& plane : planes)
+    patches.push_back (patchOf (plane));
+  return patches;
+}
+
+/** \brief What is matched. */
+struct Frames {
+  Patches previous, current;
+  double min_overlap;
+};
+
+/** \brief A pair of planes that may be one. */
+struct Pair {
+  std::size_t previous, current;
+  /** \brief Above 0 and up to 1. */
+  double score;
+};
+
+/** \return nothing for planes that cannot be one */
+std::optional<Pair>
+pairOf (const Frames& frames, std::size_t p, std::size_t c, const PoseEstimate& belief)
+{
+  if (!frames.previous[p] || !frames.current[c])
+    return std::nullopt;
+  const Patch& fixed = *frames.previous[p];
+  const Patch& seen = *frames.current[c];
+  const Patch over = moved (belief.pose, seen);
+  if (std::abs (over.normal().dot (fixed.normal())) < min_cosine)
+    return std::nullopt;
+  const double distance = belief.squaredDistance (belief.mismatchOf (fixed, seen));
+  if (!(distance <= largest_squared_distance))
+    return std::nullopt;
+  const double common = commonArea (fixed, over);
+  constexpr double but_for_rounding = 1.0 - 1e-9;
+  const double needed = frames.min_overlap * std::min (fixed.area(), over.area());
+  if (!(common > 0.0 && common >= but_for_rounding * needed))
+    return std::nullopt;
+  const double overlap = common / (fixed.area() + over.area() - common);
+  // The root of the likelihood: frames cut a surface out differently, so that planes
+  // of it differ by more than noise, and how they overlap has to count, too.
+  return Pair{p, c, overlap * std::exp (-0.25 * distance)};
+}
+
+/** \brief Lets the pose follow from the planes, the largest first: the less sure it is
+ * the more it needs those that cannot be mistaken. */
+PoseEstimate
+registered (const Frames& frames, PoseEstimate belief)
+{
+  const Patches& previous = frames.previous;
+  const Patches& current = frames.current;
+  const auto area = [&] (std::size_t c) {
+    return current[c] ? current[c]->area() : 0.0;
+  };
+  std::vector<std::size_t> by_area (current.size());
+  std::iota (by_area.begin(), by_area.end(), 0);
+  std::stable_sort (by_area.begin(), by_area.end(), [&] (auto one, auto other) {
+    return area (one) > area (other);
+  });
+  std::vector<bool> is_taken (previous.size(), false);
+  for (const std::size_t c : by_area) {
+    std::optional<Pair> best;
+    for (std::size_t p = 0; p < previous.size(); ++p) {
+      if (is_taken[p])
+        continue;
+      const auto pair = pairOf (frames, p, c, belief);
+      if (pair && (!best || pair->score > best->score))
+        best = pair;
+    }
+    if (!best)
+      continue;
+    is_taken[best->previous] = true;
+    belief.update (*previous[best->previous], *current[c]);
+  }
+  return belief;
+}
+
+/** \brief Each plane in one pair at most, the best pairs first. */
+Labels
+oneToOne (const Frames& frames, const PoseEstimate& belief)
+{
+  std::vector<Pair> pairs;
+  for (std::size_t c = 0; c < frames.current.size(); ++c)
+    for (std::size_t p = 0; p < frames.previous.size(); ++p)
+      if (const auto pair = pairOf (frames, p, c, belief))
+        pairs.push_back (*pair);
+  std::stable_sort (
+      pairs.begin(), pairs.end(), [] (const Pair& one, const Pair& other) {
+        return one.score > other.score;
+      });
+  Labels labels (frames.current.size(), no_plane);
+  std::vector<bool> is_taken (frames.previous.size(), false);
+  for (const Pair& pair : pairs) {
+    if (labels[pair.current] != no_plane || is_taken[pair.previous])
+      continue;
+    labels[pair.current] = static_cast<std::int32_t> (pair.previous);
+    is_taken[pair.previous] = true;
+  }
+  return labels;
+}
+
+} // namespace
+
+std::string
+validate (const PlaneMatchingParameters& parameters)
+{
+  if (!(parameters.rotation_error >= 0.0 && parameters.rotation_error <= right_angle))
+    return "the rotation error must be between 0 and pi/2 (radians)";
+  if (!(parameters.translation_error >= 0.0 &&
+        std::isfinite (parameters.translation_error)))
+    return "the translation error must be a length from 0";
+  if (!(parameters.min_overlap >= 0.0 && parameters.min_overlap <= 1.0))
+    return "the smallest overlap must be between 0 and 1";
+  return {};
+}
+
+PlaneMatches
+matchPlanes (const std::vector<PlaneSegment>& previous,
+             const std::vector<PlaneSegment>& current,
+             const Eigen::Isometry3d& pose,
+             const PlaneMatchingParameters& parameters)
+{
+  detail::throwOn (validate (parameters));
+  detail::throwOn (pose.matrix().allFinite() ? "" : "the pose must be finite");
+  const Frames frames{
+      patchesOf (previous), patchesOf (current), parameters.min_overlap};
+  const PoseEstimate belief = registered (frames, PoseEstimate (pose, parameters));
+  return {oneToOne (frames, belief), belief.pose};
+}
+
+} // namespace pcl_ops

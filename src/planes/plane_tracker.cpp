@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes/patch.h"
+#include <pcl_ops/plane_detector.h>
+#include <pcl_ops/plane_tracker.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops {
+namespace {
+
+/** \brief How much what was seen before still counts in a new frame: the moments follow
+ * the last three frames or so. */
+constexpr double kept_share = 0.7;
+
+/** \brief Without what rounding has made of a rotation: over frames it would add up. */
+Eigen::Isometry3d
+rigid (Eigen::Isometry3d motion)
+{
+  const Eigen::Quaterniond rotation (motion.linear());
+  motion.linear() = rotation.normalized().toRotationMatrix();
+  return motion;
+}
+
+/** \brief The plane as it is seen now, as far as it reached before, too. */
+void
+renew (PlaneSegment& known, const PlaneSegment& seen)
+{
+  Moments moments = known.moments;
+  moments.count *= kept_share;
+  moments.sum *= kept_share;
+  for (double& product : moments.products)
+    product *= kept_share;
+  moments += seen.moments;
+  known = seen;
+  known.moments = moments.about (seen.centroid);
+}
+
+/** \brief Lets an outline reach around the rectangle of another frame, on the plane as
+ * it is seen now. */
+void
+widen (PlaneExtent& extent, const PlaneSegment& seen)
+{
+  const std::optional<internal::Patch> patch = internal::patchOf (seen);
+  if (!patch)
+    return;
+  const PlaneFrame frame (seen.centroid, seen.normal);
+  PlanarPoints corners;
+  for (const Eigen::Vector3d& corner : extent.hull)
+    corners.push_back (frame.toPlane (corner));
+  for (const Eigen::Vector3d& corner : internal::cornersOf (*patch))
+    corners.push_back (frame.toPlane (corner));
+  constexpr double all_inside = 0.0;
+  extent = extentOf ({convexHull (corners, all_inside)}, corners, frame);
+}
+
+} // namespace
+
+PlaneTracker::PlaneTracker (const PlaneMatchingParameters& parameters,
+                            std::optional<std::size_t> memory,
+                            std::optional<double> max_distance)
+: parameters_ (parameters), memory_ (memory), max_distance_ (max_distance)
+{
+  detail::throwOn (validate (parameters));
+  detail::throwOn (!max_distance || *max_distance > 0.0
+                       ? ""
+                       : "the largest distance must be a length above 0");
+}
+
+bool
+PlaneTracker::isForgotten (const TrackedPlane& tracked) const
+{
+  if (memory_ && frames_ - tracked.last_seen > *memory_)
+    return true;
+  if (!max_distance_ || tracked.extent.hull.empty())
+    return false;
+  // Of the circle around the smallest rectangle.
+  const double radius = 0.5 * std::hypot (tracked.extent.length, tracked.extent.width);
+  const double to_center = (tracked.extent.center - pose_.translation()).norm();
+  return to_center - radius > *max_distance_;
+}
+
+std::vector<std::uint32_t>
+PlaneTracker::track (const std::vector<PlaneSegment>& planes,
+                     const Eigen::Isometry3d& pose)
+{
+  const Eigen::Isometry3d expected =
+      rigid (frames_ == 0 ? pose : pose_ * given_pose_.inverse() * pose);
+  std::vector<PlaneSegment> known;
+  for (const TrackedPlane& tracked : remembered_)
+    known.push_back (tracked.plane);
+  const PlaneMatches matches = matchPlanes (known, planes, expected, parameters_);
+  pose_ = matches.pose;
+  given_pose_ = pose;
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const PlaneSegment seen = internal::moved (pose_, planes[i]);
+    auto match = static_cast<std::size_t> (matches.previous[i]);
+    if (matches.previous[i] == no_plane) {
+      match = remembered_.size();
+      remembered_.push_back ({++last_number_, seen, {}, frames_});
+    }
+    else
+      renew (remembered_[match].plane, seen);
+    TrackedPlane& tracked = remembered_[match];
+    widen (tracked.extent, seen);
+    tracked.last_seen = frames_;
+    ++tracked.times_seen;
+    numbers.push_back (tracked.number);
+  }
+  remembered_.erase (
+      std::remove_if (remembered_.begin(),
+                      remembered_.end(),
+                      [this] (const TrackedPlane& one) { return isForgotten (one); }),
+      remembered_.end());
+  ++frames_;
+  return numbers;
+}
+
+} // namespace pcl_ops

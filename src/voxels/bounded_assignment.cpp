@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/bounded_assignment.h"
+
+#include "base/parallel.h"
+#include "geometry/noise_ratios.h"
+#include "voxels/plane_bands.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Voxels of a piece of work. Each piece holds moments of all planes: few large ones.
+constexpr std::size_t voxels_at_once = 4096;
+
+// Points, the planes each may be on, and where the labels go.
+struct Assignment {
+  const Coordinates& points;
+  const VoxelGrid& grid;
+  const BoundedPlanes& planes;
+  const std::vector<PlaneBand>& bands;
+  // With a given threshold each point is tested by itself: it is promised to all.
+  bool every_point_counts;
+  Labels& labels;
+
+  /** \brief Finds the planes of the voxels around one, each once. */
+  void
+  findPlanesAround (std::size_t voxel, Labels& around) const
+  {
+    around.clear();
+    for (const std::uint32_t neighbor : grid.neighbors[voxel])
+      addOnce (planes.plane_of_voxel[neighbor], around);
+  }
+
+  /** \brief Whether the points of a voxel are on a plane as noise is, so that none
+   * needs to be looked at. */
+  bool
+  isAllOn (std::int32_t plane, std::size_t voxel) const
+  {
+    const double limit = like_noise * planes.noise[plane];
+    return !every_point_counts &&
+           meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) <
+               limit * limit;
+  }
+
+  void
+  assign (std::size_t voxel, const Labels& around, std::vector<Moments>& moments) const
+  {
+    if (around.size() == 1 && isAllOn (around[0], voxel)) {
+      for (const std::uint32_t point : grid.pointsOf (voxel))
+        labels[point] = around[0];
+      moments[around[0]].addAligned (grid.moments[voxel]);
+      return;
+    }
+    for (const std::uint32_t point : grid.pointsOf (voxel)) {
+      const std::int32_t plane = likeliestOf (around, bands, points, point);
+      labels[point] = plane;
+      if (plane != no_plane)
+        moments[plane].add (points.x[point], points.y[point], points.z[point]);
+    }
+  }
+};
+
+std::vector<PlaneBand>
+bandsOf (const BoundedPlanes& planes,
+         double smallest_noise,
+         double largest_band,
+         double noise_factor)
+{
+  std::vector<PlaneBand> bands;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    // A plane without voxels here has noise 0.
+    const double noise = std::max (planes.noise[p], smallest_noise);
+    bands.emplace_back (
+        planes.planes[p], noise, std::min (noise_factor * noise, largest_band));
+  }
+  return bands;
+}
+
+} // namespace
+
+void
+assignToBoundedPlanes (const Coordinates& points,
+                       const VoxelGrid& grid,
+                       const BoundedPlanes& planes,
+                       std::optional<double> distance_threshold,
+                       double noise_factor,
+                       unsigned threads,
+                       const std::vector<char>& is_left_out,
+                       AssignedPoints& assigned)
+{
+  const double limit =
+      distance_threshold.value_or (std::numeric_limits<double>::infinity());
+  const std::vector<PlaneBand> bands =
+      bandsOf (planes, smallestNoise (grid), limit, noise_factor);
+  const Assignment assignment{
+      points, grid, planes, bands, distance_threshold.has_value(), assigned.labels};
+  const auto pieces =
+      parallelChunks (threads, grid.size(), voxels_at_once, [&] (auto begin, auto end) {
+        std::vector<Moments> moments (planes.size());
+        Labels around;
+        for (std::size_t voxel = begin; voxel < end; ++voxel)
+          if (is_left_out.empty() || is_left_out[voxel] == 0) {
+            assignment.findPlanesAround (voxel, around);
+            if (!around.empty())
+              assignment.assign (voxel, around, moments);
+          }
+        return moments;
+      });
+  assigned.moments.resize (planes.size());
+  for (const std::vector<Moments>& piece : pieces)
+    for (std::size_t p = 0; p < piece.size(); ++p)
+      assigned.moments[p].addAligned (piece[p]);
+}
+
+} // namespace pcl_ops::internal

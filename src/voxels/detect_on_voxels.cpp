@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/detect_on_voxels.h"
+
+#include "geometry/noise_ratios.h"
+#include "voxels/bounded_assignment.h"
+#include "voxels/bounded_planes.h"
+#include "voxels/plane_absorption.h"
+#include "voxels/plane_extension.h"
+#include "voxels/plane_growing.h"
+#include "voxels/refinement.h"
+#include "voxels/sparse_points.h"
+#include "voxels/surfel_extraction.h"
+#include "voxels/voxel_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using Parameters = OrientedPointSamplingParameters;
+
+// The neighborhood of k points may hold half as many: small CAD models have no more
+// around a voxel. A place with fewer than twice as many is sparse.
+constexpr double times_k = 2.0;
+
+VoxelLevels
+divide (const Points& points, const Parameters& parameters)
+{
+  const std::optional<double> given = parameters.surfels.voxel_size;
+  VoxelLevels voxels =
+      given ? coarsen (voxelize (points, 0.5 * *given, parameters.threads))
+            : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
+  connect (voxels.coarse, parameters.threads);
+  return voxels;
+}
+
+std::vector<std::optional<Surfel>>
+orient (const VoxelGrid& grid,
+        const Parameters& parameters,
+        const Labels& plane_of_voxel)
+{
+  const SurfelParameters& surfels = parameters.surfels;
+  const double min_points = std::max (
+      parameters.k / times_k, surfels.min_average_voxels * meanPointsPerVoxel (grid));
+  return findSurfels (
+      grid, surfels.resolutions, min_points, parameters.threads, plane_of_voxel);
+}
+
+// Finds planes in voxels that have none, and lets all planes grow.
+void
+findPlanes (const VoxelGrid& grid,
+            const Parameters& parameters,
+            double max_thickness,
+            BoundedPlanes& planes,
+            StageDurations& durations)
+{
+  StageClock clock;
+  const std::vector<std::optional<Surfel>> surfels =
+      orient (grid, parameters, planes.plane_of_voxel);
+  clock.lap (durations.normals);
+  extractSurfelPlanes (grid, surfels, parameters, max_thickness, planes);
+  measureNoise (grid, parameters.threads, planes);
+  growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
+  clock.lap (durations.extraction);
+}
+
+// Real walls are not flat: whether two planes are one follows their noise.
+MergingParameters
+mergingByNoise (MergingParameters merging)
+{
+  merging.distance_threshold = merging.distance_threshold.value_or (0.0);
+  merging.noise_factor = merging.noise_factor.value_or (like_noise);
+  return merging;
+}
+
+// Which planes are one: those that noise divided, and those that a gap did.
+MergedPlanes
+mergedPlanes (const VoxelGrid& grid,
+              const Parameters& parameters,
+              const BoundedPlanes& planes)
+{
+  const Labels absorbed =
+      absorbPlanes (grid, parameters.surfels.absorption_noise_factor, planes);
+  const std::vector<Moments> parts = momentsOfPlanes (grid, planes);
+  std::vector<Moments> moments (parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    moments[absorbed[p]].addAligned (parts[p]);
+  MergedPlanes merged = mergePlanes (moments, mergingByNoise (parameters.merging));
+  const Labels of_absorbers = merged.merged_into;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    merged.merged_into[p] = of_absorbers[absorbed[p]];
+  return merged;
+}
+
+// Makes one plane of those that are one, in voxels of both sizes.
+void
+joinPlanes (const VoxelGrid& grid,
+            const Parameters& parameters,
+            BoundedPlanes& planes,
+            Refinement& finer)
+{
+  const MergedPlanes merged = mergedPlanes (finer.grid, parameters, finer.planes);
+  renumberPlanes (merged, planes);
+  renumberPlanes (merged, finer.planes);
+  measureNoise (grid, parameters.threads, planes);
+  measureNoise (finer.grid, parameters.threads, finer.planes);
+}
+
+// The points of coarse voxels that are not refined, and those of the finer ones.
+AssignedPoints
+assign (const Points& points,
+        const VoxelLevels& voxels,
+        const BoundedPlanes& planes,
+        const Refinement& finer,
+        const Parameters& parameters)
+{
+  AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  const auto add = [&] (const VoxelGrid& grid,
+                        const BoundedPlanes& bounded,
+                        const std::vector<char>& is_left_out) {
+    assignToBoundedPlanes (points,
+                           grid,
+                           bounded,
+                           parameters.distance_threshold,
+                           parameters.surfels.assignment_noise_factor,
+                           parameters.threads,
+                           is_left_out,
+                           assigned);
+  };
+  add (voxels.coarse, planes, finer.is_refined);
+  add (finer.grid, finer.planes, {});
+  return assigned;
+}
+
+// What a look at points tells besides their labels.
+struct Tally {
+  std::size_t planes_before_merging = 0;
+  UsedLengths used;
+};
+
+// Where half of the planes end: the distance up to which a point counts as noise.
+std::optional<double>
+usualDistance (const BoundedPlanes& planes,
+               const Refinement& finer,
+               const Parameters& parameters)
+{
+  std::vector<double> distances;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const double noise =
+        std::max ({planes.noise[p], finer.planes.noise[p], smallestNoise (finer.grid)});
+    const double distance = parameters.surfels.assignment_noise_factor * noise;
+    distances.push_back (
+        std::min (distance, parameters.distance_threshold.value_or (distance)));
+  }
+  if (distances.empty())
+    return {};
+  const auto middle = distances.begin() + static_cast<long> (distances.size() / 2);
+  std::nth_element (distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+AssignedPoints
+labelPoints (const Points& points,
+             const Parameters& parameters,
+             StageDurations& durations,
+             Tally& tally);
+
+// Looks for planes among some of the points, which another voxel size does justice.
+void
+labelAnew (const Points& points,
+           const Indices& numbers,
+           const Parameters& parameters,
+           StageDurations& durations,
+           AssignedPoints& assigned)
+{
+  Points sparse;
+  static_cast<Coordinates&> (sparse) = selected (points, numbers);
+  sparse.origin = points.origin;
+  Tally of_sparse;
+  AssignedPoints more = labelPoints (sparse, parameters, durations, of_sparse);
+  rejectMist (assigned.moments, parameters.threads, more);
+  const auto before = static_cast<std::int32_t> (assigned.moments.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (more.labels[i] != no_plane)
+      assigned.labels[numbers[i]] = before + more.labels[i];
+  assigned.moments.insert (
+      assigned.moments.end(), more.moments.begin(), more.moments.end());
+  // A ground goes on where it becomes sparse.
+  MergedPlanes merged =
+      mergePlanes (assigned.moments, mergingByNoise (parameters.merging));
+  relabel (assigned.labels, merged.merged_into, parameters.threads);
+  assigned.moments = std::move (merged.moments);
+}
+
+// Labels the points that are too sparse for the voxels of the others.
+void
+labelSparsePoints (const Points& points,
+                   const VoxelLevels& voxels,
+                   const Parameters& parameters,
+                   StageDurations& durations,
+                   AssignedPoints& assigned)
+{
+  // Voxels of a given size do not change with the points.
+  if (parameters.surfels.voxel_size)
+    return;
+  const VoxelGrid& grid = voxels.coarse;
+  const Indices sparse = sparseVoxels (grid, times_k * parameters.k);
+  const auto open = [&] { return openPoints (grid, sparse, assigned.labels); };
+  const Indices numbers = sparsePoints (open(), points.size());
+  if (!numbers.empty())
+    labelAnew (points, numbers, parameters, durations, assigned);
+  extendPlanes (points,
+                grid,
+                open(),
+                parameters.surfels.resolutions,
+                parameters.distance_threshold,
+                assigned);
+}
+
+// The straight line of OPS on voxels.
+AssignedPoints
+labelPoints (const Points& points,
+             const Parameters& parameters,
+             StageDurations& durations,
+             Tally& tally)
+{
+  const SurfelParameters& surfels = parameters.surfels;
+  StageClock clock;
+  // P_s: the voxels of a grid
+  const VoxelLevels voxels = divide (points, parameters);
+  const VoxelGrid& grid = voxels.coarse;
+  if (grid.size() == 0)
+    return {Labels (points.size(), no_plane), {}};
+  tally.used.voxel_size = grid.voxel_size;
+  BoundedPlanes planes;
+  planes.plane_of_voxel.assign (grid.size(), no_plane);
+  clock.lap (durations.search);
+  // n_i and Pi: normals from the moments around, planes spread over like neighbors
+  findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
+  clock = StageClock();
+  // what no plane explains, in voxels of half the edge
+  Refinement finer = refine (voxels, planes, parameters.threads);
+  clock.lap (durations.search);
+  findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
+  clock = StageClock();
+  tally.planes_before_merging = finer.planes.size();
+  // section III-C, by the noise of the planes instead of theta_h
+  joinPlanes (grid, parameters, planes, finer);
+  tally.used.distance_threshold = usualDistance (planes, finer, parameters);
+  clock.lap (durations.merging);
+  // every point of P, not of P_s alone, to a plane
+  AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
+  clock.lap (durations.assignment);
+  labelSparsePoints (points, voxels, parameters, durations, assigned);
+  return assigned;
+}
+
+} // namespace
+
+double
+coarsestVoxel (const SurfelParameters& surfels)
+{
+  return std::ldexp (surfels.voxel_size.value_or (0.0), surfels.resolutions - 1);
+}
+
+LabelledPlanes
+detectOnVoxels (const Points& points,
+                const Parameters& parameters,
+                StageDurations& durations)
+{
+  Tally tally;
+  AssignedPoints assigned = labelPoints (points, parameters, durations, tally);
+  // Planes are fitted to their points; which are one has been settled.
+  MergingParameters keep_apart;
+  keep_apart.enabled = false;
+  LabelledPlanes found =
+      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+  found.planes_before_merging = tally.planes_before_merging;
+  found.used = tally.used;
+  return found;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud/points.h"
+#include "geometry/float_plane.h"
+#include <pcl_ops/plane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief A plane and the noise of its points. */
+struct PlaneBand {
+  FloatPlane surface;
+  /** \brief Largest distance of a point [m]. */
+  float band = 0.0f;
+  /** \brief 1 / sigma^2 of the noise [1/m^2]. */
+  float inverse_variance = 0.0f;
+  /** \brief 2 ln sigma, sigma in m. */
+  float log_variance = 0.0f;
+
+  PlaneBand() = default;
+
+  /** \param[in] noise sigma [m], above 0 */
+  PlaneBand (const Plane& plane, double noise, double largest_distance)
+  : surface (plane)
+  , band (static_cast<float> (largest_distance))
+  , inverse_variance (static_cast<float> (1.0 / (noise * noise)))
+  , log_variance (static_cast<float> (2.0 * std::log (noise)))
+  {}
+};
+
+/** \brief Of some planes the one that a point most likely is of, or no_plane: the one
+ * with the least d^2 / sigma^2 + 2 ln sigma. Distances in units of sigma alone would
+ * give points of a clean plane to a noisy one that it meets.
+ * \param[in] planes positions of the planes that are asked for */
+inline std::int32_t
+likeliestOf (const Labels& planes,
+             const std::vector<PlaneBand>& bands,
+             const Coordinates& points,
+             std::uint32_t point)
+{
+  std::int32_t likeliest = no_plane;
+  float best = std::numeric_limits<float>::infinity();
+  for (const std::int32_t plane : planes) {
+    const PlaneBand& candidate = bands[plane];
+    const float distance =
+        candidate.surface.distance (points.x[point], points.y[point], points.z[point]);
+    const float cost =
+        candidate.inverse_variance * distance * distance + candidate.log_variance;
+    const bool is_likelier = distance < candidate.band && cost < best;
+    likeliest = is_likelier ? plane : likeliest;
+    best = is_likelier ? cost : best;
+  }
+  return likeliest;
+}
+
+/** \brief Adds a plane to some, each of which is there once. */
+inline void
+addOnce (std::int32_t plane, Labels& planes)
+{
+  if (plane != no_plane &&
+      std::find (planes.begin(), planes.end(), plane) == planes.end())
+    planes.push_back (plane);
+}
+
+} // namespace pcl_ops::internal

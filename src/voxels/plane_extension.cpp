@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/plane_extension.h"
+
+#include "geometry/noise_ratios.h"
+#include "voxels/bounded_planes.h"
+#include "voxels/plane_bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Planes that are narrower than a voxel go on nowhere, as those of a car would across
+// the street: they get no band.
+std::vector<PlaneBand>
+bandsOf (const std::vector<Moments>& planes,
+         double voxel_size,
+         double smallest_noise,
+         double limit)
+{
+  std::vector<PlaneBand> bands (planes.size());
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const std::optional<PlaneFit> fit = fitPlane (planes[p]);
+    // Of a strip that is evenly covered the width is sqrt (12) deviations.
+    if (!fit || 12.0 * fit->variances[1] < voxel_size * voxel_size)
+      continue;
+    const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
+    bands[p] = PlaneBand (fit->plane, noise, std::min (like_noise * noise, limit));
+  }
+  return bands;
+}
+
+// The planes that the points of each larger voxel are on.
+std::vector<Labels>
+planesIn (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& labels)
+{
+  std::vector<Labels> planes (larger.codes.size());
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
+    std::int32_t last = no_plane;
+    for (const std::uint32_t point : grid.pointsOf (voxel)) {
+      if (labels[point] != last)
+        addOnce (labels[point], planes[larger.holding[voxel]]);
+      last = labels[point];
+    }
+  }
+  return planes;
+}
+
+std::vector<Labels>
+planesIn (const LargerVoxels& larger, const std::vector<Labels>& planes)
+{
+  std::vector<Labels> joined (larger.codes.size());
+  for (std::size_t voxel = 0; voxel < planes.size(); ++voxel)
+    for (const std::int32_t plane : planes[voxel])
+      addOnce (plane, joined[larger.holding[voxel]]);
+  return joined;
+}
+
+// The planes of the voxels around one, each once.
+Labels
+planesAround (const VoxelNeighbors& neighbors,
+              std::size_t voxel,
+              const std::vector<Labels>& planes)
+{
+  Labels around;
+  for (const std::uint32_t neighbor : neighbors[voxel])
+    for (const std::int32_t plane : planes[neighbor])
+      addOnce (plane, around);
+  return around;
+}
+
+// Gives open points that have no plane yet the likeliest one around their voxels, which
+// are those of equal voxels one after the other.
+void
+extendToVoxels (const Coordinates& points,
+                const std::vector<OpenPoint>& open,
+                const LargerVoxels& larger,
+                const std::vector<Labels>& planes,
+                const std::vector<PlaneBand>& bands,
+                Labels& labels)
+{
+  Labels around;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto [point, voxel] = open[i];
+    if (i == 0 || voxel != open[i - 1].voxel)
+      around = planesAround (larger.neighbors, voxel, planes);
+    if (labels[point] == no_plane)
+      labels[point] = likeliestOf (around, bands, points, point);
+  }
+}
+
+} // namespace
+
+void
+extendPlanes (const Coordinates& points,
+              const VoxelGrid& grid,
+              std::vector<OpenPoint> open,
+              int levels,
+              std::optional<double> distance_threshold,
+              AssignedPoints& assigned)
+{
+  if (open.empty())
+    return;
+  Labels& labels = assigned.labels;
+  const double limit =
+      distance_threshold.value_or (std::numeric_limits<double>::infinity());
+  double voxel_size = grid.voxel_size;
+  std::vector<Labels> planes;
+  const auto wanted = static_cast<std::size_t> (levels);
+  for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
+    const LargerVoxels& larger = grid.larger[l];
+    voxel_size *= 2.0;
+    const std::vector<PlaneBand> bands =
+        bandsOf (assigned.moments, voxel_size, smallestNoise (grid), limit);
+    planes = l == 0 ? planesIn (larger, grid, labels) : planesIn (larger, planes);
+    for (OpenPoint& at : open)
+      at.voxel = larger.holding[at.voxel];
+    extendToVoxels (points, open, larger, planes, bands, labels);
+    for (const auto& [point, voxel] : open)
+      addOnce (labels[point], planes[voxel]);
+  }
+  for (const auto& [point, voxel] : open)
+    if (labels[point] != no_plane)
+      assigned.moments[labels[point]].add (
+          points.x[point], points.y[point], points.z[point]);
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/plane_growing.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Of the planes next to a voxel the one its points are nearest to, in units of the
+// largest distance [m] there may be to each; or no_plane.
+std::int32_t
+nearestPlaneAround (const VoxelGrid& grid,
+                    const BoundedPlanes& planes,
+                    const std::vector<double>& limits,
+                    std::size_t voxel)
+{
+  std::int32_t nearest = no_plane;
+  // Neighbors in a row mostly are on the same plane.
+  std::int32_t last = no_plane;
+  double best = 1.0;
+  for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
+    const std::int32_t plane = planes.plane_of_voxel[neighbor];
+    if (plane == last || plane == no_plane)
+      continue;
+    last = plane;
+    const double ratio =
+        meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) /
+        (limits[plane] * limits[plane]);
+    if (ratio >= best)
+      continue;
+    best = ratio;
+    nearest = plane;
+  }
+  return nearest;
+}
+
+Indices
+openVoxels (const Labels& plane_of_voxel)
+{
+  Indices open;
+  for (std::size_t i = 0; i < plane_of_voxel.size(); ++i)
+    if (plane_of_voxel[i] == no_plane)
+      open.push_back (static_cast<std::uint32_t> (i));
+  return open;
+}
+
+// The voxels without a plane that touch one of some voxels, each once.
+Indices
+openVoxelsNextTo (const VoxelGrid& grid,
+                  const Indices& voxels,
+                  const Labels& plane_of_voxel)
+{
+  Indices open;
+  std::vector<char> is_listed (grid.size(), 0);
+  for (const std::uint32_t voxel : voxels)
+    for (const std::uint32_t neighbor : grid.neighbors[voxel])
+      if (plane_of_voxel[neighbor] == no_plane && is_listed[neighbor] == 0) {
+        is_listed[neighbor] = 1;
+        open.push_back (neighbor);
+      }
+  return open;
+}
+
+} // namespace
+
+void
+growPlanes (const VoxelGrid& grid,
+            std::optional<double> distance_threshold,
+            unsigned threads,
+            BoundedPlanes& planes)
+{
+  const double limit =
+      distance_threshold.value_or (std::numeric_limits<double>::infinity());
+  std::vector<double> limits;
+  for (const double noise : planes.noise)
+    limits.push_back (std::min (noises_of_a_voxel * noise, limit));
+  Indices open = openVoxels (planes.plane_of_voxel);
+  while (!open.empty()) {
+    Labels nearest (open.size());
+    forEach (threads, open.size(), [&] (std::size_t i) {
+      nearest[i] = nearestPlaneAround (grid, planes, limits, open[i]);
+    });
+    Indices taken;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      if (nearest[i] != no_plane) {
+        planes.plane_of_voxel[open[i]] = nearest[i];
+        taken.push_back (open[i]);
+      }
+    open = openVoxelsNextTo (grid, taken, planes.plane_of_voxel);
+  }
+  refitPlanes (grid, planes);
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/refinement.h"
+
+#include "base/parallel.h"
+#include "voxels/plane_growing.h"
+
+#include <algorithm>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Voxels without a plane that hold points enough for one, and those next to them, so
+// that finer voxels have neighbors.
+std::vector<char>
+voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_voxel)
+{
+  constexpr double min_points = 8.0;
+  std::vector<char> is_refined (grid.size(), 0);
+  forEach (threads, grid.size(), [&] (std::size_t i) {
+    const IndexRange around = grid.neighbors[i];
+    is_refined[i] =
+        std::any_of (around.begin(), around.end(), [&] (std::uint32_t neighbor) {
+          return plane_of_voxel[neighbor] == no_plane &&
+                 grid.moments[neighbor].count >= min_points;
+        });
+  });
+  return is_refined;
+}
+
+// The finest voxels in coarse ones that are refined.
+Indices
+voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
+{
+  Indices voxels;
+  for (std::size_t i = 0; i < coarse_of_finest.size(); ++i)
+    if (is_refined[coarse_of_finest[i]] != 0)
+      voxels.push_back (static_cast<std::uint32_t> (i));
+  return voxels;
+}
+
+VoxelGrid
+selected (const VoxelGrid& grid, const Indices& voxels)
+{
+  VoxelGrid some;
+  some.voxel_size = grid.voxel_size;
+  some.order = grid.order;
+  some.moments.reserve (voxels.size());
+  for (const std::uint32_t voxel : voxels) {
+    some.codes.push_back (grid.codes[voxel]);
+    some.first_point.push_back (grid.first_point[voxel]);
+    some.moments.push_back (grid.moments[voxel]);
+  }
+  return some;
+}
+
+// The plane that each finer voxel has from the coarse one that holds it.
+Labels
+inheritedPlanes (const BoundedPlanes& planes,
+                 const Indices& coarse_of_finest,
+                 const Indices& voxels,
+                 const VoxelGrid& finer,
+                 unsigned threads)
+{
+  Labels inherited (finer.size(), no_plane);
+  forEach (threads, finer.size(), [&] (std::size_t i) {
+    const std::int32_t plane = planes.plane_of_voxel[coarse_of_finest[voxels[i]]];
+    if (plane == no_plane)
+      return;
+    const double limit = noises_of_a_voxel * planes.noise[plane];
+    if (meanSquaredDistance (finer.moments[i], planes.planes[plane]) < limit * limit)
+      inherited[i] = plane;
+  });
+  return inherited;
+}
+
+// Of each plane the moments of voxels that are not refined.
+std::vector<Moments>
+momentsLeft (const VoxelGrid& coarse,
+             BoundedPlanes planes,
+             const std::vector<char>& is_refined)
+{
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    if (is_refined[i] != 0)
+      planes.plane_of_voxel[i] = no_plane;
+  return momentsOfPlanes (coarse, planes);
+}
+
+} // namespace
+
+Refinement
+refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads)
+{
+  const VoxelGrid& coarse = voxels.coarse;
+  Refinement finer;
+  finer.is_refined = voxelsToRefine (coarse, threads, planes.plane_of_voxel);
+  const Indices refined = voxelsIn (voxels.coarse_of_finest, finer.is_refined);
+  finer.grid = selected (voxels.finest, refined);
+  connect (finer.grid, threads);
+  finer.planes.planes = planes.planes;
+  finer.planes.noise = planes.noise;
+  finer.planes.moments_elsewhere = momentsLeft (coarse, planes, finer.is_refined);
+  finer.planes.plane_of_voxel =
+      inheritedPlanes (planes, voxels.coarse_of_finest, refined, finer.grid, threads);
+  return finer;
+}
+
+} // namespace pcl_ops::internal

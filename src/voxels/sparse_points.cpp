@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/sparse_points.h"
+
+#include "geometry/noise_ratios.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Fewer points than one in so many are left alone.
+constexpr std::size_t min_share = 100;
+
+// Of a voxel and those around it.
+double
+pointsAround (const VoxelGrid& grid, std::size_t voxel)
+{
+  double points = 0.0;
+  for (const std::uint32_t neighbor : grid.neighbors[voxel])
+    points += grid.moments[neighbor].count;
+  return points;
+}
+
+// Whether points do not tell a plane from a mist: they scatter farther than most points
+// of the cloud do, and a quarter as far or more as they are from each other.
+bool
+isMist (const Moments& moments, double squared_noise)
+{
+  constexpr double spacings = 0.25;
+  const std::optional<PlaneFit> fit = fitPlane (moments);
+  if (!fit)
+    return false;
+  // Of a square that is evenly covered the edge is sqrt (12) deviations.
+  const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
+  return fit->variances[0] > std::max (other_noise * other_noise * squared_noise,
+                                       spacings * spacings * area / moments.count);
+}
+
+// Mean squared distance of points to their planes [m^2].
+double
+squaredNoise (const std::vector<Moments>& planes)
+{
+  double points = 0.0;
+  double squares = 0.0;
+  for (const Moments& plane : planes)
+    if (const std::optional<PlaneFit> fit = fitPlane (plane)) {
+      points += plane.count;
+      squares += plane.count * fit->variances[0];
+    }
+  return points > 0.0 ? squares / points : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+Indices
+sparseVoxels (const VoxelGrid& grid, double min_points)
+{
+  Indices sparse;
+  double points = 0.0;
+  double all_points = 0.0;
+  for (std::uint32_t i = 0; i < grid.size(); ++i) {
+    all_points += grid.moments[i].count;
+    if (pointsAround (grid, i) >= min_points)
+      continue;
+    sparse.push_back (i);
+    points += grid.moments[i].count;
+  }
+  return points * min_share < all_points ? Indices() : sparse;
+}
+
+std::vector<OpenPoint>
+openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels)
+{
+  std::vector<OpenPoint> open;
+  for (const std::uint32_t voxel : voxels)
+    for (const std::uint32_t point : grid.pointsOf (voxel))
+      if (labels[point] == no_plane)
+        open.push_back ({point, voxel});
+  return open;
+}
+
+Indices
+sparsePoints (const std::vector<OpenPoint>& open, std::size_t all)
+{
+  constexpr std::size_t max_share = 2;
+  Indices sparse;
+  if (open.size() * min_share < all || open.size() * max_share > all)
+    return sparse;
+  std::vector<char> is_open (all, 0);
+  for (const auto& [point, voxel] : open)
+    is_open[point] = 1;
+  for (std::uint32_t point = 0; point < all; ++point)
+    if (is_open[point] != 0)
+      sparse.push_back (point);
+  return sparse;
+}
+
+void
+rejectMist (const std::vector<Moments>& dense, unsigned threads, AssignedPoints& sparse)
+{
+  const double squared_noise = squaredNoise (dense);
+  Labels kept (sparse.moments.size());
+  for (std::size_t p = 0; p < kept.size(); ++p) {
+    const bool is_mist = isMist (sparse.moments[p], squared_noise);
+    kept[p] = is_mist ? no_plane : static_cast<std::int32_t> (p);
+    if (is_mist)
+      sparse.moments[p] = Moments();
+  }
+  relabel (sparse.labels, kept, threads);
+}
+
+} // namespace pcl_ops::internal

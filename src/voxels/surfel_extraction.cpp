@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/surfel_extraction.h"
+
+#include "geometry/noise_ratios.h"
+#include "voxels/bending.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using Surfels = std::vector<std::optional<Surfel>>;
+
+/** \brief Connected voxels on one plane, in the order it reached them. */
+struct SurfelPatch {
+  Indices voxels;
+  Moments moments;
+};
+
+/** \brief Of each voxel, whether it has a surfel that no plane has yet. */
+std::vector<char>
+openVoxels (const Surfels& surfels, double max_thickness, const Labels& plane_of_voxel)
+{
+  std::vector<char> is_open (surfels.size());
+  for (std::size_t i = 0; i < surfels.size(); ++i)
+    is_open[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
+                 surfels[i]->thickness < max_thickness;
+  return is_open;
+}
+
+/** \brief Spreads a plane from a surfel to those around it. */
+struct SurfelSpread {
+  const VoxelGrid& grid;
+  const Surfels& surfels;
+  double noise_factor, smallest_cosine;
+  std::vector<char> is_open;
+  std::vector<std::uint32_t> asked_in = std::vector<std::uint32_t> (grid.size(), 0);
+  std::uint32_t round = 0;
+  std::vector<double> noise_of = std::vector<double> (grid.size(), 0.0);
+
+  /** \brief What a plane reaches from a seed, refitted when that has grown by half. */
+  SurfelPatch
+  from (std::uint32_t seed)
+  {
+    constexpr std::size_t first_fit = 4;
+    std::size_t next_fit = first_fit;
+    ++round;
+    Plane plane = surfels[seed]->plane;
+    SurfelPatch patch;
+    take (seed, plane, surfels[seed]->noise, patch);
+    for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
+      const std::uint32_t voxel = patch.voxels[i];
+      for (const std::uint32_t neighbor : grid.neighbors[voxel])
+        take (neighbor, plane, noise_of[voxel], patch);
+      if (patch.voxels.size() < next_fit)
+        continue;
+      next_fit = patch.voxels.size() * 3 / 2 + 1;
+      if (const std::optional<PlaneFit> fit = fitPlane (patch.moments))
+        plane = fit->plane;
+    }
+    return patch;
+  }
+
+private:
+  // Asks a voxel, once while the plane spreads. What lies on two planes seems noisier
+  // than either: the noise of a voxel is at most a little more than that of the voxel
+  // the plane comes from.
+  void
+  take (std::uint32_t voxel,
+        const Plane& plane,
+        double noise_next_to_it,
+        SurfelPatch& patch)
+  {
+    if (asked_in[voxel] == round || !is_open[voxel] ||
+        std::abs (plane.normal.dot (surfels[voxel]->plane.normal)) < smallest_cosine)
+      return;
+    asked_in[voxel] = round;
+    const double noise =
+        std::max (std::min (surfels[voxel]->noise, like_noise * noise_next_to_it),
+                  smallestNoise (grid));
+    if (meanSquaredDistance (grid.moments[voxel], plane) >
+        noise_factor * noise_factor * noise * noise)
+      return;
+    noise_of[voxel] = noise;
+    patch.voxels.push_back (voxel);
+    patch.moments.addAligned (grid.moments[voxel]);
+  }
+};
+
+/** \brief The patches that are no planes. */
+struct CurvedSurfaces {
+  const VoxelGrid& grid;
+  const Surfels& surfels;
+  double smallest_cosine;
+  std::vector<char> is_curved = std::vector<char> (grid.size(), 0);
+
+  /** \brief Adds a patch if it is curved together with the curved surfaces it
+   * continues: the narrow strip that those leave of a cylinder is flat by itself.
+   * \return whether it was */
+  bool
+  take (const Indices& patch, const PlaneFit& fit)
+  {
+    if (!isCurved (bendingOf (grid, continued (patch, fit.plane), fit)))
+      return false;
+    for (const std::uint32_t voxel : patch)
+      is_curved[voxel] = 1;
+    return true;
+  }
+
+  Indices
+  continued (Indices patch, const Plane& plane)
+  {
+    const std::size_t own = patch.size();
+    for (std::size_t i = 0; i < own; ++i)
+      for (const std::uint32_t neighbor : grid.neighbors[patch[i]])
+        if (is_curved[neighbor] != 0 &&
+            std::abs (plane.normal.dot (surfels[neighbor]->plane.normal)) >
+                smallest_cosine) {
+          is_curved[neighbor] = 0;
+          patch.push_back (neighbor);
+        }
+    for (std::size_t i = own; i < patch.size(); ++i)
+      is_curved[patch[i]] = 1;
+    return patch;
+  }
+};
+
+// Open voxels with their thickness, the thinnest first.
+std::vector<std::pair<double, std::uint32_t>>
+byThickness (const Surfels& surfels, const std::vector<char>& is_open)
+{
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t i = 0; i < surfels.size(); ++i)
+    if (is_open[i] != 0)
+      order.emplace_back (surfels[i]->thickness, i);
+  std::sort (order.begin(), order.end());
+  return order;
+}
+
+} // namespace
+
+void
+extractSurfelPlanes (const VoxelGrid& grid,
+                     const Surfels& surfels,
+                     const OrientedPointSamplingParameters& parameters,
+                     double max_thickness,
+                     BoundedPlanes& planes)
+{
+  planes.plane_of_voxel.resize (grid.size(), no_plane);
+  const double smallest_cosine = std::cos (parameters.surfels.angle_threshold);
+  SurfelSpread spread{grid,
+                      surfels,
+                      parameters.surfels.noise_factor,
+                      smallest_cosine,
+                      openVoxels (surfels, max_thickness, planes.plane_of_voxel)};
+  CurvedSurfaces curved{grid, surfels, smallest_cosine};
+  for (const auto& [thickness, seed] : byThickness (surfels, spread.is_open)) {
+    if (spread.is_open[seed] == 0)
+      continue;
+    const SurfelPatch patch = spread.from (seed);
+    spread.is_open[seed] = 0;
+    if (patch.voxels.size() < parameters.min_samples)
+      continue;
+    const std::optional<PlaneFit> fit = fitPlane (patch.moments);
+    if (!fit)
+      continue;
+    for (const std::uint32_t voxel : patch.voxels)
+      spread.is_open[voxel] = 0;
+    if (curved.take (patch.voxels, *fit))
+      continue;
+    for (const std::uint32_t voxel : patch.voxels)
+      planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.size());
+    planes.planes.push_back (fit->plane);
+  }
+}
+
+} // namespace pcl_ops::internal

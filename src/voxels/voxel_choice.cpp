@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/voxel_choice.h"
+
+#include "cloud/voxel_size.h"
+#include "geometry/principal_axes.h"
+#include "voxels/bounded_planes.h"
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/voxel_size.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Of the points of a voxel about their plane [m], in voxels as flat as a quarter of
+// those that have any: the steps of a quantized depth have none.
+double
+noiseOfFlatVoxels (const VoxelGrid& grid)
+{
+  constexpr double smallest_share = 1e-4;
+  std::vector<Eigen::Matrix3d> covariances;
+  for (const Moments& voxel : grid.moments)
+    if (voxel.count >= min_points_of_noise)
+      covariances.push_back (voxel.covariance());
+  std::vector<PrincipalAxes> axes (covariances.size());
+  principalAxes (covariances.data(), covariances.size(), axes.data());
+  std::vector<float> noise;
+  for (const PrincipalAxes& voxel : axes)
+    if (const double own = std::sqrt (voxel.values[0]);
+        own > smallest_share * grid.voxel_size)
+      noise.push_back (static_cast<float> (own));
+  const auto quarter = noise.begin() + noise.size() / 4;
+  std::nth_element (noise.begin(), quarter, noise.end());
+  return noise.empty() ? 0.0 : *quarter;
+}
+
+// Points in the voxel of a point, on average over all points: many more than in a voxel
+// on average where a cloud is far denser in some places than in others.
+double
+meanPointsAroundPoints (const VoxelGrid& grid)
+{
+  double points = 0.0;
+  double squares = 0.0;
+  for (const Moments& voxel : grid.moments) {
+    points += voxel.count;
+    squares += voxel.count * voxel.count;
+  }
+  return squares / points;
+}
+
+// Voxels hold the more points the more there are, as noise does not shrink with them.
+// Where there is next to none, smaller ones tell more. And one size is too large near a
+// lidar and too small far from it: a cloud of uneven density gets the voxels that suit
+// its dense places; sparse places are looked at by themselves, see \ref sparsePoints.
+double
+voxelSizeByNoise (const VoxelGrid& grid)
+{
+  constexpr double enough_points = 12.0;
+  constexpr double many_points = 128.0;
+  constexpr double min_contrast = 1.7;
+  constexpr double largest_noise_share = 0.014;
+  // However many points are at one place, the whole cloud has to have voxels.
+  constexpr double smallest_share = 1.0 / 16.0;
+  const double points = meanPointsAroundPoints (grid);
+  const bool is_uneven = points > min_contrast * meanPointsPerVoxel (grid);
+  if (points < (is_uneven ? enough_points : many_points))
+    return grid.voxel_size;
+  const double by_points =
+      std::max (smallest_share, std::sqrt (enough_points / points));
+  return roundNumber (std::clamp (noiseOfFlatVoxels (grid) / largest_noise_share,
+                                  by_points * grid.voxel_size,
+                                  grid.voxel_size));
+}
+
+} // namespace
+
+double
+wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel)
+{
+  constexpr double voxels_per_sample = 2.0 / 3.0;
+  constexpr double reference_points = 300000.0;
+  const auto number = static_cast<double> (points);
+  const double samples =
+      sampling_rate * reference_points * std::cbrt (number / reference_points);
+  return std::min (voxels_per_sample * samples, number / min_points_per_voxel);
+}
+
+double
+singlePrecisionStep (const Points& points)
+{
+  const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
+  return std::nextafter (largest, 2.0f * largest + 1.0f) - largest;
+}
+
+double
+meanPointsPerVoxel (const VoxelGrid& grid)
+{
+  double points = 0.0;
+  for (const Moments& voxel : grid.moments)
+    points += voxel.count;
+  return points / static_cast<double> (grid.size());
+}
+
+VoxelLevels
+voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
+{
+  constexpr double min_points_per_voxel = 5.0;
+  const double size = voxelSizeFor (
+      points, wantedVoxels (points.size(), sampling_rate, min_points_per_voxel));
+  if (!(size > 0.0))
+    return {};
+  // Of twice the edge, as they are halved where needed.
+  constexpr double smallest_in_steps = 2.0 * 8.0;
+  const double smallest = smallest_in_steps * singlePrecisionStep (points);
+  VoxelLevels voxels =
+      coarsen (voxelize (points, 0.5 * std::max (size, smallest), threads));
+  const double finer = std::max (voxelSizeByNoise (voxels.coarse), smallest);
+  if (finer < voxels.coarse.voxel_size)
+    voxels = coarsen (voxelize (points, 0.5 * finer, threads));
+  return voxels;
+}
+
+} // namespace pcl_ops::internal
+
+namespace pcl_ops {
+
+double
+voxelSizeFor (const CloudView& points, double wanted_voxels)
+{
+  internal::Coordinates positions;
+  for (std::size_t i = 0; i < points.size; ++i)
+    positions.add (points[i][0], points[i][1], points[i][2]);
+  return internal::voxelSizeFor (positions, wanted_voxels);
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud/all_nearest.h"
+#include "scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+// Of all points, by distance, then by number.
+Indices
+nearestOfEach (const Coordinates& points, std::size_t number)
+{
+  Indices nearest;
+  for (std::uint32_t own = 0; own < points.size(); ++own) {
+    std::vector<std::pair<float, std::uint32_t>> others;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const float x = points.x[i] - points.x[own];
+      const float y = points.y[i] - points.y[own];
+      const float z = points.z[i] - points.z[own];
+      if (i != own)
+        others.emplace_back (x * x + y * y + z * z, i);
+    }
+    std::sort (others.begin(), others.end());
+    for (std::size_t k = 0; k < number; ++k)
+      nearest.push_back (others[k].second);
+  }
+  return nearest;
+}
+
+void
+expectAllNearest (const Coordinates& points, std::size_t number)
+{
+  const PointTree tree (points);
+  EXPECT_EQ (findAllNearest (tree, number, 1), nearestOfEach (points, number));
+}
+
+// A number of points in a box.
+void
+addDrawn (std::size_t number, float corner, float edge, Coordinates& points)
+{
+  RandomGenerator generator (seedOfTest());
+  const auto draw = [&] {
+    return corner + edge * static_cast<float> (drawUnit (generator));
+  };
+  for (std::size_t i = 0; i < number; ++i) {
+    const float x = draw();
+    const float y = draw();
+    points.add (x, y, draw());
+  }
+}
+
+} // namespace
+
+TEST (AllNearest, AreThoseOfBruteForce)
+{
+  Coordinates points;
+  addDrawn (700, 0.0f, 1.0f, points);
+  expectAllNearest (points, 20);
+}
+
+TEST (AllNearest, AreTheLowestNumbersOfEquallyNearPoints)
+{
+  Coordinates grid;
+  for (int x = 0; x < 15; ++x)
+    for (int y = 0; y < 15; ++y)
+      grid.add (static_cast<float> (x), static_cast<float> (y), 0.0f);
+  expectAllNearest (grid, 7);
+}
+
+TEST (AllNearest, AreFoundWhereTheDensityJumps)
+{
+  Coordinates points;
+  addDrawn (300, 0.0f, 1e-3f, points);
+  addDrawn (300, 50.0f, 100.0f, points);
+  addDrawn (10, -1e4f, 1.0f, points);
+  expectAllNearest (points, 12);
+}
+
+TEST (AllNearest, AreFoundAroundAPlaceThatIsDenserTheNearerOneComes)
+{
+  Coordinates points;
+  for (float size = 1e-4f; size < 1e4f; size *= 2.0f)
+    addDrawn (60, -0.5f * size, size, points);
+  expectAllNearest (points, 12);
+}
+
+TEST (AllNearest, AreFoundAlongRingsOfALidar)
+{
+  Coordinates points;
+  for (int ring = 1; ring <= 4; ++ring)
+    for (int i = 0; i < 200; ++i) {
+      const float angle = 0.03f * static_cast<float> (i);
+      const float radius = 5.0f * static_cast<float> (ring);
+      points.add (radius * std::cos (angle), radius * std::sin (angle), -1.7f);
+    }
+  expectAllNearest (points, 20);
+}
+
+TEST (AllNearest, MayBeAllOthers)
+{
+  Coordinates points;
+  addDrawn (9, 0.0f, 1.0f, points);
+  expectAllNearest (points, 8);
+}
+
+TEST (AllNearest, OfPointsAtOnePlaceAreTheLowestNumbers)
+{
+  Coordinates points;
+  for (int i = 0; i < 40; ++i)
+    points.add (1.0f, 2.0f, 3.0f);
+  expectAllNearest (points, 5);
+}
+
+TEST (AllNearest, AreTheSameForAnyNumberOfThreads)
+{
+  Coordinates points;
+  addDrawn (20000, 0.0f, 1.0f, points);
+  const PointTree tree (points);
+  EXPECT_EQ (findAllNearest (tree, 10, 4), findAllNearest (tree, 10, 1));
+}
+
+TEST (AllNearest, AreFoundAmongPointsAsFarApartAsNumbersGo)
+{
+  Coordinates points;
+  addDrawn (50, 0.0f, 1.0f, points);
+  addDrawn (50, -1e30f, 3e30f, points);
+  expectAllNearest (points, 12);
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud/equal_points.h"
+#include "grid_scene.h"
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+/** \brief Points that are alone at their places, and more at (x, 0, 0). */
+Coordinates
+pointsAnd (std::size_t number, float x)
+{
+  Coordinates points = pointsInACube (1000, 4.0);
+  for (std::size_t i = 0; i < number; ++i)
+    points.add (x, 0.0f, 0.0f);
+  return points;
+}
+
+} // namespace
+
+TEST (FirstAtPlace, IsNotLookedForWhereAllPointsAreAlone)
+{
+  EXPECT_TRUE (firstAtPlace (pointsAnd (0, 0.0f), 1).empty());
+  Coordinates lattice; // whole numbers have few bits that differ
+  for (int i = 0; i < 22 * 22 * 22; ++i)
+    lattice.add (i % 22, i / 22 % 22, i / 22 / 22);
+  EXPECT_TRUE (firstAtPlace (lattice, 1).empty());
+}
+
+TEST (FirstAtPlace, IsNoReadingWhereManyShareOnePlace)
+{
+  for (const float x : {0.0f, 17.5f}) {
+    const FirstAtPlace first = firstAtPlace (pointsAnd (50, x), 1);
+    ASSERT_EQ (first.size(), 1050u);
+    for (std::uint32_t i = 0; i < 1050; ++i)
+      EXPECT_EQ (first[i], i < 1000 ? i : no_reading);
+  }
+}
+
+TEST (FirstAtPlace, IsThePointItselfWhereFewHaveEqualsBesideMissingReadings)
+{
+  Coordinates points = pointsAnd (50, 0.0f);
+  for (std::size_t i = 0; i < 20; ++i)
+    points.add (points.x[i], points.y[i], points.z[i]);
+  const FirstAtPlace first = firstAtPlace (points, 1);
+  ASSERT_EQ (first.size(), 1070u);
+  for (std::uint32_t i = 0; i < 1070; ++i)
+    EXPECT_EQ (first[i], i < 1000 || i >= 1050 ? i : no_reading);
+}
+
+TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
+{
+  const Coordinates points = pointsInACube (1000, 4.0);
+  Coordinates twice = points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    twice.add (points.x[i], points.y[i], points.z[i]);
+  const FirstAtPlace first = firstAtPlace (twice, 1);
+  ASSERT_EQ (first.size(), 2000u);
+  for (std::uint32_t i = 0; i < 2000; ++i)
+    EXPECT_EQ (first[i], i % 1000);
+}
+
+TEST (FirstAtPlace, TellsApartPlacesWithTheSameHash)
+{
+  // Of so many places some twenty pairs share a hash of 32 bits: 400,000^2 / 2 / 2^32.
+  constexpr std::uint32_t places = 400'000;
+  Coordinates points = pointsInACube (places, 4.0);
+  for (std::uint32_t i = 0; i < places; ++i)
+    points.add (points.x[i], points.y[i], points.z[i]);
+  const FirstAtPlace first = firstAtPlace (points, 1);
+  ASSERT_EQ (first.size(), 2 * places);
+  for (std::uint32_t i = 0; i < 2 * places; ++i)
+    ASSERT_EQ (first[i], i % places) << i;
+}
+
+TEST (FirstAtPlace, TakesZeroAndMinusZeroForOnePlace)
+{
+  Coordinates points = pointsAnd (50, 0.0f);
+  for (std::size_t i = 1000; i < 1050; i += 2)
+    points.y[i] = -0.0f;
+  EXPECT_EQ (firstAtPlace (points, 1)[1001], no_reading);
+}
+
+TEST (FirstAtPlace, IsNoReadingOfPointsThatAreNotFinite)
+{
+  Coordinates points = pointsAnd (50, 0.0f);
+  points.x[7] = NAN;
+  EXPECT_EQ (firstAtPlace (points, 1)[7], no_reading);
+}

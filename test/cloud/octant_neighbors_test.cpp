@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud/octant_neighbors.h"
+#include "scene.h"
+
+using namespace pcl_ops::internal;
+using namespace pcl_ops;
+
+namespace {
+
+PlanarPoints
+scattered (int number)
+{
+  RandomGenerator generator (seedOfTest());
+  PlanarPoints points;
+  for (int i = 0; i < number; ++i) {
+    const double x = drawUnit (generator);
+    points.emplace_back (x * x, 0.1 * drawUnit (generator));
+  }
+  return points;
+}
+
+/** \brief The nearest of all points in an octant around one of them. */
+std::uint32_t
+nearestIn (std::size_t octant, std::uint32_t point, const PlanarPoints& points)
+{
+  std::uint32_t nearest = no_neighbor;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d step = points[i] - points[point];
+    if (i != point && octantOf (step) == octant &&
+        (nearest == no_neighbor ||
+         step.norm() < (points[nearest] - points[point]).norm()))
+      nearest = i;
+  }
+  return nearest;
+}
+
+} // namespace
+
+TEST (OctantOf, CountsEighthsOfATurnFromX)
+{
+  for (std::size_t octant = 0; octant < octants; ++octant) {
+    const double angle = (45.0 * static_cast<double> (octant) + 20.0) * 1.0_deg;
+    EXPECT_EQ (octantOf ({std::cos (angle), std::sin (angle)}), octant);
+  }
+}
+
+TEST (OctantOf, OfTheOppositeDirectionIsFourOn)
+{
+  for (const Eigen::Vector2d& direction :
+       {Eigen::Vector2d (1, 0), {1, 1}, {0, 1}, {-1, 1}, {0.0, -2.0}, {3, -1}})
+    EXPECT_EQ (octantOf (-direction), (octantOf (direction) + 4) % octants);
+}
+
+TEST (OctantTree, FindsTheNearestPointInEachOctant)
+{
+  const PlanarPoints points = scattered (500);
+  const OctantTree tree (points);
+  for (std::uint32_t point = 0; point < points.size(); ++point) {
+    const OctantNeighbors neighbors = tree.neighborsOf (point);
+    for (std::size_t octant = 0; octant < octants; ++octant)
+      EXPECT_EQ (neighbors.points[octant], nearestIn (octant, point, points));
+  }
+}
+
+TEST (OctantTree, HasEachPointInOneGroup)
+{
+  const PlanarPoints points = scattered (100);
+  std::vector<int> times (points.size(), 0);
+  for (const OctantTree::Group& group : OctantTree (points).groups (1))
+    for (const std::uint32_t point : group.points)
+      ++times[point];
+  EXPECT_EQ (times, std::vector<int> (points.size(), 1));
+}
+
+TEST (OctantTree, FindsNoNeighborOfAGroupInTheGroup)
+{
+  const PlanarPoints points = scattered (100);
+  for (const OctantTree::Group& group : OctantTree (points).groups (1))
+    for (const std::uint32_t neighbor : group.neighbors.points)
+      EXPECT_EQ (std::count (group.points.begin(), group.points.end(), neighbor), 0);
+}

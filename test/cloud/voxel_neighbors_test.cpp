@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud/voxel_neighbors.h"
+#include "grid_scene.h"
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+bool
+isNeighbor (const VoxelKey& a, const VoxelKey& b)
+{
+  return std::abs (a.x - b.x) <= 1 && std::abs (a.y - b.y) <= 1 &&
+         std::abs (a.z - b.z) <= 1;
+}
+
+} // namespace
+
+TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
+{
+  // Sparse and dense: nearly every voxel alone, and nearly all occupied.
+  for (const double edge : {0.2, 0.5, 1.5}) {
+    const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1);
+    const VoxelNeighbors neighbors = connected (grid.codes, 1).neighbors;
+    ASSERT_EQ (neighbors.places.size(), grid.size());
+    for (std::size_t a = 0; a < grid.size(); ++a) {
+      Indices expected;
+      for (std::size_t b = 0; b < grid.size(); ++b)
+        if (isNeighbor (numbersOf (grid.codes[a]), numbersOf (grid.codes[b])))
+          expected.push_back (static_cast<std::uint32_t> (b));
+      Indices found (neighbors[a].begin(), neighbors[a].end());
+      std::sort (found.begin(), found.end());
+      ASSERT_EQ (found, expected);
+    }
+  }
+}
+
+TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
+{
+  // On both sides of the middle of the largest possible grid.
+  const std::int32_t middle = (1 << 19) - key_offset;
+  const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
+                                      mortonCode (middle, middle, middle)};
+  const VoxelNeighbors neighbors = connected (codes, 1).neighbors;
+  for (const std::size_t voxel : {0, 1})
+    EXPECT_EQ (Indices (neighbors[voxel].begin(), neighbors[voxel].end()),
+               (Indices{0, 1}));
+}
+
+TEST (VoxelNeighbors, OfOneVoxelAreItself)
+{
+  for (const MortonCode code : {MortonCode (0), mortonCode (5, -6, 7)}) {
+    const VoxelNeighbors neighbors = connected ({code}, 1).neighbors;
+    ASSERT_EQ (neighbors.places.size(), 1u);
+    EXPECT_EQ (Indices (neighbors[0].begin(), neighbors[0].end()), (Indices{0}));
+  }
+  EXPECT_EQ (connected ({}, 1).neighbors.places.size(), 0u);
+}

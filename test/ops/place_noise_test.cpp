@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/place_noise.h"
+#include "place_scene.h"
+
+#include <cmath>
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+// A wall whose neighboring points err alike: waves of 40 cm.
+Coordinates
+wavyWall ()
+{
+  Coordinates points = drawnOn ({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, 2_cm, 1_mm);
+  const auto wave = [] (float along) { return std::sin (2.0 * pi * along / 0.4); };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.z[i] += static_cast<float> (2_cm * wave (points.x[i]) * wave (points.y[i]));
+  return points;
+}
+
+double
+medianNoise (const PlaceScene& scene)
+{
+  std::vector<float> noise (scene.noise.of_place);
+  return medianOf (noise);
+}
+
+} // namespace
+
+TEST (PlaceNoise, IsThatOfWhiteNoise)
+{
+  const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 3_mm));
+  EXPECT_NEAR (medianNoise (scene), 3e-3, 6e-4);
+  EXPECT_LT (scene.noise.cloud.common_errors, 3.0);
+  for (const double growth : scene.noise.cloud.growth)
+    EXPECT_LT (growth, 1.2);
+}
+
+TEST (PlaceNoise, IsThatOfLargeSupportsWhereNeighborsErrAlike)
+{
+  const PlaceScene scene (wavyWall());
+  // The rms of the waves is 1 cm.
+  EXPECT_GT (medianNoise (scene), 6e-3);
+  EXPECT_GT (scene.noise.cloud.growth[0], 1.5);
+  EXPECT_GT (scene.noise.cloud.common_errors, 5.0);
+}
+
+TEST (PlaceNoise, IsHardlyLessThanUsualInTheCloudThatPlacesAreAPartOf)
+{
+  const PlaceScene whole (drawnOn ({square_of_ground}, 2_cm, 1_cm));
+  const PlaceScene part (drawnOn ({square_of_ground}, 2_cm, 1_mm));
+  EXPECT_NEAR (medianNoise (part), 1e-3, 2e-4);
+  std::vector<float> given = noiseOfPlaces (part.places, whole.noise.cloud, 1).of_place;
+  EXPECT_NEAR (medianOf (given), 7e-3, 2e-3);
+}
+
+TEST (PlaceNoise, OfThePlacesOfAWholeIsTheSameWhereTheWholeIsGiven)
+{
+  const PlaceScene whole (wavyWall());
+  EXPECT_EQ (noiseOfPlaces (whole.places, whole.noise.cloud, 1).of_place,
+             whole.noise.of_place);
+}
+
+TEST (PlaceNoise, OfABarrelIsThatOfItsPointsAndNotItsBend)
+{
+  // Supports of 40 cm and more bend by more than the noise.
+  Coordinates barrel = drawnOn ({square_of_ground}, 2_cm, 1_mm);
+  for (std::size_t i = 0; i < barrel.size(); ++i) {
+    const float off = barrel.x[i] - 1.0f;
+    barrel.z[i] -= 0.5f * off * off / 0.6f;
+  }
+  const double flat =
+      medianNoise (PlaceScene (drawnOn ({square_of_ground}, 2_cm, 1_mm)));
+  EXPECT_LT (medianNoise (PlaceScene (barrel)), 2.0 * flat);
+}
+
+TEST (PlaceNoise, IsNoneOfExactPoints)
+{
+  EXPECT_LT (medianNoise (PlaceScene (drawnOn ({square_of_ground}, 2_cm, 0.0))), 1e-6);
+}
+
+TEST (ChooseSupports, TakesTheLargestThatTheNoiseExplains)
+{
+  // Beside the edge of two walls supports are smaller than in the middle of one.
+  const PlaceScene scene (
+      drawnOn ({square_of_ground, {{0, 0, 0}, {2, 0, 0}, {0, 0, 2}}}, 2_cm, 2_mm));
+  double beside = 0.0;
+  double inside = 0.0;
+  double places_beside = 0.0;
+  double places_inside = 0.0;
+  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+    const Eigen::Vector3d& place = scene.places.position[i];
+    const double from_edge = std::max (place.y(), place.z());
+    if (from_edge < 0.1) {
+      beside += scene.chosen.width[i];
+      ++places_beside;
+    }
+    else if (std::abs (from_edge - 1.0) < 0.2) {
+      inside += scene.chosen.width[i];
+      ++places_inside;
+    }
+  }
+  EXPECT_LT (beside / places_beside, 0.6 * inside / places_inside);
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/features/normal_3d.h>
+#include <pcl/search/kdtree.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "paper/oriented_points.h"
+#include "scene.h"
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/** \brief Weighted normals of some points of a cloud, with a kd-tree over all of it. */
+OrientedSamples
+orient (const Cloud::ConstPtr& cloud,
+        const Indices& sample,
+        int k = 30,
+        std::optional<double> sigma = std::nullopt)
+{
+  pcl::search::KdTree<pcl::PointXYZ> tree;
+  tree.setInputCloud (cloud);
+  pcl_ops::detail::NeighborSearch search;
+  search.nearest =
+      [&] (pcl::index_t point, int number, auto& neighbors, auto& distances) {
+        tree.nearestKSearch ((*cloud)[point], number, neighbors, distances);
+      };
+  const pcl_ops::CloudView view (*cloud);
+  const Points points = finitePoints (view, 1);
+  return orientSamples (view, points, sample, search, k, sigma);
+}
+
+/** \brief M_i straight from the paper: the k nearest by sorting all distances. The
+ * radius of the neighborhood is sigma unless there is one. */
+Eigen::Matrix3d
+scatterByBruteForce (const Cloud& cloud,
+                     std::size_t sample,
+                     std::size_t k,
+                     std::optional<double> given_sigma)
+{
+  const Eigen::Vector3d p = cloud[sample].getVector3fMap().cast<double>();
+  std::vector<Eigen::Vector3d> q;
+  for (const pcl::PointXYZ& point : cloud)
+    q.push_back (point.getVector3fMap().cast<double>() - p);
+  std::sort (q.begin(), q.end(), [] (const auto& first, const auto& second) {
+    return first.squaredNorm() < second.squaredNorm();
+  });
+  const double sigma = given_sigma.value_or (q[k].norm());
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+  for (std::size_t j = 1; j <= k; ++j) // 0 is the sample itself
+    m += std::exp (-q[j].squaredNorm() / (2 * sigma * sigma)) * q[j] *
+         q[j].transpose() / q[j].squaredNorm();
+  return m;
+}
+
+/** \brief Five points of a line, 1 m apart; the one in the middle is nowhere. */
+struct Line {
+  Line()
+  {
+    for (int i = 0; i < 5; ++i)
+      cloud.push_back ({static_cast<float> (i), 0, 0});
+    cloud[2].x = NAN;
+    input.cloud = pcl_ops::CloudView (cloud);
+    points = finitePoints (input.cloud, 1);
+  }
+
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  pcl_ops::detail::DetectorInput input{{}, nullptr, Eigen::Vector3d::Zero(), nullptr};
+  Points points;
+};
+
+} // namespace
+
+TEST (DrawSample, DrawsTheRateAscendingAndDistinct)
+{
+  for (const double rate : {0.001, 0.03, 0.5, 1.0}) {
+    const Indices sample = drawSample (10000, rate, seedOfTest());
+    EXPECT_EQ (sample.size(), static_cast<std::size_t> (10000 * rate));
+    EXPECT_TRUE (std::is_sorted (
+        sample.begin(), sample.end(), std::less_equal<std::uint32_t>()));
+    EXPECT_LT (sample.back(), 10000u);
+  }
+}
+
+TEST (DrawSample, DrawsNothingFromNothingAndAllFromAll)
+{
+  EXPECT_TRUE (drawSample (0, 0.5, 1).empty());
+  EXPECT_TRUE (drawSample (10, 0.01, 1).empty()) << "a tenth of a point";
+  EXPECT_EQ (drawSample (3, 1.0, 1), (Indices{0, 1, 2}));
+  EXPECT_EQ (drawSample (3, 2.0, 1), (Indices{0, 1, 2})) << "a rate above 1";
+}
+
+TEST (DrawSample, GivesEveryPointTheSameChance)
+{
+  std::vector<int> times (20, 0);
+  for (std::uint32_t seed = 0; seed < 10000; ++seed)
+    for (const std::uint32_t i : drawSample (20, 0.25, seed))
+      ++times[i];
+  double chi_square = 0.0;
+  for (const int count : times)
+    chi_square += (count - 2500.0) * (count - 2500.0) / (2500.0 * 0.75);
+  EXPECT_LT (chi_square, 43.8) << "99.9 % of chi-square with 19 degrees of freedom";
+}
+
+TEST (OrientSamples, ComputesTheMatrixOfThePaper)
+{
+  const auto cloud = Scene().floor (1_m, 1_m).noise (1_cm).build().cloud;
+  const Indices sample = drawSample (cloud->size(), 0.1, 1);
+  for (const auto& sigma : {std::optional<double>(), {10_cm}}) {
+    const auto samples = orient (cloud, sample, 20, sigma);
+    ASSERT_EQ (samples.size(), sample.size());
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+      const auto m = scatterByBruteForce (*cloud, sample[i], 20, sigma);
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle (m);
+      EXPECT_LT (angleBetween (samples.normals[i], oracle.eigenvectors().col (0)),
+                 1e-5);
+    }
+  }
+}
+
+TEST (OrientSamples, SkipsDuplicatesOfTheSampleAndLeavesOutSamplesOnALine)
+{
+  const auto cloud = Scene().floor (1_m, 1_m).build().cloud;
+  cloud->insert (cloud->end(), 5, pcl::PointXYZ (cloud->front()));
+  const auto on_line = static_cast<std::uint32_t> (cloud->size() + 50);
+  for (int i = 0; i < 100; ++i)
+    cloud->push_back ({10.0f + 0.01f * i, 20.0f + 0.02f * i, 30.0f - 0.03f * i});
+  const auto samples = orient (cloud, {0, on_line}, 20);
+  ASSERT_EQ (samples.size(), 1u) << "the one on the plane";
+  EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
+}
+
+TEST (OrientSamples, MakesDoWithFewerPointsThanK)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (const float x : {0.0f, 1.0f})
+    for (const float y : {0.0f, 1.0f})
+      cloud->push_back ({x, y, 5});
+  for (const int k : {30, std::numeric_limits<int>::max()}) {
+    const auto samples = orient (cloud, {0, 1, 2, 3}, k);
+    ASSERT_EQ (samples.size(), 4u);
+    EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
+  }
+}
+
+TEST (NormalOfScatter, IsNothingForAMatrixOfRankOneOrNone)
+{
+  const Eigen::Vector3d line (1.0 / 3.0, -0.7, 0.2);
+  EXPECT_TRUE (normalOfScatter (Eigen::Matrix3d::Zero()).isZero());
+  EXPECT_TRUE (normalOfScatter (line * line.transpose()).isZero());
+  EXPECT_TRUE (normalOfScatter (1e12 * line * line.transpose()).isZero());
+}
+
+TEST (GroupByOrientation, PutsEverySampleIntoOneGroup)
+{
+  OrientedSamples samples;
+  for (const Eigen::Vector3d& normal : {Eigen::Vector3d (0, 0, 1),
+                                        Eigen::Vector3d (1, 0, 0),
+                                        Eigen::Vector3d (0.6, 0, 0.8),
+                                        Eigen::Vector3d (0, 0, -1)})
+    samples.add ({0, 0, 0}, normal);
+  const auto groups = groupByOrientation (samples, Eigen::Vector3d::UnitZ(), 7_deg);
+  EXPECT_EQ (groups[0], (Indices{0, 3})) << "horizontal";
+  EXPECT_EQ (groups[1], (Indices{1})) << "vertical";
+  EXPECT_EQ (groups[2], (Indices{2})) << "other";
+}
+
+TEST (SearchOver, FindsTheNearestAmongTheFinitePoints)
+{
+  const Line line;
+  pcl::Indices neighbors;
+  std::vector<float> squared_distances;
+  const NeighborSearch search = searchOver (line.input, line.points, 3);
+  search.nearest (3, 3, neighbors, squared_distances);
+  std::sort (neighbors.begin(), neighbors.end());
+  EXPECT_EQ (neighbors, (pcl::Indices{1, 3, 4}));
+  EXPECT_EQ (search.threads, 3u) << "may ask it";
+}
+
+TEST (SearchOver, IsTheUsersOverTheFinitePointsWhereThereIsOne)
+{
+  Line line;
+  pcl::Indices searched;
+  line.input.search_over = [&] (const pcl::Indices& finite) {
+    searched = finite;
+    NeighborSearch search;
+    search.threads = 77;
+    return search;
+  };
+  EXPECT_EQ (searchOver (line.input, line.points, 1).threads, 77u);
+  EXPECT_EQ (searched, (pcl::Indices{0, 1, 3, 4}));
+}

@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plane_board.h"
+#include "planes/patch.h"
+#include <pcl_ops/plane_matching.h>
+#include <pcl_ops/plane_tracker.h>
+
+#include <stdexcept>
+
+using namespace pcl_ops;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using pcl_ops::internal::moved;
+
+namespace {
+
+using Planes = std::vector<PlaneSegment>;
+using Numbers = std::vector<std::uint32_t>;
+
+/** \brief A corner of a room 3 m ahead, and two shelves 0.3 m above each other. */
+Planes
+roomCorner ()
+{
+  return {board ({0, 3, -1}, Vector3d::UnitZ(), {4, 4}),
+          board ({0, 5, 0}, -Vector3d::UnitY(), {4, 2}),
+          board ({2, 3, 0}, -Vector3d::UnitX(), {4, 2}),
+          board ({-1, 4.7, 0.0}, Vector3d::UnitZ(), {1, 0.4}),
+          board ({-1, 4.7, 0.3}, Vector3d::UnitZ(), {1, 0.4})};
+}
+
+/** \brief The same as seen from elsewhere. */
+Planes
+seenFrom (const Isometry3d& pose, Planes planes)
+{
+  for (PlaneSegment& plane : planes)
+    plane = moved (pose.inverse(), plane);
+  return planes;
+}
+
+Isometry3d
+motion (double degrees, const Vector3d& axis, const Vector3d& shift)
+{
+  return Eigen::Translation3d (shift) *
+         Eigen::AngleAxisd (degrees * 1_deg, axis.normalized());
+}
+
+const Isometry3d stays = Isometry3d::Identity();
+
+const Labels each{0, 1, 2, 3, 4};
+
+} // namespace
+
+TEST (MatchPlanes, FindsEachPlaneOfAFrameInItselfInAnyOrder)
+{
+  const Planes all = roomCorner();
+  EXPECT_EQ (matchPlanes (all, all).previous, each);
+  EXPECT_EQ (matchPlanes (all, {all[4], all[1]}).previous, (Labels{4, 1}));
+  PlaneMatchingParameters all_of_it;
+  all_of_it.min_overlap = 1.0;
+  const Planes turned = seenFrom (motion (40, {0, 0.2, 1}, {1, 0.5, 0}), all);
+  EXPECT_EQ (matchPlanes (turned, turned, stays, all_of_it).previous, each);
+}
+
+TEST (MatchPlanes, TakesThePoseAsThatOfTheCurrentFrameInThePrevious)
+{
+  const Isometry3d pose = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
+  const Planes current = seenFrom (pose, roomCorner());
+  PlaneMatchingParameters exact;
+  exact.rotation_error = exact.translation_error = 0.001;
+  EXPECT_EQ (matchPlanes (roomCorner(), current, pose, exact).previous, each);
+  const Labels inverted =
+      matchPlanes (roomCorner(), current, pose.inverse(), exact).previous;
+  EXPECT_EQ (std::count (inverted.begin(), inverted.end(), no_plane), 5);
+}
+
+TEST (MatchPlanes, MendsAPoseThatIsOffUntilShelvesAreTheRightOnes)
+{
+  // 4 degrees are 0.33 m at the shelves: more than from one to the next.
+  const Isometry3d error = motion (4, Vector3d::UnitX(), {0.03, 0, 0.02});
+  const PlaneMatches matches =
+      matchPlanes (roomCorner(), seenFrom (error, roomCorner()));
+  EXPECT_EQ (matches.previous, each);
+  EXPECT_TRUE (matches.pose.isApprox (error, 0.005)) << matches.pose.matrix();
+}
+
+TEST (MatchPlanes, LetsOnePlaneAloneOfTheCurrentFrameTellWhereAPreviousOneIs)
+{
+  // A mat on the floor, 1 cm thick, that was not there before: the floor is taken.
+  Planes current = roomCorner();
+  current.push_back (board ({0, 3, -0.99}, Vector3d::UnitZ(), {3.5, 3.5}));
+  const PlaneMatches matches = matchPlanes (roomCorner(), current);
+  EXPECT_EQ (matches.previous, (Labels{0, 1, 2, 3, 4, no_plane}));
+  EXPECT_TRUE (matches.pose.isApprox (stays, 1e-6)) << matches.pose.matrix();
+}
+
+TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
+{
+  for (const double degrees : {5.0, 10.0, 15.0, 20.0})
+    for (const Vector3d& axis : {Vector3d (1, 0, 0), {0, 1, 0}, {0, 0, 1}, {1, 2, 3}}) {
+      PlaneMatchingParameters rough;
+      rough.rotation_error = degrees * 1_deg;
+      const Isometry3d error = motion (degrees, axis, {0, 0, 0});
+      const PlaneMatches matches =
+          matchPlanes (roomCorner(), seenFrom (error, roomCorner()), stays, rough);
+      EXPECT_EQ (matches.previous, each) << degrees << " about " << axis.transpose();
+    }
+}
+
+namespace {
+
+/** A level board 1 m deep, \p height over the floor. */
+PlaneSegment
+levelBoard (double x, double height, double width, double noise = 0.002)
+{
+  return board ({x, 0, height}, Vector3d::UnitZ(), {width, 1}, noise);
+}
+
+/** A part of one wall, 2 m high. */
+PlaneSegment
+partOfWall (double x, double width)
+{
+  return board ({x, 0, 0}, Vector3d::UnitY(), {width, 2});
+}
+
+struct MatchingCase {
+  const char* name; // after "MatchPlanes"
+  Planes previous;
+  Planes current;
+  PlaneMatchingParameters parameters;
+  /** Of each current plane the previous one that it is. */
+  Labels expected;
+};
+
+void
+PrintTo (const MatchingCase& row, std::ostream* stream)
+{
+  *stream << row.name;
+}
+
+PlaneMatchingParameters
+withTranslationError (double length)
+{
+  PlaneMatchingParameters parameters;
+  parameters.translation_error = length;
+  return parameters;
+}
+
+PlaneMatchingParameters
+withMinOverlap (double share)
+{
+  PlaneMatchingParameters parameters;
+  parameters.min_overlap = share;
+  return parameters;
+}
+
+/** Of a pose without an error. */
+PlaneMatchingParameters
+exactPose ()
+{
+  PlaneMatchingParameters parameters;
+  parameters.rotation_error = 0.0;
+  parameters.translation_error = 0.0;
+  return parameters;
+}
+
+std::vector<MatchingCase>
+matchingCases ()
+{
+  const PlaneSegment floor = levelBoard (0, 0, 1);
+  const PlaneSegment table = levelBoard (0, 0.3, 1);
+  const PlaneSegment door = partOfWall (0, 1);
+  const PlaneSegment next_door = partOfWall (1.5, 1);
+  const PlaneSegment no_plane_at_all{};
+  return {
+      {"RefusesAPlaneFartherAwayThanThePoseIsOff", {floor}, {table}, {}, {no_plane}},
+      {"TakesAPlaneAsFarAwayAsThePoseIsOff",
+       {floor},
+       {table},
+       withTranslationError (0.2),
+       {0}},
+      {"TakesAPlaneWithinThreeStandardDeviationsOfThreeNumbers", // 3.76 of one
+       {floor},
+       {levelBoard (0, 0.35, 1)},
+       withTranslationError (0.1),
+       {0}},
+      {"RefusesAPlaneBeyondThreeStandardDeviationsOfThreeNumbers",
+       {floor},
+       {levelBoard (0, 0.42, 1)},
+       withTranslationError (0.1),
+       {no_plane}},
+      {"TellsPlanesOfOneEquationByTheirPlaces",
+       {door, next_door},
+       {next_door, door},
+       {},
+       {1, 0}},
+      {"RefusesAPlaneOfTheSameEquationElsewhere", {door}, {next_door}, {}, {no_plane}},
+      {"TakesHalfAnOverlapWhereLessIsAskedFor",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (1, 0, 2)},
+       withMinOverlap (0.4),
+       {0}},
+      {"RefusesHalfAnOverlapWhereMoreIsAskedFor",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (1, 0, 2)},
+       withMinOverlap (0.6),
+       {no_plane}},
+      {"TakesThePartThatOverlapsMost",
+       {partOfWall (0, 4)},
+       {partOfWall (-1.5, 0.8), partOfWall (0.5, 3)},
+       {},
+       {no_plane, 0}},
+      {"RefusesAPlaneFiveCentimetersAwayWhereThePoseIsExact",
+       {levelBoard (0, 0, 2)},
+       {levelBoard (0, 0.05, 2)},
+       exactPose(),
+       {no_plane}},
+      {"TakesAPlaneFiveCentimetersAwayWhereNoiseExplainsIt",
+       {levelBoard (0, 0, 2, 0.03)},
+       {levelBoard (0, 0.05, 2, 0.03)},
+       exactPose(),
+       {0}},
+      {"LeavesOutSegmentsThatSpanNoPlane",
+       {no_plane_at_all, floor},
+       {floor, no_plane_at_all},
+       {},
+       {1, no_plane}},
+      {"FindsNothingInAnEmptyFrame", {floor}, {}, {}, {}},
+      {"FindsNothingAfterAnEmptyFrame", {}, {floor}, {}, {no_plane}}};
+}
+
+class MatchPlanesCases : public testing::TestWithParam<MatchingCase> {};
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P (MatchPlanes,
+                          MatchPlanesCases,
+                          testing::ValuesIn (matchingCases()),
+                          [] (const auto& info) { return info.param.name; });
+
+TEST_P (MatchPlanesCases, AreAsNamed)
+{
+  const MatchingCase& row = GetParam();
+  EXPECT_EQ (matchPlanes (row.previous, row.current, stays, row.parameters).previous,
+             row.expected);
+}
+
+TEST (MatchPlanes, RefusesWrongArguments)
+{
+  PlaneMatchingParameters wrong;
+  wrong.min_overlap = 1.1;
+  EXPECT_THROW (matchPlanes ({}, {}, stays, wrong), std::invalid_argument);
+  EXPECT_THROW (PlaneTracker{wrong}, std::invalid_argument);
+  Isometry3d nowhere = stays;
+  nowhere.translation().x() = NAN;
+  EXPECT_THROW (matchPlanes ({}, {}, nowhere), std::invalid_argument);
+}
+
+TEST (PlaneTracker, KnowsAPlaneWhereEarlierFramesSawIt)
+{
+  PlaneTracker tracker;
+  for (const auto& [from, to] : {std::pair (0.0, 4.0), {3.0, 5.0}, {0.0, 1.4}}) {
+    const Vector3d middle (0.5 * (from + to), 3, -1);
+    const Planes floor = {board (middle, Vector3d::UnitZ(), {to - from, 2})};
+    EXPECT_EQ (tracker.track (floor, stays), Numbers{1});
+  }
+}
+
+TEST (PlaneTracker, KnowsAPlaneAgainThatWasOutOfSightUnlessToldToForgetIt)
+{
+  PlaneTracker forgets ({}, 2), remembers;
+  const Planes all = roomCorner();
+  const Planes without_shelf = {all[0], all[1], all[2], all[3]};
+  for (const int frames : {2, 3})
+    for (PlaneTracker* const tracker : {&forgets, &remembers}) {
+      tracker->track (all, stays);
+      for (int i = 0; i < frames; ++i)
+        tracker->track (without_shelf, stays);
+      const bool is_known = tracker == &remembers || frames == 2;
+      EXPECT_EQ (tracker->planes().size(), is_known ? 5u : 4u);
+      EXPECT_EQ (tracker->track (all, stays),
+                 (Numbers{1, 2, 3, 4, is_known ? 5u : 6u}));
+    }
+}
+
+TEST (PlaneTracker, StaysRigidWhereGivenPosesAreRounded)
+{
+  Isometry3d rounded = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
+  constexpr double decimals = 1e4;
+  rounded.matrix() = (decimals * rounded.matrix()).array().round() / decimals;
+  PlaneTracker tracker;
+  for (int i = 0; i < 1000; ++i)
+    tracker.track ({}, rounded);
+  const Eigen::Matrix3d turn = tracker.pose().linear();
+  EXPECT_TRUE ((turn * turn.transpose()).isIdentity (1e-12)) << turn;
+}
+
+TEST (PlaneTracker, FollowsASensorThatDrifts)
+{
+  PlaneTracker tracker;
+  Isometry3d truth = stays, told = stays;
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_EQ (tracker.track (seenFrom (truth, roomCorner()), told),
+               (Numbers{1, 2, 3, 4, 5}))
+        << i;
+    EXPECT_TRUE (tracker.pose().isApprox (truth, 0.015)) << tracker.pose().matrix();
+    truth = truth * motion (1, Vector3d::UnitZ(), {0.01, 0.02, 0});
+    told = told * motion (2, Vector3d::UnitZ(), {0.02, 0.02, 0.01});
+  }
+}
+
+TEST (PlaneTracker, HasPlanesInTheCommonFrame)
+{
+  const Isometry3d pose = motion (30, Vector3d::UnitZ(), {1, 2, 0.5});
+  PlaneTracker tracker;
+  tracker.track (seenFrom (pose, roomCorner()), pose);
+  ASSERT_EQ (tracker.planes().size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const PlaneSegment &plane = tracker.planes()[i].plane, truth = roomCorner()[i];
+    EXPECT_TRUE (plane.centroid.isApprox (truth.centroid, 1e-9));
+    EXPECT_TRUE (plane.normal.isApprox (truth.normal, 1e-9));
+  }
+}
+
+TEST (PlaneTracker, CountsTheFramesOfEachPlane)
+{
+  const PlaneSegment floor = roomCorner()[0], wall = roomCorner()[1];
+  PlaneTracker tracker;
+  for (const Planes& frame : {Planes{floor}, {floor, wall}, {wall}, {floor}})
+    tracker.track (frame, stays);
+  std::vector<std::array<std::size_t, 3>> seen;
+  for (const TrackedPlane& plane : tracker.planes())
+    seen.push_back ({plane.first_seen, plane.last_seen, plane.times_seen});
+  EXPECT_EQ (seen, (decltype (seen){{0, 3, 3}, {1, 2, 2}}));
+}
+
+TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
+{
+  PlaneTracker tracker;
+  for (const double x : {0.0, 1.0, 2.0, 1.0})
+    tracker.track ({board ({x, 3, -1}, Vector3d::UnitZ(), {2, 1})}, stays);
+  ASSERT_EQ (tracker.planes().size(), 1U);
+  const PlaneExtent& extent = tracker.planes()[0].extent;
+  EXPECT_NEAR (extent.length, 4.0, 0.02);
+  EXPECT_NEAR (extent.width, 1.0, 0.02);
+  EXPECT_NEAR (extent.area, 4.0, 0.03);
+  EXPECT_TRUE (extent.center.isApprox (Vector3d (1, 3, -1), 1e-6))
+      << extent.center.transpose();
+}
+
+TEST (PlaneTracker, KeepsAPlaneWhoseNearestPartMayBeWithinTheDistance)
+{
+  // A board of 4 m x 3 m reaches some 2.5 m from its middle.
+  for (const auto& [to_middle, planes] :
+       {std::pair<double, std::size_t>{7.3, 1}, {8.0, 0}}) {
+    PlaneTracker tracker ({}, std::nullopt, 5.0);
+    tracker.track ({board ({0, 0, 0}, Vector3d::UnitZ(), {4, 3})}, stays);
+    tracker.track ({}, motion (0, Vector3d::UnitZ(), {to_middle, 0, 0}));
+    EXPECT_EQ (tracker.planes().size(), planes) << to_middle;
+  }
+}
+
+TEST (PlaneTracker, ForgetsPlanesFartherThanTold)
+{
+  PlaneTracker tracker ({}, std::nullopt, 5.0);
+  const auto goesOn = [&] (double x) {
+    tracker.track ({}, motion (0, Vector3d::UnitZ(), {x, 0, 0}));
+    return tracker.planes().size();
+  };
+  tracker.track ({board ({0, 0, -1}, Vector3d::UnitZ(), {2, 2})}, stays);
+  EXPECT_EQ (goesOn (5), 1U) << "its near side is 4 m away";
+  EXPECT_EQ (goesOn (7), 0U);
+  EXPECT_THROW (PlaneTracker ({}, std::nullopt, -1.0), std::invalid_argument);
+}

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes/patch.h"
+#include "scene.h"
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/up_axis.h>
+
+using Eigen::Vector3d;
+using pcl_ops::internal::moved;
+using namespace pcl_ops;
+
+namespace {
+
+const Vector3d up = Vector3d::UnitZ();
+
+/** \brief A surface as a detector gives it: with a point every 10 cm, and its normal
+ * towards the eye; in a unit of which a meter has so many. */
+PlaneSegment
+seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
+{
+  PlaneSegment plane;
+  plane.centroid = unit * surface.center();
+  plane.moments =
+      momentsOf ({unit * surface.corner, unit * surface.first, unit * surface.second},
+                 static_cast<int> (surface.first.norm() / 10_cm),
+                 static_cast<int> (surface.second.norm() / 10_cm));
+  const bool faces_eye = surface.normal().dot (eye - surface.center()) > 0.0;
+  plane.normal = faces_eye ? surface.normal() : Vector3d (-surface.normal());
+  return plane;
+}
+
+const Vector3d eye (0.5_m, 2_m, 1.4_m);
+const Surface room_floor{{0, 0, 0}, {6, 0, 0}, {0, 4, 0}};
+const Surface table_top{{3, 1, 0.75}, {1.5, 0, 0}, {0, 1, 0}};
+const Surface wall_ahead{{6, 0, 0}, {0, 4, 0}, {0, 0, 2.4}};
+const Surface wall_beside{{0, 0, 0}, {6, 0, 0}, {0, 0, 2.4}};
+
+/** \brief A room of 6 m x 4 m seen from one end: the floor, a table top, the wall at
+ * the far end and one beside. */
+std::vector<PlaneSegment>
+furnishedRoom (double unit = 1.0)
+{
+  return {seenFrom (eye, room_floor, unit),
+          seenFrom (eye, wall_beside, unit),
+          seenFrom (eye, wall_ahead, unit),
+          seenFrom (eye, table_top, unit)};
+}
+
+void
+expectUp (const UpAxis& found, double tolerance)
+{
+  EXPECT_LE ((found.direction - up).norm(), tolerance);
+}
+
+} // namespace
+
+TEST (UpAxis, IsWhereTheFloorFacesAndTheWallsStandHoweverTheRoomIsTurnedInAnyUnit)
+{
+  const UpAxis upright = estimateUpAxis (furnishedRoom(), eye).value();
+  expectUp (upright, 0.1_deg);
+  EXPECT_GE (upright.confidence, 0.7);
+  EXPECT_LE (upright.confidence, 1.0);
+  const auto in_millimeters = estimateUpAxis (furnishedRoom (1000.0), 1000.0 * eye);
+  EXPECT_NEAR (in_millimeters.value().confidence, upright.confidence, 1e-9);
+  RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 50; ++i) {
+    Eigen::Isometry3d pose (drawTurn (generator));
+    pose.translation() << 10, -20, 30;
+    std::vector<PlaneSegment> planes;
+    for (const PlaneSegment& plane : furnishedRoom())
+      planes.push_back (moved (pose, plane));
+    const UpAxis found = estimateUpAxis (planes, pose * eye).value();
+    EXPECT_LE ((found.direction - pose.linear() * up).norm(), 0.1_deg);
+    EXPECT_NEAR (found.confidence, upright.confidence, 1e-6);
+  }
+}
+
+TEST (UpAxis, IsTakenByADetectorInEitherPrecision)
+{
+  OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setUpAxis (cameraUp());
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (0, -1, 0));
+  ops.setUpAxis (UpAxis().direction);
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f::UnitZ());
+  ops.setUpAxis (-Eigen::Vector3f::UnitX());
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (-1, 0, 0));
+  ops.setUpAxis ({0, 2, 0});
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (0, 2, 0));
+}
+
+TEST (UpAxis, FollowsThePlanesNotOneTiltedOne)
+{
+  std::vector<PlaneSegment> planes = furnishedRoom();
+  const Surface ramp{{2, 0.5, 0}, {1, 0, 0.3}, {0, 1, 0}}; // 17 degrees
+  planes.push_back (seenFrom (eye, ramp));
+  expectUp (estimateUpAxis (planes, eye).value(), 0.5_deg);
+}
+
+TEST (UpAxis, NeedsAFloorAndAWall)
+{
+  const PlaneSegment floor = seenFrom (eye, room_floor),
+                     table = seenFrom (eye, table_top),
+                     wall = seenFrom (eye, wall_ahead);
+  for (const std::vector<PlaneSegment>& planes :
+       {std::vector<PlaneSegment>{}, {wall}, {floor, table}})
+    EXPECT_FALSE (estimateUpAxis (planes, eye));
+  expectUp (estimateUpAxis ({floor, wall}, eye).value(), 0.1_deg);
+}
+
+TEST (UpAxis, CannotBeToldInTheCornerOfACube)
+{
+  // The three faces are one and the same, seen along the diagonal.
+  const Vector3d diagonal (3, 3, 3);
+  const std::vector<PlaneSegment> planes{
+      seenFrom (diagonal, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}),
+      seenFrom (diagonal, {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}}),
+      seenFrom (diagonal, {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}})};
+  EXPECT_FALSE (estimateUpAxis (planes, diagonal));
+  UpAxisParameters parameters;
+  parameters.min_confidence = 0.0;
+  EXPECT_LE (estimateUpAxis (planes, diagonal, parameters).value().confidence, 0.34)
+      << "three are alike";
+}
+
+TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
+{
+  const Vector3d middle (3_m, 2_m, 1.3_m);
+  const Surface ceiling{{0, 0, 2.8}, {6, 0, 0}, {0, 4, 0}};
+  const Surface lamp{{1, 1, 2.6}, {2, 0, 0}, {0, 2, 0}};
+  const Surface free_ground{{2, 1.5, 0}, {2, 0, 0}, {0, 1, 0}};
+  const Surface wall_behind{{0, 0, 0}, {0, 4, 0}, {0, 0, 2.8}};
+  const Surface wall_ahead_up{{6, 0, 0}, {0, 4, 0}, {0, 0, 2.8}};
+  const Surface other_wall{{0, 4, 0}, {6, 0, 0}, {0, 0, 2.8}};
+  std::vector<PlaneSegment> planes;
+  for (const Surface& surface :
+       {ceiling, lamp, wall_behind, wall_ahead_up, other_wall, wall_beside})
+    planes.push_back (seenFrom (middle, surface));
+  EXPECT_TRUE (estimateUpAxis (planes, middle)) << "one of both only";
+  planes.push_back (seenFrom (middle, free_ground));
+  EXPECT_FALSE (estimateUpAxis (planes, middle));
+}
+
+TEST (UpAxis, RefusesWhatIsNotFiniteOrOutOfItsRangeAndLeavesOutBrokenPlanes)
+{
+  for (const Vector3d& nowhere : {Vector3d (NAN, 0, 0), Vector3d (0, INFINITY, 0)})
+    EXPECT_FALSE (estimateUpAxis (furnishedRoom(), nowhere));
+  UpAxisParameters in_degrees;
+  in_degrees.angle_tolerance = 7.0;
+  EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, in_degrees));
+  std::vector<PlaneSegment> planes = furnishedRoom();
+  planes.push_back (PlaneSegment()); // no points
+  planes.push_back (planes.front());
+  planes.back().normal.x() = NAN;
+  EXPECT_EQ (estimateUpAxis (planes, eye).value().confidence,
+             estimateUpAxis (furnishedRoom(), eye).value().confidence);
+}
+
+TEST (NameOrientations, NamesPlanesForAnAxisUnlessItIsNone)
+{
+  std::vector<PlaneSegment> planes = furnishedRoom();
+  ASSERT_TRUE (nameOrientations (planes, {1, 0, 1}, 7_deg));
+  EXPECT_EQ (planes[0].orientation, Orientation::Other);
+  ASSERT_TRUE (nameOrientations (planes, 5.0 * up, 7_deg));
+  EXPECT_FALSE (nameOrientations (planes, Vector3d::Zero(), 7_deg));
+  EXPECT_FALSE (nameOrientations (planes, {NAN, 0, 1}, 7_deg));
+  EXPECT_FALSE (nameOrientations (planes, up, -1_deg));
+  EXPECT_FALSE (nameOrientations (planes, up, NAN));
+  EXPECT_EQ (planes[0].orientation, Orientation::Horizontal);
+  EXPECT_EQ (planes[1].orientation, Orientation::Vertical);
+}

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxel_scene.h"
+#include "voxels/bounded_planes.h"
+
+using pcl_ops::Labels;
+using pcl_ops::Moments;
+using pcl_ops::no_plane;
+using pcl_ops::Plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+const Plane tilted =
+    pcl_ops::planeThrough (ground.center(), Eigen::Vector3d (0.1, 0, 1).normalized());
+
+Plane
+atHeight (double z)
+{
+  return {Eigen::Vector3d::UnitZ(), -z};
+}
+
+/** \brief Three points in three voxels side by side, at x = 5, 15 and 25 cm. */
+VoxelGrid
+threeVoxels ()
+{
+  Coordinates points;
+  for (const float x : {0.05f, 0.15f, 0.25f})
+    points.add (x, 0.05f, 0.05f);
+  return voxelize (points, 10_cm, 1);
+}
+
+/** \brief Voxels of \ref threeVoxels on planes. */
+BoundedPlanes
+planesOf (const VoxelGrid& grid, const Labels& plane_of_point)
+{
+  BoundedPlanes planes;
+  planes.planes.resize (2);
+  planes.plane_of_voxel.resize (3);
+  const Indices voxels = voxelsOfPoints (grid);
+  for (std::size_t i = 0; i < 3; ++i)
+    planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
+  return planes;
+}
+
+} // namespace
+
+TEST (Refitting, FitsEachPlaneToItsVoxelsAndLeavesOneWithoutAsItIs)
+{
+  VoxelScene scene ({{ground}, {wall}});
+  scene.planes.planes = {tilted, tilted, tilted};
+  scene.label (no_plane, [] (const auto& at) { return at.x() < 0.1 && at.z() < 0.1; });
+  refitPlanes (scene.grid(), scene.planes);
+  EXPECT_TRUE (isNear (scene.planes.planes[0], ground, 1e-6, 1e-6));
+  EXPECT_TRUE (isNear (scene.planes.planes[1], wall, 1e-6, 1e-6));
+  EXPECT_EQ (scene.planes.planes[2].normal, tilted.normal);
+}
+
+TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxelsAndWhatTheyHaveElsewhere)
+{
+  const VoxelGrid three = threeVoxels();
+  BoundedPlanes planes = planesOf (three, {1, no_plane, 1});
+  for (const double elsewhere : {0.0, 1.0}) {
+    const auto moments = momentsOfPlanes (three, planes);
+    ASSERT_EQ (moments.size(), 2u);
+    EXPECT_EQ (moments[0].count, elsewhere);
+    EXPECT_EQ (moments[1].count, 2.0);
+    EXPECT_NEAR (moments[1].sum.x(), 0.05 + 0.25, 1e-6);
+    planes.moments_elsewhere.resize (1);
+    planes.moments_elsewhere[0].add (1, 2, 3);
+  }
+}
+
+TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
+{
+  const VoxelGrid three = threeVoxels();
+  const Moments moments = momentsOf (three.moments, Indices{0, 1});
+  EXPECT_EQ (moments.count, 2.0);
+  EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
+}
+
+TEST (Renumbering, PutsVoxelsAndMomentsOnThePlanesTheirsWereMergedInto)
+{
+  BoundedPlanes planes;
+  planes.planes = {atHeight (0), atHeight (1), atHeight (2), atHeight (3)};
+  planes.plane_of_voxel = {0, 1, 2, 3, no_plane, 1};
+  planes.moments_elsewhere.resize (4);
+  for (const int p : {0, 1, 2, 3})
+    planes.moments_elsewhere[p].add (1 << p, 0, 0);
+  pcl_ops::MergedPlanes merged;
+  merged.merged_into = {1, 0, 1, no_plane}; // the last was dropped
+  merged.fits.resize (2);
+  merged.fits[0].plane = atHeight (5);
+  merged.fits[1].plane = atHeight (6);
+  renumberPlanes (merged, planes);
+  EXPECT_EQ (planes.plane_of_voxel, (Labels{1, 0, 1, no_plane, no_plane, 0}));
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_EQ (planes.planes[0].offset, -5.0);
+  EXPECT_EQ (planes.planes[1].offset, -6.0);
+  ASSERT_EQ (planes.moments_elsewhere.size(), 2u);
+  EXPECT_EQ (planes.moments_elsewhere[0].sum.x(), 2.0);
+  EXPECT_EQ (planes.moments_elsewhere[1].sum.x(), 1.0 + 4.0);
+}

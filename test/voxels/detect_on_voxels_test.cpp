@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxel_scene.h"
+#include "voxels/detect_on_voxels.h"
+
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+// 15 voxels of 10 cm, fewer than the 20 a plane needs; of 5 cm there are 60.
+const Surface board = {{0, 0, 1.01}, {1.5, 0, 0}, {0, 0.1, 0}};
+
+/** \brief 14400 points of each surface, moved along its normal by up to a noise [m]. */
+Points
+pointsOf (const std::vector<Surface>& surfaces, double noise = 0.0)
+{
+  return gridsOf (surfaces, 120, noise);
+}
+
+using Parameters = pcl_ops::OrientedPointSamplingParameters;
+
+/** \brief Parameters with voxels of 10 cm. */
+Parameters
+usual (int resolutions = Parameters().surfels.resolutions)
+{
+  Parameters parameters;
+  parameters.surfels.voxel_size = 10_cm;
+  parameters.surfels.resolutions = resolutions;
+  return parameters;
+}
+
+LabelledPlanes
+detect (const Points& points, const Parameters& parameters = usual())
+{
+  pcl_ops::StageDurations durations;
+  return detectOnVoxels (points, parameters, durations);
+}
+
+std::size_t
+pointsOn (std::int32_t plane, const LabelledPlanes& found)
+{
+  return static_cast<std::size_t> (
+      std::count (found.labels.begin(), found.labels.end(), plane));
+}
+
+} // namespace
+
+TEST (DetectOnVoxels, MakesOnePlaneOfTwoThatAGapDividesAndFindsANarrowBoard)
+{
+  const Surface beyond = {{3, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
+  const LabelledPlanes found = detect (pointsOf ({ground, beyond, board}));
+  EXPECT_EQ (found.planes_before_merging, 3u);
+  EXPECT_EQ (found.planes.fits.size(), 2u);
+  EXPECT_EQ (pointsOn (0, found), 28800u);
+  EXPECT_EQ (pointsOn (1, found), 14400u) << "found in voxels of half the edge";
+}
+
+TEST (DetectOnVoxels, SaysTheVoxelSizeAndTheDistanceThatItUsed)
+{
+  // Noise evenly up to 2 cm has an rms of 1.15 cm, of which a point may have five.
+  const LabelledPlanes noisy = detect (pointsOf ({ground}, 2_cm));
+  EXPECT_EQ (noisy.used.voxel_size, usual().surfels.voxel_size);
+  ASSERT_TRUE (noisy.used.distance_threshold);
+  EXPECT_NEAR (*noisy.used.distance_threshold, 5 * 0.0115, 1_cm);
+  Parameters by_itself = usual();
+  by_itself.surfels.voxel_size.reset();
+  by_itself.distance_threshold = 1_cm;
+  const LabelledPlanes limited = detect (pointsOf ({ground}, 2_cm), by_itself);
+  EXPECT_GT (limited.used.voxel_size.value_or (0), 1_cm);
+  EXPECT_NEAR (*limited.used.distance_threshold, 1_cm, 1e-6);
+  EXPECT_EQ (detect (Points()).used.distance_threshold, std::nullopt);
+}
+
+TEST (DetectOnVoxels, KeepsApartWhatNoiseDoesNotExplain)
+{
+  // 3 cm higher: nearer than theta_h of the paper.
+  for (const double noise : {0.0, 6_cm}) {
+    const Points points =
+        pointsOf ({ground, {{3, 0, 0.08}, {2, 0, 0}, {0, 2, 0}}}, noise);
+    EXPECT_EQ (detect (points).planes.fits.size(), noise == 0.0 ? 2u : 1u);
+  }
+}
+
+TEST (DetectOnVoxels, CountsEachPointOnce)
+{
+  // The ground below the board on it is looked at in voxels of both sizes.
+  const LabelledPlanes found =
+      detect (pointsOf ({ground, {{0, 1.05, 0.1}, {1.5, 0, 0}, {0, 0, 0.1}}}));
+  ASSERT_EQ (found.planes.fits.size(), 2u);
+  for (const std::int32_t plane : {0, 1})
+    EXPECT_EQ (found.planes.moments[static_cast<std::size_t> (plane)].count,
+               static_cast<double> (pointsOn (plane, found)));
+}
+
+TEST (DetectOnVoxels, TakesSurfelsUpToAThicknessOfEachSizeOfVoxels)
+{
+  // Points up to 4 cm off: thick in voxels of either size.
+  const Points points = pointsOf ({ground}, 4_cm);
+  Parameters parameters = usual (1);
+  for (const auto& [sure, largest] : {std::pair (0.0, 0.0), {1.0, 0.0}, {0.0, 1.0}}) {
+    parameters.surfels.sure_thickness = sure;
+    parameters.surfels.max_thickness = largest;
+    EXPECT_EQ (detect (points, parameters).planes.fits.empty(), sure + largest == 0.0);
+  }
+}
+
+TEST (DetectOnVoxels, AsksForPointsEnoughForANormal)
+{
+  // 36 points in each voxel, 9 voxels around: 324 points, half as many as 648.
+  const Points points = pointsOf ({ground});
+  Parameters parameters = usual (1);
+  for (const int k : {30, 640, 650}) {
+    parameters.k = k;
+    EXPECT_EQ (detect (points, parameters).planes.fits.size(), k < 648 ? 1u : 0u) << k;
+  }
+  parameters.k = 30;
+  parameters.surfels.min_average_voxels = 9.1;
+  EXPECT_EQ (detect (points, parameters).planes.fits.size(), 0u)
+      << "nine voxels are never 9.1";
+}
+
+TEST (DetectOnVoxels, GrowsOverPointsTooFewForANormal)
+{
+  // Two halves of a ground, and in a meter between them one point a voxel.
+  Points points = pointsOf ({{{0, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}},
+                             {{2.5, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}}},
+                            5_mm);
+  for (int x = 0; x < 10; ++x)
+    for (int y = 0; y < 20; ++y)
+      points.add (1.55f + 0.1f * static_cast<float> (x),
+                  0.05f + 0.1f * static_cast<float> (y),
+                  0.05f);
+  const LabelledPlanes found = detect (points, usual (1));
+  EXPECT_EQ (found.planes_before_merging, 2u);
+  EXPECT_EQ (found.planes.fits.size(), 1u);
+  EXPECT_EQ (pointsOn (0, found), points.size());
+}

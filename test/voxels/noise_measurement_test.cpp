@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxel_scene.h"
+#include "voxels/bounded_planes.h"
+
+using namespace pcl_ops::internal;
+
+TEST (Noise, IsThatOfTheOwnPlanesVoxelsAloneAndNoLessThanAShareOfTheirSize)
+{
+  // Two halves of a ground, the plane of the right one 4 cm off its points.
+  VoxelScene scene ({{ground}, {{{2, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}}});
+  scene.planes.planes[1].offset += 4_cm;
+  measureNoise (scene.grid(), 1, scene.planes);
+  EXPECT_NEAR (scene.planes.noise.at (0), 3_mm, 1e-6) << "of voxels of 10 cm";
+  EXPECT_NEAR (scene.planes.noise.at (1), 4_cm, 1e-6);
+}
+
+TEST (Noise, IsThatOfMostOfThePlaneAndOfOneWithoutVoxelsIsKept)
+{
+  // A tenth of the ground lies under a carpet of 3 cm.
+  VoxelScene scene ({{{{0, 0, 0.05}, {1.8, 0, 0}, {0, 2, 0}},
+                      {{1.8, 0, 0.08}, {0.2, 0, 0}, {0, 2, 0}}}},
+                    1_cm);
+  scene.addPlane ({Eigen::Vector3d::UnitX(), 7.0});
+  scene.planes.noise[1] = 1_m;
+  measureNoise (scene.grid(), 1, scene.planes);
+  // Of points that are spread evenly within a noise.
+  EXPECT_NEAR (scene.planes.noise[0], 1_cm / std::sqrt (3.0), 1_mm);
+  EXPECT_EQ (scene.planes.noise[1], 1_m);
+}

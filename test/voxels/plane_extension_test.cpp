@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "voxels/plane_extension.h"
+
+using pcl_ops::Labels;
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+/** \brief A square of the floor, which is plane 0, and rows of points beside it along
+ * y, on no plane. */
+struct FloorAndRows {
+  static constexpr int on_floor = 2304, of_row = 20;
+  Coordinates points;
+
+  explicit FloorAndRows (double width = 1.6)
+  {
+    addGrid (points, {{0, 0, 0}, {1.6, 0, 0}, {0, width, 0}}, 48, 1_mm);
+  }
+
+  FloorAndRows&
+  row (double x, double height)
+  {
+    for (int i = 0; i < of_row; ++i)
+      points.add (static_cast<float> (x), 0.08f * i, static_cast<float> (height));
+    return *this;
+  }
+
+  /** \brief The label that each row has when planes went on, in voxels of 10 cm; they
+   * are those of all of its points. */
+  Labels
+  extended (int levels, std::optional<double> distance_threshold = {}) const
+  {
+    const VoxelGrid grid = connectedGrid (points, 10_cm);
+    AssignedPoints assigned{Labels (points.size(), no_plane), {{}}};
+    for (int i = 0; i < on_floor; ++i) {
+      assigned.labels[i] = 0;
+      assigned.moments[0].add (points.x[i], points.y[i], points.z[i]);
+    }
+    extendPlanes (points,
+                  grid,
+                  openPoints (grid, upTo (grid.size()), assigned.labels),
+                  levels,
+                  distance_threshold,
+                  assigned);
+    EXPECT_EQ (assigned.moments[0].count,
+               std::count (assigned.labels.begin(), assigned.labels.end(), 0));
+    Labels of_rows;
+    for (auto row = assigned.labels.begin() + on_floor; row != assigned.labels.end();
+         row += of_row) {
+      EXPECT_EQ (std::count (row, row + of_row, *row), of_row);
+      of_rows.push_back (*row);
+    }
+    return of_rows;
+  }
+};
+
+} // namespace
+
+TEST (PlaneExtension, TakesPointsOfWidePlanesUpToTheLargestVoxelsAndTheThreshold)
+{
+  // The floor ends where voxels of 20 and of 40 cm do.
+  const FloorAndRows near = FloorAndRows().row (1.9, 0.0);
+  EXPECT_EQ (near.extended (3), (Labels{0})) << "beyond a gap";
+  EXPECT_EQ (near.extended (1), (Labels{no_plane}));
+  EXPECT_EQ (near.extended (2), (Labels{0}));
+  const FloorAndRows narrow = FloorAndRows (0.2).row (1.9, 0.0);
+  EXPECT_EQ (narrow.extended (3), (Labels{no_plane})) << "narrower than the voxels";
+  const FloorAndRows above = FloorAndRows().row (1.9, 1_mm).row (1.9, 5_cm);
+  EXPECT_EQ (above.extended (3), (Labels{0, no_plane}));
+  EXPECT_EQ (above.extended (3, 5e-4), (Labels{no_plane, no_plane}));
+}
+
+TEST (PlaneExtension, GoesOnFromPointsThatItTook)
+{
+  EXPECT_EQ (FloorAndRows().row (2.9, 0.0).extended (3), (Labels{no_plane}));
+  EXPECT_EQ (FloorAndRows().row (1.9, 0.0).row (2.9, 0.0).extended (3), (Labels{0, 0}));
+}

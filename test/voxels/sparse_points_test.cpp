@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "voxels/sparse_points.h"
+
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+constexpr double min_points = 30.0;
+
+/** \brief A dense square of 14,400 points, and a sparse one in another place, of so
+ * many points a meter from each other, in voxels of 10 cm. */
+VoxelGrid
+denseAndSparse (int sparse_steps)
+{
+  Coordinates points = gridsOf ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, 120);
+  const double edge = sparse_steps * 1_m;
+  addGrid (points, {{10, 0, 0}, {edge, 0, 0}, {0, edge, 0}}, sparse_steps);
+  return connectedGrid (points, 10_cm);
+}
+
+Indices
+sparseAmong (const VoxelGrid& grid, std::int32_t label = no_plane)
+{
+  const pcl_ops::Labels labels (grid.order->size(), label);
+  return sparsePoints (openPoints (grid, sparseVoxels (grid, min_points), labels),
+                       labels.size());
+}
+
+} // namespace
+
+TEST (SparsePoints, AreThoseWithFewAround)
+{
+  Indices sparse (400);
+  std::iota (sparse.begin(), sparse.end(), 14400u);
+  EXPECT_EQ (sparseAmong (denseAndSparse (20)), sparse);
+}
+
+TEST (SparsePoints, AreOnNoPlaneAndAHundredthToHalfOfTheCloud)
+{
+  EXPECT_TRUE (sparseAmong (denseAndSparse (20), 0).empty()) << "on a plane";
+  EXPECT_TRUE (sparseAmong (denseAndSparse (12)).empty()) << "left alone";
+  EXPECT_TRUE (sparseAmong (denseAndSparse (121)).empty())
+      << "more than half have voxels of their own already";
+}
+
+TEST (SparsePoints, AreOnNoPlaneIfTheyScatterLikeAMist)
+{
+  // Points 1 cm above and below the first plane, and farther from the others; 1 m, 10
+  // cm and 10 cm from each other.
+  const auto plane = [] (double spacing, double height) {
+    pcl_ops::Moments moments;
+    for (int i = 0; i < 100; ++i)
+      moments.add (spacing * (i / 10),
+                   spacing * (i % 10),
+                   i % 2 == i / 10 % 2 ? height : -height);
+    return moments;
+  };
+  AssignedPoints sparse{
+      {0, 1, no_plane, 2, 0},
+      {plane (1_m, 10_cm), plane (10_cm, 5_cm), plane (10_cm, 10_cm)}};
+  rejectMist ({plane (1_cm, 1_cm)}, 1, sparse);
+  EXPECT_EQ (sparse.labels, (pcl_ops::Labels{0, 1, no_plane, no_plane, 0}));
+  EXPECT_EQ (sparse.moments[0].count, 100.0);
+  EXPECT_EQ (sparse.moments[2].count, 0.0);
+}

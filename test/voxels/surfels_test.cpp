@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "voxels/bounded_planes.h"
+#include "voxels/surfels.h"
+#include "voxels/voxel_choice.h"
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+const Surface floor_of_the_scene = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+const Surface wall_of_the_scene = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+
+/** \brief With the default resolutions, and neighborhoods of 30 points or of as many
+ * as eight voxels hold on average. */
+std::vector<std::optional<Surfel>>
+surfelsOf (const VoxelGrid& grid, unsigned threads = 1)
+{
+  return findSurfels (
+      grid, 3, std::max (30.0, 8.0 * meanPointsPerVoxel (grid)), threads);
+}
+
+VoxelGrid
+floorOf (int steps, double noise = 0.0)
+{
+  return connectedGrid (gridsOf ({floor_of_the_scene}, steps, noise), 0.1);
+}
+
+VoxelGrid
+edge ()
+{
+  return connectedGrid (gridsOf ({floor_of_the_scene, wall_of_the_scene}, 120), 0.1);
+}
+
+/** \brief Whether a normal at the edge is neither the floor's nor the wall's. */
+bool
+isBent (const Eigen::Vector3d& normal)
+{
+  return angleBetween (normal, floor_of_the_scene.normal()) > 5_deg &&
+         angleBetween (normal, wall_of_the_scene.normal()) > 5_deg;
+}
+
+} // namespace
+
+TEST (OrientedVoxels, HaveTheNormalOfAnExactPlane)
+{
+  const Surface board = {{0, 0, 1}, {2, 0, 0.4}, {0, 2, 0.8}};
+  for (const auto& normal : surfelsOf (connectedGrid (gridsOf ({board}, 100), 0.1))) {
+    ASSERT_TRUE (normal.has_value());
+    EXPECT_LT (angleBetween (normal->plane.normal, board.normal()), 1e-3);
+    EXPECT_LT (normal->noise, 1e-5);
+  }
+}
+
+TEST (OrientedVoxels, MeasureTheNoiseAroundThem)
+{
+  // Evenly spread within +-2 cm: a standard deviation of 2 cm / sqrt (3).
+  const VoxelGrid grid = floorOf (200, 2_cm);
+  for (const auto& normal : surfelsOf (grid)) {
+    ASSERT_TRUE (normal.has_value());
+    EXPECT_NEAR (normal->noise, 2_cm / std::sqrt (3.0), 2_mm);
+  }
+}
+
+TEST (OrientedVoxels, KeepTheirOwnSurfacesNormalNextToAnEdge)
+{
+  std::size_t bent = 0;
+  for (const auto& surfel : surfelsOf (edge()))
+    bent += !surfel || isBent (surfel->plane.normal);
+  // Only the voxels that hold points of both surfaces, one row of twenty, may bend.
+  EXPECT_LE (bent, 20u);
+}
+
+TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighborsHelp)
+{
+  const VoxelGrid grid = edge();
+  std::size_t bent = 0;
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
+    const auto fit = fitPlane (momentsOf (grid.moments, grid.neighbors[voxel]));
+    bent += !fit || isBent (fit->plane.normal);
+  }
+  EXPECT_GT (bent, 20u);
+}
+
+TEST (OrientedVoxels, OfAVolumeAreThick)
+{
+  for (const auto& normal : surfelsOf (connectedGrid (pointsInACube (2000, 4_m), 20.0)))
+    EXPECT_TRUE (!normal || normal->thickness > 0.8);
+}
+
+TEST (OrientedVoxels, TakeACoarserNeighborhoodWhereNoiseHidesTheFinest)
+{
+  // Noise of 3 cm in voxels of 5 cm: thick at one resolution, flat at three.
+  const VoxelGrid grid =
+      connectedGrid (gridsOf ({floor_of_the_scene}, 200, 5_cm), 0.05);
+  const auto thickness = [&grid] (int resolutions) {
+    double sum = 0.0;
+    for (const auto& surfel : findSurfels (grid, resolutions, 30.0, 1))
+      sum += surfel ? surfel->thickness : 1.0;
+    return sum / static_cast<double> (grid.size());
+  };
+  EXPECT_GT (thickness (1), 0.4);
+  EXPECT_LT (thickness (3), 0.2);
+}
+
+TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
+{
+  // 36 in a voxel, 324 in nine
+  for (const auto& surfel : findSurfels (floorOf (120), 1, 325.0, 1))
+    EXPECT_FALSE (surfel);
+}
+
+TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
+{
+  // A roof of many slopes as long as a voxel: flat in every voxel, but not around.
+  Coordinates points = gridsOf ({floor_of_the_scene}, 200);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.z[i] = 0.01f + 0.8f * std::abs (std::remainder (points.x[i], 0.2f));
+  const VoxelGrid grid = connectedGrid (points, 0.1);
+  EXPECT_EQ (grid.size(), 400u);
+  for (const auto& surfel : surfelsOf (grid))
+    EXPECT_FALSE (surfel);
+}
+
+TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighborhood)
+{
+  // As much unevenness as on that roof, but of every point by itself.
+  for (const auto& surfel : surfelsOf (floorOf (200, 2_cm)))
+    EXPECT_TRUE (surfel);
+}
+
+TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
+{
+  const VoxelGrid grid = floorOf (120);
+  pcl_ops::Labels plane_of_voxel (grid.size(), pcl_ops::no_plane);
+  std::fill_n (plane_of_voxel.begin(), 100, 0);
+  const auto surfels = findSurfels (grid, 3, 30.0, 1, plane_of_voxel);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_EQ (surfels[i].has_value(), i >= 100);
+}
+
+TEST (OrientedVoxels, HaveNoSurfelOnAWire)
+{
+  // A millimeter wide in voxels of ten centimeters.
+  const Surface wire = {{0, 0, 0}, {2, 0, 0}, {0, 1_mm, 0}};
+  for (const auto& surfel : surfelsOf (connectedGrid (gridsOf ({wire}, 120), 0.1)))
+    EXPECT_FALSE (surfel.has_value());
+}
+
+TEST (OrientedVoxels, TakeNoNormalOfAPlaneThatTheyAreNotOn)
+{
+  // Four stray points above a floor: their voxel has the flat floor around it.
+  Coordinates points = gridsOf ({{{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}}, 120);
+  addGrid (points, {{1.0, 1.0, 0.1}, {0.1, 0, 0}, {0, 0.1, 0.1}}, 2);
+  const VoxelGrid grid = connectedGrid (points, 0.1);
+  const auto surfels = surfelsOf (grid);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (surfels[i]) {
+      const double limit = 1.5 * std::max (surfels[i]->noise, 3_mm);
+      EXPECT_LT (meanSquaredDistance (grid.moments[i], surfels[i]->plane),
+                 limit * limit);
+    }
+}

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "voxels/voxel_choice.h"
+#include <pcl_ops/voxel_size.h>
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+// 100,000 points in some 420 voxels, of 20 cm.
+constexpr int many = 224;
+constexpr double few_voxels = 0.003;
+
+/** \brief Of a floor of 40 m, 40,000 points and 13 in a voxel, with 10,000 more on a
+ * patch of it; half of the points are \p noise above the floor and half below. */
+VoxelGrid
+gridOfFloorWithPatch (double patch_edge, double noise)
+{
+  constexpr double usual_samples = 0.03;
+  const double corner = -0.5 * patch_edge;
+  Points points;
+  // Not about zero, where voxels begin.
+  for (const double height : {15_cm - noise, 15_cm + noise}) {
+    addGrid (points, {{-20, -20, height}, {40, 0, 0}, {0, 40, 0}}, 141);
+    addGrid (
+        points, {{corner, corner, height}, {patch_edge, 0, 0}, {0, patch_edge, 0}}, 70);
+  }
+  return voxelizeByNoise (points, usual_samples, 1).coarse;
+}
+
+/** \brief Of a floor of 4 m, one half of which is two layers so far apart. */
+VoxelGrid
+gridOfHalfALayer (double apart)
+{
+  const Points points = gridsOf ({{{-2, -2, 0}, {2, 0, 0}, {0, 4, 0}},
+                                  {{0, -2, 0}, {2, 0, 0}, {0, 4, 0}},
+                                  {{0, -2, apart}, {2, 0, 0}, {0, 4, 0}}},
+                                 many);
+  return voxelizeByNoise (points, few_voxels, 1).coarse;
+}
+
+/** \brief Of two floors of 4 m, so far above each other. */
+VoxelGrid
+gridOfFloors (double apart, int steps, double sampling_rate)
+{
+  const Points points = gridsOf (
+      {{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}, {{-2, -2, apart}, {4, 0, 0}, {0, 4, 0}}},
+      steps);
+  return voxelizeByNoise (points, sampling_rate, 1).coarse;
+}
+
+} // namespace
+
+TEST (VoxelChoice, TakesSmallVoxelsOfManyPointsWithoutNoise)
+{
+  const VoxelGrid noisy = gridOfFloors (4_cm, many, few_voxels);
+  const VoxelGrid exact = gridOfFloors (0.0, many, few_voxels);
+  EXPECT_LT (exact.voxel_size, 0.6 * noisy.voxel_size);
+}
+
+TEST (VoxelChoice, TakesVoxelsOfSeventyTimesTheNoise)
+{
+  // Half of the points 1.4 mm above the floor and half below; there are enough of them.
+  EXPECT_NEAR (gridOfFloors (0.0028, many, few_voxels).voxel_size, 10_cm, 1_cm);
+}
+
+TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
+{
+  // Of exact planes and of those with hardly any noise, which would do with 36 mm.
+  for (const double apart : {0.0, 1_mm})
+    EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many, few_voxels)), 8.0);
+  EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, 23, 0.03)), 3.0)
+      << "a small cloud";
+}
+
+TEST (VoxelSizeFor, OfAnyCloudTellsTwoPointsApart)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.push_back ({-4, 0, 0});
+  cloud.push_back ({4, 0, 0});
+  const double size = pcl_ops::voxelSizeFor (pcl_ops::CloudView (cloud), 2.0);
+  EXPECT_GT (size, 0.0);
+  EXPECT_LE (size, 8.0);
+}
+
+TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)
+{
+  Points points = gridsOf ({{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, many);
+  points.origin = {0.0, 1e6, 0.0}; // steps of 6.25 cm
+  EXPECT_GE (voxelizeByNoise (points, few_voxels, 1).coarse.voxel_size, 1_m);
+}
+
+TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
+{
+  EXPECT_GT (gridOfFloors (4_cm, many, few_voxels).voxel_size,
+             1.5 * gridOfFloors (4_cm, many, 3.0 * few_voxels).voxel_size);
+}
+
+TEST (VoxelChoice, SuitsTheDensePlacesOfACloudUnlessTheyAreNoisy)
+{
+  // As in a scan of a lidar; spread over the whole floor the patch changes nothing.
+  const double exact = gridOfFloorWithPatch (4_m, 0.0).voxel_size;
+  EXPECT_LT (exact, 0.6 * gridOfFloorWithPatch (40_m, 0.0).voxel_size);
+  EXPECT_GT (gridOfFloorWithPatch (4_m, 5_cm).voxel_size, 1.5 * exact);
+}
+
+TEST (VoxelChoice, TakesTheStepsOfAQuantizedDepthForNoLackOfNoise)
+{
+  EXPECT_GT (gridOfHalfALayer (4_cm).voxel_size,
+             1.5 * gridOfHalfALayer (0.0).voxel_size);
+}
+
+TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
+{
+  // A floor of 40 m, in voxels of some 2 m, and half as many points on a square
+  // millimeter of it.
+  Points points;
+  addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 300);
+  addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, 200);
+  const VoxelGrid grid = voxelizeByNoise (points, few_voxels, 1).coarse;
+  EXPECT_GT (grid.voxel_size, 10_cm);
+}
