@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <support/program_folder.h>
 
+#include <algorithm>
 #include <map>
-#include <set>
 
 namespace {
 
@@ -51,35 +51,46 @@ protected:
            std::to_string (write) + " " + command;
   }
 
-  /** \brief Kills a command as often as it takes to have this file written.
-   * A run that is killed late enough to go on is killed early again: else it may end
-   * before it is seen to have written the file. */
+  /** \brief Has the folder out as a command leaves it that is killed soon after it has
+   * written this file: some write of a new run, near the first behind which it is. */
   void
   stopOnceThereIs (const std::string& file, const std::string& command) const
   {
-    for (int write = 1; !fs::exists (folder_ / file);) {
-      ASSERT_LT (write, max_writes) << file;
-      const std::set<std::string> before = filesOfRun();
-      ASSERT_NE (shell (killedAt (write, command)).exit_code, 0) << file;
-      if (filesOfRun() == before)
-        ++write;
-      else
-        write = 1;
-    }
+    constexpr int uncertain = 2; // writes, as threads write in another order each time
+    static std::map<std::string, int> writes; // about the same in all tests
+    int& first = writes[command + " > " + file];
+    if (first == 0)
+      first = firstWrite ([&] (int write) {
+        return hasEndedAt (write, command) || fs::exists (folder_ / file);
+      });
+    int write = std::max (1, first - uncertain);
+    while (write < max_writes &&
+           (hasEndedAt (write, command) || !fs::exists (folder_ / file)))
+      ++write;
+    ASSERT_LT (write, max_writes) << file;
   }
 
-  /** \brief The files in the folder out but those that are being written. */
-  std::set<std::string>
-  filesOfRun () const
+  /** \brief Whether a new run ends before the write that would kill it. */
+  bool
+  hasEndedAt (int write, const std::string& command) const
   {
-    std::set<std::string> files;
-    if (!fs::exists (folder_ / "out"))
-      return files;
-    for (const fs::directory_entry& entry :
-         fs::recursive_directory_iterator (folder_ / "out"))
-      if (entry.is_regular_file() && entry.path().filename().string()[0] != '.')
-        files.insert (entry.path().string());
-    return files;
+    fs::remove_all (folder_ / "out");
+    return shell (killedAt (write, command)).exit_code == 0;
+  }
+
+  /** \brief The first one that is late enough, if those behind it are. */
+  template <typename IsLateEnough>
+  static int
+  firstWrite (const IsLateEnough& is_late_enough)
+  {
+    int after = 1;
+    while (after < max_writes && !is_late_enough (after))
+      after *= 2;
+    for (int before = after / 2; after - before > 1;) {
+      const int middle = (before + after) / 2;
+      (is_late_enough (middle) ? after : before) = middle;
+    }
+    return after;
   }
 
   /** \brief When the files of cells were written. */
