@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How often kinds of planes are right, and how exact floor plans are, in simulated
-// rooms and surveys of houses. src/doc/buildings.md says how to see what these tests
+// rooms and surveys of houses. src/doc/accuracy.md has what these tests
 // print: ctest --test-dir build -R lab_buildings_test -V
 #include <gtest/gtest.h>
 
