@@ -100,7 +100,7 @@ visitOwn (OpsParameters& p, const Visit& visit)
   visit (
       p.sampling_rate,
       {"sampling-rate R", above (0).upTo (1), "share of the points that get a normal"});
-  visit (p.k, {"k K", from (2), "neighbors of a normal; on surfels the fewest points"});
+  visit (p.k, {"k K", from (2), "neighbors of a normal; others scale with it"});
   visit (p.min_samples,
          {"min-inliers N", from (1), "a plane has more sampled points than this"});
   visit (p.paper_only.probability,
@@ -110,7 +110,7 @@ visitOwn (OpsParameters& p, const Visit& visit)
   visit (p.surfels.voxel_size,
          {"voxel-size M",
           from (0),
-          "edge of a voxel; 0: by the number of points",
+          "edge of a voxel; 0: no voxels, but neighborhoods",
           Written::ZeroForAutomatic,
           "cell"});
 }

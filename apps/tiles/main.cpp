@@ -90,7 +90,7 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
       .help ("edge of a voxel (by the density: some 20 points in one)")
       .onceCalled ("cell");
   line.add ("tile M", options.plan.tile, above (0))
-      .help ("edge of a tile, rounded to 4 voxels (256 voxels)");
+      .help ("edge of a tile, rounded to 4 voxels (128 voxels; 256 with --voxel-size)");
   line.add ("jobs N", options.jobs, from (0).upTo (256))
       .help ("tiles at a time; 0: one for each processor (1)");
   line.add ("plan FILE", options.plan_file)
