@@ -17,19 +17,24 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// Where depth is quantized nearly all small neighborhoods lie within one level:
+// whatever the surface, they are flat with one common normal, the direction of depth.
+// Along it the coordinates of points form narrow groups, the levels. A wall alone has
+// one normal, too, but one level; a CAD model has levels, but several normals.
+
 // Fewer points have no levels that would matter.
 constexpr std::size_t min_points_on_levels = 2000;
 constexpr std::size_t min_levels = 12;
 
-/** \brief A point whose nearest points are flat. */
+/** \brief The plane through the nearest points of a point. */
 struct FlatPlace {
   Eigen::Vector3d normal;
   Eigen::Vector3d point;
-  double width; // of its nearest points [m]
-  double rms;
+  double width; // extent of the nearest points in their narrower direction [m]
+  double rms;   // of their distances to the plane [m]
 };
 
-// The nearest points of one, itself first.
+// So many nearest points of one, itself first.
 std::vector<Eigen::Vector3d>
 pointsAround (const Coordinates& points,
               const PointTree& tree,
@@ -55,69 +60,75 @@ flatPlaceOf (const std::vector<Eigen::Vector3d>& nearest)
     moments.add (p.x(), p.y(), p.z());
   }
   const PrincipalAxes axes = principalAxes (moments.covariance());
+  // Rounding can make a variance of 0 negative.
   return {axes.normal,
           nearest.front(),
           std::sqrt (squared_width_of_variance * std::max (0.0, axes.values[1])),
           std::sqrt (std::max (0.0, axes.values[0]))};
 }
 
-// Where coordinates were rounded the normal of few points leans by degrees, and levels
-// would blur: that of more points on the same plane leans by less. Without it the
-// direction of dense levels stays .1 degrees off where they are sharpest nearby.
+// Takes the normal from more points on the same plane. Where coordinates were rounded
+// the normal of few points leans by degrees, and the direction of dense levels would
+// stay .1 degrees off the one in which they are sharpest.
 void
 straighten (const std::vector<Eigen::Vector3d>& nearest, FlatPlace& place)
 {
-  constexpr double reach = 3.0;
+  constexpr double rms_within = 3.0;
   std::vector<Eigen::Vector3d> on_plane;
   for (const Eigen::Vector3d& point : nearest)
-    if (std::abs (place.normal.dot (point - place.point)) <= reach * place.rms)
+    if (std::abs (place.normal.dot (point - place.point)) <= rms_within * place.rms)
       on_plane.push_back (point);
   if (on_plane.size() > nearest.size() / 4)
     place.normal = flatPlaceOf (on_plane).normal;
 }
 
-// The flattest of some neighborhoods. Those of levels are exactly flat, or nearly so
-// where coordinates were rounded later.
+// The flattest tenth of some neighborhoods, spread over the cloud; none if that is not
+// flat. Those of levels are exactly flat, or nearly so where coordinates were rounded
+// later.
 std::vector<FlatPlace>
 flattestPlaces (const Coordinates& points, const PointTree& tree)
 {
-  constexpr std::size_t places = 2000;
-  constexpr std::size_t neighbors = 17;
+  constexpr std::size_t tried = 2000;
+  constexpr std::size_t wanted = tried / 10;
+  constexpr std::size_t neighbors = 17; // the point itself included
   constexpr std::size_t more_neighbors = 100;
-  constexpr std::size_t wanted = places / 10;
+  // Rms distance to the plane over the width.
   constexpr double exact_thickness = 0.005;
   constexpr double max_thickness = 0.06;
-  const auto positionOf = [&] (std::size_t s) { return s * points.size() / places; };
-  std::vector<std::pair<double, std::size_t>> thickness;
-  std::vector<FlatPlace> all;
-  for (std::size_t s = 0; s < places; ++s) {
-    all.push_back (
-        flatPlaceOf (pointsAround (points, tree, positionOf (s), neighbors)));
-    if (all[s].width > 0.0)
-      thickness.emplace_back (all[s].rms / all[s].width, s);
+  const auto positionOf = [&] (std::size_t k) { return k * points.size() / tried; };
+  std::vector<std::pair<double, std::size_t>> by_thickness;
+  std::vector<FlatPlace> places;
+  for (std::size_t k = 0; k < tried; ++k) {
+    places.push_back (
+        flatPlaceOf (pointsAround (points, tree, positionOf (k), neighbors)));
+    if (places[k].width > 0.0)
+      by_thickness.emplace_back (places[k].rms / places[k].width, k);
   }
-  if (thickness.size() < wanted)
+  if (by_thickness.size() < wanted)
     return {};
-  std::sort (thickness.begin(), thickness.end());
-  // All that are exact: faces of a model are in several directions.
-  const double limit = std::max (exact_thickness, thickness[wanted - 1].first);
+  std::sort (by_thickness.begin(), by_thickness.end());
+  // Of exact places all, as the faces of a CAD model have several directions.
+  const double limit = std::max (exact_thickness, by_thickness[wanted - 1].first);
+  if (limit >= max_thickness)
+    return {};
   std::vector<FlatPlace> flattest;
-  for (const auto& [thick, s] : thickness)
-    if (thick <= limit && limit < max_thickness) {
-      if (thick > exact_thickness)
-        straighten (pointsAround (points, tree, positionOf (s), more_neighbors),
-                    all[s]);
-      flattest.push_back (all[s]);
-    }
+  for (const auto& [thickness, k] : by_thickness) {
+    if (thickness > limit)
+      break;
+    if (thickness > exact_thickness)
+      straighten (pointsAround (points, tree, positionOf (k), more_neighbors),
+                  places[k]);
+    flattest.push_back (places[k]);
+  }
   return flattest;
 }
 
-// The direction that nearly all of the normals have, or zero. The faces of a CAD model
-// have several.
+// The direction that most of the normals nearly have, up to the sign; zero if there is
+// none, as in CAD models, whose faces have several.
 Eigen::Vector3d
 commonDirection (const std::vector<FlatPlace>& places)
 {
-  constexpr std::size_t tried = 100;
+  constexpr std::size_t tried = 100; // normals, each with all others around it
   constexpr double min_share = 0.8;
   const double min_cosine = std::cos (3.0 * M_PI / 180.0);
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -144,31 +155,33 @@ commonDirection (const std::vector<FlatPlace>& places)
   return direction;
 }
 
-// How blurred the levels of some points are: the sum of the roots of the distances from
-// one offset to the next. Most are zero on levels that are seen edge on.
+// How blurred the levels of some points are along a direction: the sum of the roots of
+// the gaps between their offsets along it, sorted. Where levels are exactly at right
+// angles to the direction most gaps are zero.
 double
 blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction)
 {
-  std::vector<double> offset;
+  std::vector<double> offsets;
   for (const Eigen::Vector3d& point : points)
-    offset.push_back (direction.dot (point));
-  std::sort (offset.begin(), offset.end());
+    offsets.push_back (direction.dot (point));
+  std::sort (offsets.begin(), offsets.end());
   double sum = 0.0;
-  for (std::size_t k = 1; k < offset.size(); ++k)
-    sum += std::sqrt (offset[k] - offset[k - 1]);
+  for (std::size_t k = 1; k < offsets.size(); ++k)
+    sum += std::sqrt (offsets[k] - offsets[k - 1]);
   return sum;
 }
 
-// The direction nearby that blurs levels least. Normals of rounded coordinates are
-// wrong by tenths of a degree, and levels of a room are meters wide.
+// The direction nearby along which levels are least blurred, by smaller and smaller
+// turns to four sides. Normals of rounded coordinates are wrong by tenths of a degree,
+// and levels of a room are meters wide.
 Eigen::Vector3d
 sharpened (const Coordinates& points, Eigen::Vector3d direction)
 {
-  constexpr std::size_t most = 4000;
-  constexpr int max_moves = 8;
+  constexpr std::size_t looked_at = 4000;
+  constexpr int max_moves = 8; // with turns of each size
   std::vector<Eigen::Vector3d> some;
-  for (std::size_t s = 0; s < most; ++s)
-    some.push_back (points[s * points.size() / most]);
+  for (std::size_t s = 0; s < looked_at; ++s)
+    some.push_back (points[s * points.size() / looked_at]);
   double least = blurOf (some, direction);
   for (const double degrees : {0.2, 0.1, 0.05, 0.025, 0.0125})
     for (int move = 0; move < max_moves; ++move) {
@@ -191,13 +204,13 @@ sharpened (const Coordinates& points, Eigen::Vector3d direction)
   return direction;
 }
 
-/** \brief Offsets of one level, along the direction [m]. */
+/** \brief One level: the range of the offsets of its points along the direction [m]. */
 struct DepthLevel {
   double begin, end;
   std::size_t points;
 };
 
-// Offsets that are no farther apart than this make one level.
+// Divides sorted offsets into levels, at gaps larger than max_gap [m].
 std::vector<DepthLevel>
 levelsOf (const std::vector<double>& sorted, double max_gap)
 {
@@ -218,11 +231,11 @@ middleOf (const DepthLevel& level)
   return 0.5 * (level.begin + level.end);
 }
 
-// The median distance of levels around one.
+// The median distance from level to level around one [m].
 double
 stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
 {
-  constexpr std::size_t around = 2;
+  constexpr std::size_t around = 2; // levels to either side
   const std::size_t first = number >= around ? number - around : 0;
   const std::size_t last = std::min (levels.size() - 1, number + around);
   std::vector<double> steps;
@@ -235,25 +248,27 @@ stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
   return steps[middle];
 }
 
-// Whether there are enough levels with as many points as others have: a floor and the
-// leg of a chair are none. A tenth of the mean is enough.
+// Whether enough levels have a tenth of the mean number of points or more: a floor and
+// the legs of chairs, far fewer points each, are no levels.
 bool
 areMany (const std::vector<DepthLevel>& levels, std::size_t points)
 {
-  constexpr std::size_t share = 10;
-  return std::count_if (levels.begin(), levels.end(), [&] (const DepthLevel& level) {
-           return share * level.points * levels.size() >= points;
-         }) >= static_cast<std::ptrdiff_t> (min_levels);
+  constexpr std::size_t part_of_mean = 10;
+  const auto counted =
+      std::count_if (levels.begin(), levels.end(), [&] (const DepthLevel& level) {
+        return part_of_mean * level.points * levels.size() >= points;
+      });
+  return counted >= static_cast<std::ptrdiff_t> (min_levels);
 }
 
-// The share of the points on levels that are thin for their distance, if points are
-// many a level.
+// The share of the points that are on thin levels, those that are thin for their
+// distance to the next ones; 0 if there are too few levels, or too few points for each.
 double
 shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
 {
-  constexpr std::size_t points_of_level = 50;
-  constexpr double max_thickness = 0.3;
-  if (levels.size() * points_of_level > points || !areMany (levels, points))
+  constexpr std::size_t min_points_of_level = 50; // in the mean
+  constexpr double max_thickness = 0.3;           // over the distance
+  if (levels.size() * min_points_of_level > points || !areMany (levels, points))
     return 0.0;
   std::size_t thin = 0;
   for (std::size_t k = 0; k < levels.size(); ++k)
@@ -262,30 +277,32 @@ shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
   return static_cast<double> (thin) / static_cast<double> (points);
 }
 
-// The division of the offsets into levels that are thinnest for their distance, if most
-// are: coordinates that are rounded to millimeters, or jittered, have levels of some
-// thickness, and a division that is too fine cuts these into several.
+// The division of sorted offsets into levels with the largest share of points on thin
+// ones; empty if no share is large. Several gaps are tried: levels of coordinates that
+// were rounded or jittered have some thickness, and a gap that is too small would cut
+// each into several.
 std::vector<DepthLevel>
 findLevels (const std::vector<double>& sorted)
 {
   constexpr double min_share = 0.8;
-  constexpr double finest = 1e-6; // of the range
-  constexpr int doublings = 14;
+  constexpr double smallest_gap = 1e-6; // of the range
+  constexpr int gaps = 14;              // each twice the one before
   const double range = sorted.back() - sorted.front();
-  double best = min_share;
+  double largest_share = min_share;
   std::vector<DepthLevel> best_levels;
-  for (int k = 0; k < doublings; ++k) {
-    std::vector<DepthLevel> levels = levelsOf (sorted, std::ldexp (finest, k) * range);
+  for (int k = 0; k < gaps; ++k) {
+    std::vector<DepthLevel> levels =
+        levelsOf (sorted, std::ldexp (smallest_gap, k) * range);
     const double share = shareOnThinLevels (levels, sorted.size());
-    if (share > best) {
-      best = share;
+    if (share > largest_share) {
+      largest_share = share;
       best_levels = std::move (levels);
     }
   }
   return best_levels;
 }
 
-// The number of the level that an offset is on, or that is below it.
+// The number of the level that an offset is on; between two, of the lower one.
 std::size_t
 levelOf (const std::vector<DepthLevel>& levels, double offset)
 {
@@ -296,8 +313,8 @@ levelOf (const std::vector<DepthLevel>& levels, double offset)
   return static_cast<std::size_t> (above - levels.begin()) - 1;
 }
 
-// Whether flat places are on several levels. Those of one exact wall are on one, and
-// what is on others may be the rows of a grid.
+// Whether flat places are on several levels. If they are on one, that is an exact wall,
+// and the other levels may be the rows of a grid of points.
 bool
 areSeenFlat (const std::vector<DepthLevel>& levels,
              const std::vector<FlatPlace>& places,

@@ -18,8 +18,13 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// The arms of a place are places whose supports it adds to its own for the next level:
+// first the farthest of its neighborhood, and from level to level about twice as far
+// away.
+
+// How many arms each place has: fewer if neighborhoods are small.
 std::size_t
-armsOf (const Places& places)
+armCountOf (const Places& places)
 {
   return std::min<std::size_t> (place_constants.arms, places.neighbors);
 }
@@ -42,39 +47,42 @@ sumsOfNearest (const Places& places, unsigned threads)
   return sums;
 }
 
-// Points on levels may be anywhere within their steps. Their variance is added where
-// drawing their places would do the same by chance, another time each time.
+// Points on levels of depth may be anywhere within their steps: adds the variance of a
+// uniform distribution over the step of each point. To move points within their steps
+// at random would add the same by chance, but differently where a point is left out.
 void
 addSteps (const Places& places, const DepthLevels& levels, unsigned threads, Sums& sums)
 {
   if (levels.step.empty())
     return;
   const Eigen::Vector3d& d = levels.direction;
+  // Of a variance of 1 along the direction, in the order of Moments.
   const std::array<double, 6> products{d.x() * d.x(),
                                        d.x() * d.y(),
                                        d.x() * d.z(),
                                        d.y() * d.y(),
                                        d.y() * d.z(),
                                        d.z() * d.z()};
-  const auto squared = [&] (std::size_t i) {
+  const auto squaredStep = [&] (std::size_t i) {
     return static_cast<double> (levels.step[i]) * levels.step[i];
   };
   forEach (threads, places.size(), [&] (std::size_t i) {
-    double sum = squared (i);
+    double sum = squaredStep (i);
     for (std::size_t k = 0; k < places.neighbors; ++k)
-      sum += squared (places.nearestOf (i)[k]);
+      sum += squaredStep (places.nearestOf (i)[k]);
     for (std::size_t p = 0; p < products.size(); ++p)
       sums[i].products[p] += sum / squared_width_of_variance * products[p];
   });
 }
 
+// \param[in] points how many independent ones the support has
 Support
 supportOf (const PrincipalAxes& axes, double points)
 {
-  // Three parameters are fitted.
-  const double freedom = points / (points - 3.0);
+  constexpr double parameters_of_plane = 3.0;
+  const double correction = points / (points - parameters_of_plane);
   const Eigen::Vector3d variances = axes.values.cwiseMax (0.0);
-  const double scatter = std::sqrt (variances[0] * freedom);
+  const double scatter = std::sqrt (variances[0] * correction);
   const double width = std::sqrt (squared_width_of_variance * variances[1]);
   Support support;
   support.normal = axes.normal.cast<float>();
@@ -85,6 +93,7 @@ supportOf (const PrincipalAxes& axes, double points)
   return support;
 }
 
+// The principal axes of many supports are computed side by side, which is faster.
 std::vector<Support>
 supportsOf (const Sums& sums, double points, unsigned threads)
 {
@@ -118,7 +127,7 @@ addArms (const Sums& sums,
   return added;
 }
 
-// The farthest of the nearest of each place.
+// The arms of the smallest support: the farthest of the nearest points of each place.
 Indices
 firstArms (const Places& places, std::size_t arms_of_place, unsigned threads)
 {
@@ -131,8 +140,9 @@ firstArms (const Places& places, std::size_t arms_of_place, unsigned threads)
   return arms;
 }
 
-/** \brief Where the arms of a place end, side by side: to look them up one by one took
- * a quarter of the time of the whole detection. */
+/** \brief The positions of the arms of a place, side by side: to look them up one by
+ * one took a quarter of the time of the whole detection. The last arm stands for those
+ * that are missing. */
 struct ArmEnds {
   static constexpr std::size_t size = place_constants.arms;
   std::array<float, size> x, y, z;
@@ -157,7 +167,7 @@ endsOf (const Coordinates& points,
   return ends;
 }
 
-// The number of the end that is farthest from a point.
+// The number of the end that is farthest from a point; of equally far ones the first.
 std::size_t
 farthestOf (const ArmEnds& ends, float x, float y, float z)
 {
@@ -168,7 +178,8 @@ farthestOf (const ArmEnds& ends, float x, float y, float z)
     const float dz = ends.z[q] - z;
     squared[q] = dx * dx + dy * dy + dz * dz;
   }
-  // In pairs: one after the other each would wait for the one before.
+  // The largest of pairs, then of pairs of these: one after the other each comparison
+  // would wait for the one before.
   std::array<float, ArmEnds::size> largest = squared;
   for (std::size_t half = ArmEnds::size / 2; half > 0; half /= 2)
     for (std::size_t q = 0; q < half; ++q)
@@ -179,7 +190,8 @@ farthestOf (const ArmEnds& ends, float x, float y, float z)
   return farthest;
 }
 
-// In place of each arm the one of its arms that is farthest from the place.
+// The arms of the next level: each arm of a place is replaced by that one of the arm's
+// own arms that is farthest from the place.
 Indices
 longerArms (const Coordinates& points,
             const Indices& arms,
@@ -199,7 +211,8 @@ longerArms (const Coordinates& points,
   return longer;
 }
 
-// How many points supports of each level have.
+// How many points supports of each level have, as far as these are a small share of
+// all; there are two levels at least.
 std::vector<double>
 pointsOfLevels (const Places& places)
 {
@@ -213,32 +226,33 @@ pointsOfLevels (const Places& places)
   return points;
 }
 
-// Points on levels nearer to those of the next levels: else neighborhoods would follow
+// The points with their levels of depth moved together: else neighborhoods would follow
 // the levels, which are farther apart than the points on them.
 Coordinates
-flattened (const Coordinates& points, const DepthLevels& levels)
+withNearerLevels (const Coordinates& points, const DepthLevels& levels)
 {
-  Coordinates flat;
-  flat.resize (points.size());
+  Coordinates nearer;
+  nearer.resize (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d point = points[i];
     const double excess =
         (1.0 - place_constants.depth_of_levels) * levels.direction.dot (point);
     const Eigen::Vector3f moved = (point - excess * levels.direction).cast<float>();
-    flat.x[i] = moved.x();
-    flat.y[i] = moved.y();
-    flat.z[i] = moved.z();
+    nearer.x[i] = moved.x();
+    nearer.y[i] = moved.y();
+    nearer.z[i] = moved.z();
   }
-  return flat;
+  return nearer;
 }
 
+// Adds the supports of all levels, from the smallest to the largest.
 void
 addSupports (const Coordinates& points,
              const DepthLevels& levels,
              unsigned threads,
              Places& places)
 {
-  const std::size_t arms_of_place = armsOf (places);
+  const std::size_t arms_of_place = armCountOf (places);
   places.points_of_level = pointsOfLevels (places);
   Sums sums = sumsOfNearest (places, threads);
   addSteps (places, levels, threads, sums);
@@ -258,7 +272,7 @@ addSupports (const Coordinates& points,
 std::size_t
 neighborsOfCloud (double points, double factor)
 {
-  // A support has to tell how it scatters.
+  // Of fewer points, three of which a plane fits anyway, scatter says little.
   constexpr double least = 6.0;
   const double usual = place_constants.min_neighbors *
                        std::pow (points / place_constants.neighbors_cloud,
@@ -281,12 +295,12 @@ describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threa
   PointTree tree (points, threads);
   const DepthLevels levels = findDepthLevels (points, tree);
   if (!levels.step.empty())
-    tree = PointTree (flattened (points, levels), threads);
+    tree = PointTree (withNearerLevels (points, levels), threads);
   places.nearest = findAllNearest (tree, places.neighbors, threads);
   addSupports (points, levels, threads, places);
   places.density.resize (points.size());
   forEach (threads, points.size(), [&] (std::size_t i) {
-    constexpr float least_area = 1e-30F;
+    constexpr float least_area = 1e-30F; // so that no area is 0
     const float width = places.supports[0][i].width;
     places.density[i] = static_cast<float> (neighbors) / (width * width + least_area);
   });

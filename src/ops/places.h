@@ -12,27 +12,28 @@ namespace pcl_ops::internal {
 /** \brief The points around a place, as if they were a piece of a plane. */
 struct Support {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  /** \brief Rms distance of the points to their plane, as of independent ones [m]. */
+  /** \brief Rms distance of the points to their plane [m], corrected for its three
+   * parameters. */
   float scatter = 0.0F;
   /** \brief Extent in the narrower direction of the plane [m]. */
   float width = 0.0F;
-  /** \brief Thin for its width, and no line. */
+  /** \brief Thin for its width, and no line: limits in ops/constants.h. */
   bool is_flat = false;
 };
 
 /** \brief Points, each with those around it. Nothing here divides space: a neighborhood
- * is of one point, and another point more or less changes a neighborhood by one point.
- * What cells of a grid or of a tree hold changes altogether where their borders move.
- */
+ * belongs to one point, and a point more or less changes it by one point only. Cells of
+ * a grid or a tree would hold altogether different points where their borders move. */
 struct Places {
   /** \brief [m] in the local frame. */
   std::vector<Eigen::Vector3d> position;
-  /** \brief So many of each, nearest first, without itself. */
+  /** \brief The nearest places of each place, itself left out, the nearest first: so
+   * many of the first place, then of the second one, and so on. */
   Indices nearest;
   std::size_t neighbors = 0;
   /** \brief Points per area around each [1/m^2]. */
   std::vector<float> density;
-  /** \brief Of growing size: by level, then by place. */
+  /** \brief supports[level][place], of growing size. */
   std::vector<std::vector<Support>> supports;
   /** \brief How many points a support of each level has. */
   std::vector<double> points_of_level;
@@ -51,17 +52,19 @@ struct Places {
   }
 };
 
-/** \brief How many nearest points places of a cloud of so many points have, themselves
- * included. */
+/** \brief How many points neighborhoods have in a cloud of so many, their places
+ * included.
+ * \param[in] factor what parameters ask for, over what is usual */
 std::size_t
 neighborsOfCloud (double points, double factor);
 
 /** \brief Finds the nearest points of each point, and what the points around it are
  * like.
  *
- * The first support of a place is its nearest points. Each further one adds up the ones
- * before of the place and of eight places about twice as far away as the last time, so
- * that a level costs the same however many points it has.
+ * The first support of a place is its nearest points. Each further one adds up the
+ * supports of the level before of the place and of eight places, its arms, which from
+ * level to level are about twice as far away: a level costs the same however many
+ * points it has.
  * \param[in] points four or more, no two at one place, in an order that depends on their
  * coordinates alone
  * \param[in] neighbors see \ref neighborsOfCloud */
