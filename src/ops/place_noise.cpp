@@ -14,6 +14,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// The level of a place that has no settled support.
 constexpr int no_level = -1;
 
 bool
@@ -22,48 +23,52 @@ isExactSupport (const Support& support)
   return !(support.scatter > place_constants.max_exact * support.width);
 }
 
-// The largest support before the surface bends, if from some flat one on they do not
-// thicken.
+// The level of the largest settled support of a place. The first settled one is flat
+// and scatters by hardly more than the one before; larger ones are settled, too, until
+// they scatter by so much more than the first that the surface bends.
 int
-levelSupport (const Places& places, std::size_t place)
+settledLevelOf (const Places& places, std::size_t place)
 {
-  int level = no_level;
-  float first = 0.0F;
-  for (std::size_t l = 1; l < places.supports.size(); ++l) {
-    const Support& support = places.supports[l][place];
-    if (level == no_level) {
-      const float before = places.supports[l - 1][place].scatter + least_noise;
+  int settled = no_level;
+  float scatter_of_first = 0.0F;
+  for (std::size_t level = 1; level < places.supports.size(); ++level) {
+    const Support& support = places.supports[level][place];
+    if (settled == no_level) {
+      const float before = places.supports[level - 1][place].scatter + least_noise;
       if (!support.is_flat ||
           !(support.scatter < place_constants.max_thickening * before))
         continue;
-      first = support.scatter;
+      scatter_of_first = support.scatter;
     }
-    else if (!(support.scatter < place_constants.max_thickening_of_all * first))
+    else if (!(support.scatter <
+               place_constants.max_thickening_of_all * scatter_of_first))
       break;
-    level = static_cast<int> (l);
+    settled = static_cast<int> (level);
   }
-  return level;
+  return settled;
 }
 
-// By how much supports of each level grow until they are level: what a quarter of the
-// places with level supports exceeds least. Places of one sensor grow alike; those of
-// hills and woods do not, and most of the flat ones among them not at all.
+// For each level, by how much the scatter of supports grows from there until they are
+// settled: the lower quartile over the places with settled supports. Places of one
+// sensor grow alike; those of hills and woods do not, and most of the flat ones among
+// them not at all.
 std::vector<double>
-growthOf (const Places& places, const std::vector<int>& level_support)
+growthOf (const Places& places, const std::vector<int>& settled_level)
 {
   const std::size_t levels = places.supports.size();
   std::vector<std::vector<float>> growth (levels);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const int level = level_support[i];
-    if (level == no_level || isExactSupport (places.supports[level][i]))
+    const int settled = settled_level[i];
+    if (settled == no_level || isExactSupport (places.supports[settled][i]))
       continue;
-    for (std::size_t l = 0; l < levels; ++l)
-      growth[l].push_back (static_cast<int> (l) < level
-                               ? places.supports[level][i].scatter /
-                                     (places.supports[l][i].scatter + least_noise)
-                               : 1.0F);
+    for (std::size_t level = 0; level < levels; ++level)
+      growth[level].push_back (
+          static_cast<int> (level) < settled
+              ? places.supports[settled][i].scatter /
+                    (places.supports[level][i].scatter + least_noise)
+              : 1.0F);
   }
-  // Few places decide little.
+  // The fewer the places, the nearer to 1, no growth.
   const double share =
       static_cast<double> (growth[0].size()) / static_cast<double> (places.size());
   const double weight = std::min (1.0, share / place_constants.share_of_level_places);
@@ -75,40 +80,47 @@ growthOf (const Places& places, const std::vector<int>& level_support)
   return of_level;
 }
 
-// Parts of n points of a flat patch scatter by 1 - 3 nu / n of what it does, if nu
-// points err as one.
+// How many neighboring points err as one. If nu do, the variance of n points of a flat
+// patch about their own plane, of three parameters, is 1 - 3 nu / n of that of the
+// patch: so nu follows from the growth of the smallest supports in which this share
+// tells.
 double
 commonErrors (const Places& places, const std::vector<double>& growth)
 {
-  constexpr double least_share = 0.3;
-  for (std::size_t l = 0; l < growth.size(); ++l) {
-    const double share = 1.0 / (growth[l] * growth[l]);
+  constexpr double parameters_of_plane = 3.0;
+  constexpr double least_share = 0.3; // else all points nearly err as one
+  for (std::size_t level = 0; level < growth.size(); ++level) {
+    const double share = 1.0 / (growth[level] * growth[level]);
     if (share > least_share)
-      return std::max (1.0, (1.0 - share) * places.points_of_level[l] / 3.0);
+      return std::max (
+          1.0, (1.0 - share) * places.points_of_level[level] / parameters_of_plane);
   }
   return 1.0;
 }
 
-// The least that any support of a place speaks for: what bends scatters by too much.
+// The least noise that any support of a place speaks for: its scatter, times what that
+// grows by until supports are settled. What bends speaks for too much.
 std::vector<float>
 leastScatter (const Places& places,
-              const std::vector<int>& level_support,
+              const std::vector<int>& settled_level,
               const PlaceNoise& noise,
               unsigned threads)
 {
   std::vector<float> scatter (places.size());
   forEach (threads, places.size(), [&] (std::size_t i) {
     double least = places.supports[0][i].scatter * noise.growthOf (0);
-    for (std::size_t l = 1; l < places.supports.size(); ++l)
-      least = std::min (least, places.supports[l][i].scatter * noise.growthOf (l));
-    if (level_support[i] != no_level)
-      least = std::min<double> (least, places.supports[level_support[i]][i].scatter);
+    for (std::size_t level = 1; level < places.supports.size(); ++level)
+      least =
+          std::min (least, places.supports[level][i].scatter * noise.growthOf (level));
+    if (settled_level[i] != no_level)
+      least = std::min<double> (least, places.supports[settled_level[i]][i].scatter);
     scatter[i] = static_cast<float> (least);
   });
   return scatter;
 }
 
-// The geometric mean over a place and some of its neighbors.
+// The geometric mean over a place and eight of its neighbors, spread over their
+// distances.
 std::vector<float>
 smoothed (const Places& places, const std::vector<float>& noise, unsigned threads)
 {
@@ -127,17 +139,18 @@ smoothed (const Places& places, const std::vector<float>& noise, unsigned thread
   return mean;
 }
 
-// Whether the smallest support that is flat, of those of some levels, is not exact.
+// Whether a place has a flat support on the first so many levels, the smallest of which
+// is not exact.
 bool
 tellsNoise (const Places& places, std::size_t place, std::size_t levels)
 {
-  for (std::size_t l = 0; l < levels; ++l)
-    if (places.supports[l][place].is_flat)
-      return !isExactSupport (places.supports[l][place]);
+  for (std::size_t level = 0; level < levels; ++level)
+    if (places.supports[level][place].is_flat)
+      return !isExactSupport (places.supports[level][place]);
   return false;
 }
 
-// What is usual by density, of the places that tell.
+// Sets what noise is usual by density, from the places that tell it.
 void
 findUsual (const Places& places, const std::vector<float>& noise, CloudNoise& cloud)
 {
@@ -160,8 +173,8 @@ findUsual (const Places& places, const std::vector<float>& noise, CloudNoise& cl
   setUsualNoise (density, telling, cloud);
 }
 
-// No place is far from what is usual where points are as dense: leaves and edges
-// scatter by more, and some places by chance by less.
+// Keeps the noise of each place near what is usual where points are as dense: leaves
+// and edges scatter by more, and some places by chance by less.
 void
 limitByUsual (const Places& places,
               const CloudNoise& cloud,
@@ -176,24 +189,23 @@ limitByUsual (const Places& places,
   });
 }
 
-// The least sum of squares about the means of two groups of sorted values, over that
-// about the mean of all.
+// The share of the variance of sorted values that is left about the means of two
+// groups, the lower and the upper values, where the best border parts them.
 double
 restOfTwoGroups (const std::vector<double>& sorted)
 {
-  constexpr std::size_t least = 3; // values of a group
+  constexpr std::size_t least_in_group = 3;
   const auto number = static_cast<double> (sorted.size());
   const double sum = std::accumulate (sorted.begin(), sorted.end(), 0.0);
-  double between = 0.0;
-  double first = 0.0;
-  for (std::size_t k = 0; k + least < sorted.size(); ++k) {
-    first += sorted[k];
-    const auto in_first = static_cast<double> (k + 1);
-    if (k + 1 < least)
+  double between = 0.0; // sum of squares of the means of groups about that of all
+  double sum_below = 0.0;
+  for (std::size_t k = 0; k + least_in_group < sorted.size(); ++k) {
+    sum_below += sorted[k];
+    const auto below = static_cast<double> (k + 1);
+    if (k + 1 < least_in_group)
       continue;
-    const double apart = first / in_first - (sum - first) / (number - in_first);
-    between =
-        std::max (between, in_first * (number - in_first) / number * apart * apart);
+    const double apart = sum_below / below - (sum - sum_below) / (number - below);
+    between = std::max (between, below * (number - below) / number * apart * apart);
   }
   double squares = -sum * sum / number;
   for (const double value : sorted)
@@ -201,9 +213,10 @@ restOfTwoGroups (const std::vector<double>& sorted)
   return squares > 0.0 ? 1.0 - between / squares : 1.0;
 }
 
-// The flattest support of a place whose nearest points are in two layers: the sides of
-// a wall that is thinner than points are apart scatter by far more than their noise,
-// and only larger supports know where the wall goes. 0 if there are no layers.
+// The level of the flattest support of a place whose nearest points are in two layers,
+// or 0 if they are not. Both sides of a wall that is thinner than points are apart
+// scatter by far more than their noise, and only larger supports know where the wall
+// goes.
 std::size_t
 flattestOfLayers (const Places& places, std::size_t place)
 {
@@ -234,20 +247,20 @@ noiseOfPlaces (const Places& places,
                const std::optional<CloudNoise>& whole,
                unsigned threads)
 {
-  std::vector<int> level_support (places.size());
+  std::vector<int> settled_level (places.size());
   forEach (threads, places.size(), [&] (std::size_t i) {
-    level_support[i] = levelSupport (places, i);
+    settled_level[i] = settledLevelOf (places, i);
   });
   PlaceNoise noise;
   if (whole)
     noise.cloud = *whole;
   else {
     noise.cloud.points = static_cast<double> (places.size());
-    noise.cloud.growth = growthOf (places, level_support);
+    noise.cloud.growth = growthOf (places, settled_level);
     noise.cloud.common_errors = commonErrors (places, noise.cloud.growth);
   }
   noise.of_place =
-      smoothed (places, leastScatter (places, level_support, noise, threads), threads);
+      smoothed (places, leastScatter (places, settled_level, noise, threads), threads);
   if (!whole)
     findUsual (places, noise.of_place, noise.cloud);
   limitByUsual (places, noise.cloud, threads, noise.of_place);
@@ -262,6 +275,7 @@ chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
   chosen.scatter.resize (places.size());
   chosen.width.resize (places.size());
   chosen.is_flat.resize (places.size());
+  // Whether a support scatters by no more than noise does.
   const auto isExplained = [&] (std::size_t i, std::size_t level) {
     const Support& support = places.supports[level][i];
     const double limit = std::max<double> (

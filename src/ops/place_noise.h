@@ -14,16 +14,16 @@ namespace pcl_ops::internal {
  *
  * Supports of white noise scatter alike at all sizes. Where neighbors err alike, as in
  * images of depth cameras, small supports scatter by too little, and larger ones by
- * more, until they hold many independent errors: from there on they are level. */
+ * more, until they hold many independent errors: from there on they are settled. */
 struct PlaceNoise {
-  /** \brief Of each place, in its largest supports [m]. */
+  /** \brief Of each place: what it would scatter by in settled supports [m]. */
   std::vector<float> of_place;
   /** \brief What all places say together. */
   CloudNoise cloud;
 
-  /** \brief By how much supports of a level grow until they are level. A part of a
-   * cloud may have fewer levels than the whole, and a small sample of it fewer than a
-   * part. */
+  /** \brief By how much the scatter of supports of a level grows until they are
+   * settled. Levels without a value do not grow: a part of a cloud may have fewer
+   * levels than the whole, and a small sample of it fewer than the part. */
   double
   growthOf (std::size_t level) const
   {
@@ -31,21 +31,24 @@ struct PlaceNoise {
   }
 };
 
-/** \param[in] whole what the cloud says of which these are some places; none if these
- * are all */
+/** \brief Measures the noise of each place.
+ * \param[in] whole what the whole cloud says, if these are the places of a part of it */
 PlaceNoise
 noiseOfPlaces (const Places& places,
                const std::optional<CloudNoise>& whole,
                unsigned threads);
 
-/** \brief What each place is taken for while planes grow: the largest of its supports
- * that its noise explains. */
+/** \brief One support for each place, by which regions grow: the largest that its noise
+ * explains. Members are those of \ref Support. */
 struct ChosenSupports {
   std::vector<Eigen::Vector3d> normal;
   std::vector<float> scatter, width;
   std::vector<char> is_flat;
 };
 
+/** \brief Chooses the largest support of each place that scatters by no more than its
+ * noise says; the smallest where all scatter by more, unless the nearest points are in
+ * two layers, as the sides of a thin wall: then the flattest. */
 ChosenSupports
 chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads);
 

@@ -13,11 +13,11 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// The density is 0 of points as far apart as numbers go.
+// To base 2 and finite: the density of points as far apart as numbers go is 0.
 double
 logarithmOf (double density)
 {
-  constexpr double limit = 300.0;
+  constexpr double limit = 300.0; // beyond all densities of single precision
   return std::clamp (std::log2 (density), -limit, limit);
 }
 
@@ -27,7 +27,8 @@ octaveOf (double density)
   return static_cast<int> (std::floor (logarithmOf (density)));
 }
 
-// The values of an octave, and every other one of those beside it.
+// The values of an octave, and every other value of the octaves next to it: so they
+// count half.
 std::vector<float>
 around (const std::map<int, std::vector<float>>& by_octave, int octave)
 {
@@ -47,11 +48,11 @@ quantileOf (std::vector<float>& values, double share)
   if (values.empty())
     return 0.0F;
   const auto number = static_cast<double> (values.size());
-  const auto place =
+  const auto position =
       std::min (values.size() - 1, static_cast<std::size_t> (share * number));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (place);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
+  const auto quantile = values.begin() + static_cast<std::ptrdiff_t> (position);
+  std::nth_element (values.begin(), quantile, values.end());
+  return *quantile;
 }
 
 void
@@ -76,9 +77,9 @@ setUsualNoise (const std::vector<float>& density,
 double
 usualNoise (const CloudNoise& cloud, double density)
 {
-  // An octave's value is that of its middle.
-  const double place = logarithmOf (density) - 0.5;
-  const int below = static_cast<int> (std::floor (place));
+  // The value of an octave is that of its middle.
+  const double position = logarithmOf (density) - 0.5;
+  const int below = static_cast<int> (std::floor (position));
   const auto first = cloud.usual_of_octave.find (below);
   const auto second = cloud.usual_of_octave.find (below + 1);
   const auto end = cloud.usual_of_octave.end();
@@ -88,7 +89,7 @@ usualNoise (const CloudNoise& cloud, double density)
     return second->second;
   if (second == end)
     return first->second;
-  const double share = place - below;
+  const double share = position - below;
   return std::pow (first->second, 1.0 - share) * std::pow (second->second, share);
 }
 

@@ -13,16 +13,17 @@ namespace pcl_ops::internal {
 float
 quantileOf (std::vector<float>& values, double share);
 
-/** \brief Sets what is usual of a cloud in which places of these densities [1/m^2] have
- * this noise [m]: those that tell. */
+/** \brief Sets CloudNoise::usual, and usual_of_octave for each doubling of the density.
+ * \param[in] density of each place that tells its noise [1/m^2]
+ * \param[in] noise of the same places [m] */
 void
 setUsualNoise (const std::vector<float>& density,
                const std::vector<float>& noise,
                CloudNoise& cloud);
 
-/** \brief What places of a density scatter by in the median [m], interpolated between
- * octaves: a density between two of them has something of both, so that no small change
- * of a cloud is a large one here. 0 where no place tells. */
+/** \brief The median noise of places of a density [1/m^2], in meters; 0 where no place
+ * tells. It is interpolated between the middles of octaves: a small change of the
+ * density is a small change of the noise. */
 double
 usualNoise (const CloudNoise& cloud, double density);
 
