@@ -15,9 +15,10 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Regions of fewer places are scraps.
+// Regions of fewer places are scraps, beyond which nothing goes on.
 constexpr std::size_t min_places = 12;
 
+// The places of each region.
 std::vector<Indices>
 membersOf (const Regions& regions)
 {
@@ -28,14 +29,17 @@ membersOf (const Regions& regions)
   return members;
 }
 
-// The rms of the quadratic surface through the places of a region, over what is left.
+// The rms height of the quadratic surface through the places of a region over their rms
+// distance to that surface. Heights are over the plane of the region; least squares
+// with the terms 1, s, t, s^2, s t, t^2, where s and t are along the plane in units of
+// the width.
 double
 bendOf (const Places& places, const Region& region, const Indices& members)
 {
   constexpr std::size_t terms = 6;
-  constexpr double regular = 1e-9;
-  constexpr double least_rest = 1e-6; // of the squared width
-  using Normal = Eigen::Matrix<double, terms, terms>;
+  constexpr double ridge = 1e-9;      // so that places on a line have a solution
+  constexpr double least_rest = 1e-6; // of the squared width: exact places have no rest
+  using NormalMatrix = Eigen::Matrix<double, terms, terms>;
   using Vector = Eigen::Matrix<double, terms, 1>;
   if (members.size() < terms)
     return 0.0;
@@ -43,7 +47,7 @@ bendOf (const Places& places, const Region& region, const Indices& members)
   const Eigen::Vector3d u = normal.unitOrthogonal();
   const Eigen::Vector3d v = normal.cross (u);
   const double width = region.width() + 1e-12;
-  Normal products = Normal::Zero();
+  NormalMatrix products = NormalMatrix::Zero();
   Vector right = Vector::Zero();
   double squares = 0.0;
   for (const std::uint32_t place : members) {
@@ -58,26 +62,28 @@ bendOf (const Places& places, const Region& region, const Indices& members)
     squares += height * height;
   }
   const auto number = static_cast<double> (members.size());
-  products.diagonal().array() += regular * number;
+  products.diagonal().array() += ridge * number;
   const double explained =
       std::clamp (products.ldlt().solve (right).dot (right), 0.0, squares);
   const double rest = (squares - explained) / number + least_rest * width * width;
   return std::min (std::sqrt (explained / number / rest), place_constants.max_bend);
 }
 
-/** \brief Pairs of places beside each other of which one is the region's own. */
+/** \brief Links from a place of a region to a neighbor that is not in it. */
 struct Border {
   double links = 0.0;
-  double open = 0.0;
-  double smooth = 0.0;
+  double open = 0.0; // how many of them lead to no region, or to a scrap
+  /** \brief Sum of the bend of the regions that smooth links lead to. */
   double bend_of_smooth = 0.0;
 };
 
-// Whether a plane goes on beyond a border: near it, turned by little, but turned.
+// Whether a round surface may go on from one plane to another over a link from place to
+// place: the step is along the first plane rather than away from it, and the second
+// plane is turned, but not by much.
 bool
 isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& step)
 {
-  constexpr double max_slope = 0.7;
+  constexpr double max_slope = 0.7; // sine of the angle of the step to the plane
   constexpr double min_turn = 4.0 * (M_PI / 180.0);
   constexpr double max_turn = 35.0 * (M_PI / 180.0);
   const double cosine = std::abs (own.normal.dot (other.normal));
@@ -85,6 +91,7 @@ isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& step)
          cosine < std::cos (min_turn) && cosine > std::cos (max_turn);
 }
 
+// \param[in] bend of each region
 Border
 borderOf (const Places& places,
           const ChosenSupports& chosen,
@@ -108,12 +115,12 @@ borderOf (const Places& places,
                      regions.list[other].fit.plane,
                      places.position[beside] - places.position[place]))
         continue;
-      border.smooth += 1.0;
       border.bend_of_smooth += bend[other];
     }
   return border;
 }
 
+// \param[in] points of the region
 RegionEvidence
 evidenceOf (double points,
             double all_points,
@@ -137,7 +144,7 @@ evidenceOf (double points,
 double
 RegionEvidence::sum() const
 {
-  constexpr double least_bend = 0.1;
+  constexpr double least_bend = 0.1; // so that flat regions have a logarithm
   return place_constants.evidence + place_constants.evidence_of_size * size +
          place_constants.evidence_of_bend * std::log (least_bend + bend) +
          place_constants.evidence_of_smooth_border * smooth_border +

@@ -14,9 +14,10 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Fewer have no plane.
+// A region of fewer points has no plane of its own to compare.
 constexpr double least_points_of_join = 3.0;
 
+// By points; of equally large ones the first.
 bool
 isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
 {
@@ -25,18 +26,19 @@ isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
   return points != other_points ? points > other_points : first < second;
 }
 
-// Those whose pick picks nobody go into it. Returns whether any does.
+// Joins each region with the region that it picks, if that one picks none itself: so
+// chains wait for the next round. Returns whether any was joined.
 bool
 unite (const Labels& pick, Regions& regions)
 {
   Labels into (pick.size(), no_plane);
-  bool any = false;
+  bool has_joined = false;
   for (std::size_t r = 0; r < pick.size(); ++r)
     if (pick[r] != no_plane && pick[pick[r]] == no_plane) {
       into[r] = pick[r];
-      any = true;
+      has_joined = true;
     }
-  if (!any)
+  if (!has_joined)
     return false;
   std::vector<char> has_changed (pick.size(), 0);
   for (std::size_t r = 0; r < into.size(); ++r)
@@ -53,19 +55,20 @@ unite (const Labels& pick, Regions& regions)
   return true;
 }
 
-// By its noise, and not by its rms: what bends would take all that goes on beside it.
+// How far the points of a region scatter [m]. Not its rms: with that, a region that
+// bends would take all that goes on beside it.
 double
 thicknessOf (const Region& region)
 {
   return std::max (region.scatter, region.noise);
 }
 
-/** \brief Places of a region beside another one. */
+/** \brief The places of one region that have places of another one as neighbors. */
 struct Contact {
   std::int32_t own;
   std::int32_t other;
   int places;
-  /** \brief How many of them lie on the plane of the other one, too. */
+  /** \brief How many of them lie on the plane of the other region, too. */
   int fitting;
 };
 
@@ -75,7 +78,7 @@ isBefore (const Contact& first, const Contact& second)
   return first.own != second.own ? first.own < second.own : first.other < second.other;
 }
 
-// Adds a contact for each region beside a place.
+// Adds a contact of one place for each other region among its neighbors.
 void
 addContacts (const Places& places,
              const Regions& regions,
@@ -83,19 +86,20 @@ addContacts (const Places& places,
              std::vector<Contact>& contacts)
 {
   const std::int32_t own = regions.of_place[place];
-  const std::size_t first = contacts.size();
+  const auto first = static_cast<std::ptrdiff_t> (contacts.size());
+  const auto isKnown = [&] (std::int32_t other) {
+    return std::any_of (
+        contacts.begin() + first, contacts.end(), [=] (const Contact& contact) {
+          return contact.other == other;
+        });
+  };
   for (std::size_t k = 0; k < places.neighbors; ++k) {
     const std::int32_t other = regions.of_place[places.nearestOf (place)[k]];
-    const auto isOther = [=] (const Contact& contact) {
-      return contact.other == other;
-    };
-    if (other == no_plane || other == own ||
-        std::any_of (contacts.begin() + static_cast<std::ptrdiff_t> (first),
-                     contacts.end(),
-                     isOther))
+    if (other == no_plane || other == own || isKnown (other))
       continue;
     const Region& region = regions.list[other];
-    // The halves of a cambered road bend, too, and so lie off each other's borders.
+    // Twice as far as joined regions are: the halves of a cambered road bend, and so
+    // their borders lie off each other's planes.
     const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region) +
                          place_constants.bend_of_width * region.width();
     const double distance = region.fit.plane.distance (places.position[place]);
@@ -103,13 +107,14 @@ addContacts (const Places& places,
   }
 }
 
-/** \brief The contacts of each pair, and how many border places each region has. */
+/** \brief The contacts of each pair of regions, one in either direction, sorted; and
+ * how many border places each region has. */
 struct Borders {
   std::vector<Contact> contacts;
   std::vector<int> border_places;
 };
 
-// One contact for each pair of regions.
+// Sorts contacts, and adds up those of the same two regions.
 std::vector<Contact>
 summed (std::vector<Contact> contacts)
 {
@@ -125,13 +130,13 @@ summed (std::vector<Contact> contacts)
   return sums;
 }
 
-/** \brief Some places that touch other regions. */
+/** \brief What one thread finds: some places that touch other regions, and how. */
 struct BorderPart {
   Indices places;
   std::vector<Contact> contacts;
 };
 
-// Of the places that touched other regions before; keeps those that still do.
+// \param[in,out] border the places that may touch other regions; those that do are left
 Borders
 bordersOf (const Places& places,
            const Regions& regions,
@@ -192,10 +197,11 @@ areNearlyFlat (const Region& own, const Region& other)
   return fit->variances[0] <= limit * limit;
 }
 
+// Whether a region is a piece of the plane of a larger one.
 bool
 areOnePlane (const Region& own, const Region& other)
 {
-  constexpr double points_of_normal = 24.0;
+  constexpr double points_of_normal = 24.0; // the normal of fewer leans by chance
   if (own.moments.count < points_of_normal)
     return liesOn (own, other);
   const bool is_parallel =
@@ -204,61 +210,82 @@ areOnePlane (const Region& own, const Region& other)
   return is_parallel && (liesOn (own, other) || areNearlyFlat (own, other));
 }
 
-// What each region goes into, if anything.
+// A contact with the places of its opposite one added. Neighbors are not always mutual:
+// there may be none.
+Contact
+fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
+{
+  const Contact opposite{contact.other, contact.own, 0, 0};
+  const auto found =
+      std::lower_bound (sorted.begin(), sorted.end(), opposite, isBefore);
+  if (found == sorted.end() || isBefore (opposite, *found))
+    return contact;
+  return {contact.own,
+          contact.other,
+          contact.places + found->places,
+          contact.fitting + found->fitting};
+}
+
+// For each region a larger one that it touches and is a piece of: the one with which it
+// shares most border places that fit; no_plane: none.
 Labels
 pickTouching (const Borders& borders, const Regions& regions)
 {
   Labels pick (regions.list.size(), no_plane);
-  std::vector<int> best (regions.list.size(), 0);
+  std::vector<int> most_fitting (regions.list.size(), 0);
   for (const Contact& contact : borders.contacts) {
-    const auto& [own, other, border, fitting] = contact;
+    const std::int32_t own = contact.own;
+    const std::int32_t other = contact.other;
     if (!isLarger (regions, other, own) ||
         regions.list[own].moments.count < least_points_of_join)
       continue;
-    const auto back = std::lower_bound (borders.contacts.begin(),
-                                        borders.contacts.end(),
-                                        Contact{other, own, 0, 0},
-                                        isBefore);
-    const bool is_mutual =
-        back != borders.contacts.end() && back->own == other && back->other == own;
-    const int fits = fitting + (is_mutual ? back->fitting : 0);
-    const int all = border + (is_mutual ? back->places : 0);
-    if (fits < place_constants.min_fitting_border * all ||
-        fitting < place_constants.min_share_of_border * borders.border_places[own] ||
-        fits <= best[own] || !areOnePlane (regions.list[own], regions.list[other]))
+    const Contact both = fromBothSides (contact, borders.contacts);
+    if (both.fitting < place_constants.min_fitting_border * both.places ||
+        contact.fitting <
+            place_constants.min_share_of_border * borders.border_places[own] ||
+        both.fitting <= most_fitting[own] ||
+        !areOnePlane (regions.list[own], regions.list[other]))
       continue;
-    best[own] = fits;
+    most_fitting[own] = both.fitting;
     pick[own] = other;
   }
   return pick;
 }
 
-// How near a region is to being a piece of another one, over a gap: its points over the
-// squared distance; 0 if it is none.
+// How strongly a larger region over a gap attracts a region that is a piece of its
+// plane: the points of the larger one over the squared distance of the centers [1/m^2];
+// 0 if it is no piece.
+// \param[in] noises largest distance to the plane of the other one, in units of the noise
 double
-nearnessOverGap (const Region& own,
-                 const Region& other,
-                 double min_cosine,
-                 double noises)
+attractionOverGap (const Region& own,
+                   const Region& other,
+                   double min_cosine,
+                   double noises)
 {
-  constexpr double like = 1.5; // the noise of both
+  // Of the noise of both the larger one counts, but only up to so many times the
+  // smaller.
+  constexpr double max_noise_ratio = 1.5;
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
-  // What is exact has no noise.
+  // Regions of exact points have no noise.
   const double exact = place_constants.share_of_exact * place_constants.max_exact;
-  const double reach = noises * std::min (std::max (own.noise, other.noise),
-                                          like * std::min (own.noise, other.noise)) +
-                       exact * own.width();
+  const double reach =
+      noises * std::min (std::max (own.noise, other.noise),
+                         max_noise_ratio * std::min (own.noise, other.noise)) +
+      exact * own.width();
   if (std::abs (other.fit.plane.distance (own.fit.centroid)) > reach)
     return 0.0;
   const double gap = (own.fit.centroid - other.fit.centroid).norm();
   if (gap > place_constants.max_gap * 0.5 * (own.length() + other.length()))
     return 0.0;
-  const double apart =
+  // By how much its points are farther from that plane than from their own.
+  const double added_variance =
       detail::meanSquaredDistance (own.moments, other.fit.plane) - own.fit.variances[0];
-  return apart > reach * reach ? 0.0 : other.moments.count / (gap * gap);
+  return added_variance > reach * reach ? 0.0 : other.moments.count / (gap * gap);
 }
 
+// For each region the larger one that attracts it most; no_plane: none.
+// \param[in] large the regions to compare, the largest first
 Labels
 pickOverGaps (const std::vector<std::int32_t>& large,
               const MergingParameters& merging,
@@ -268,12 +295,12 @@ pickOverGaps (const std::vector<std::int32_t>& large,
   const double noises = merging.noise_factor.value_or (place_constants.noises_of_join);
   Labels pick (regions.list.size(), no_plane);
   for (std::size_t a = 1; a < large.size(); ++a) {
-    double best = 0.0;
+    double strongest = 0.0;
     for (std::size_t b = 0; b < a; ++b) {
-      const double nearness = nearnessOverGap (
+      const double attraction = attractionOverGap (
           regions.list[large[a]], regions.list[large[b]], min_cosine, noises);
-      if (nearness > best) {
-        best = nearness;
+      if (attraction > strongest) {
+        strongest = attraction;
         pick[large[a]] = large[b];
       }
     }
@@ -281,11 +308,11 @@ pickOverGaps (const std::vector<std::int32_t>& large,
   return pick;
 }
 
-// The largest first.
+// The largest regions, by falling size.
 std::vector<std::int32_t>
 largeRegions (const Regions& regions)
 {
-  // All pairs are looked at.
+  // All pairs of them are looked at, which takes long of many.
   constexpr std::size_t most = 5000;
   std::vector<std::int32_t> large;
   for (std::size_t r = 0; r < regions.list.size(); ++r)

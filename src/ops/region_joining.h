@@ -9,16 +9,17 @@ namespace pcl_ops::internal {
 
 /** \brief Makes one of regions that touch and are pieces of one plane.
  *
- * Each region picks the larger neighbor with which it shares most border that fits
- * both; regions that pick nobody take all that picked them; and again, some rounds. No
- * order decides, as it does where the best pair is joined first: one point less would
- * change the first pair, and with it all that follow. */
+ * In each of some rounds each region picks the larger neighbor with which it shares
+ * most border that lies on the planes of both; then regions that picked none take all
+ * that picked them. So no order decides. If the best pair were joined first, one point
+ * less could change that pair, and with it all that follow. */
 void
 joinTouching (const Places& places, unsigned threads, Regions& regions);
 
 /** \brief Makes one of regions that are one plane without touching, such as a wall
  * behind a cupboard, in the same way.
- * \param[in] merging its angle, and how many noises they may be apart */
+ * \param[in] merging has the largest angle between their normals, and how many noises
+ * they may be apart */
 void
 joinOverGaps (const MergingParameters& merging, Regions& regions);
 

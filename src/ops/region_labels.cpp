@@ -19,6 +19,8 @@ struct Likeliest {
   std::int32_t region = no_plane;
 };
 
+// Has the plane of a region be the likeliest one of a place, if it is near enough and
+// likelier than the one so far. Of equally likely ones the first is taken.
 void
 offer (const Region& region,
        std::int32_t number,
@@ -27,13 +29,14 @@ offer (const Region& region,
        std::optional<double> distance_threshold,
        Likeliest& best)
 {
-  constexpr double least_spread = 1e-9;
+  constexpr double least_spread = 1e-9; // [m]; exact planes have a logarithm, too
   const double distance = std::abs (region.fit.plane.distance (position));
   const double noise = std::max (
       region.scatter,
       std::min (noise_of_place, place_constants.max_noise_over_region * region.noise));
-  // Parts that lean a little, as those of a cambered road, lie beyond the noise of what
-  // they are joined to. Of all regions it would be hills that become thick.
+  // Joined parts lean, as those of a cambered road, and lie beyond the noise of what
+  // took them: these reach as far as their rms. If all regions did, hills would become
+  // thick.
   const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
   const double thickness =
       region.is_joined

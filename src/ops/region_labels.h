@@ -9,11 +9,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Gives each place to the likeliest of the planes that it or its neighbors are
- * regions of: the one with the smallest d^2 / s^2 + 2 ln s, for a distance d to a plane
- * of noise s. Without the logarithm noisy planes would take the points of clean ones.
- * \param[in] is_plane for each region
- * \param[in] distance_threshold largest distance [m]; not given: by the noise
+/** \brief Gives each place to the likeliest of the planes whose regions it or one of
+ * its neighbors is in: the one with the smallest d^2 / s^2 + 2 ln s, for a distance d
+ * to a plane of noise s. Without the logarithm noisy planes would take the points of
+ * clean ones.
+ * \param[in] is_plane for each region, whether it is one of the planes
+ * \param[in] distance_threshold largest distance [m]; where it is not given, the noise
+ * limits it
  * \return for each place its region, or no_plane */
 Labels
 labelPlaces (const Places& places,

@@ -13,9 +13,10 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// With fewer points a region keeps the plane of its seed.
 constexpr double points_of_fit = 6.0;
 
-// Flat places, the flattest first.
+// Flat places, the flattest first: scatter over width, and the number of the place.
 std::vector<std::pair<float, std::uint32_t>>
 seedsOf (const ChosenSupports& chosen)
 {
@@ -28,7 +29,7 @@ seedsOf (const ChosenSupports& chosen)
   return seeds;
 }
 
-/** \brief A region while it grows. */
+/** \brief A region while it grows, then the next one: members keep their memory. */
 class GrowingRegion {
 public:
   GrowingRegion (const Places& places,
@@ -41,6 +42,8 @@ public:
   , distance_threshold_ (distance_threshold)
   {}
 
+  /** \brief Grows a region from a place over neighbors that are in no region yet, and
+   * labels its places with its number. */
   Region
   grow (std::uint32_t seed, std::int32_t number, Labels& of_place)
   {
@@ -81,8 +84,8 @@ private:
            std::abs (plane.distance (places_.position[place])) <= reach (place);
   }
 
-  // The rms of a region follows its own bend: it counts up to some noises only, lest a
-  // surface that bends grows noisier, and with it farther.
+  // How far a place may be from the plane [m]. The rms of a region counts up to some
+  // noises only: if it bends, a larger rms would let it grow farther, and so bend more.
   double
   reach (std::uint32_t place) const
   {
@@ -96,23 +99,26 @@ private:
            place_constants.bend_of_width * width_;
   }
 
+  // Adds a place, and fits the plane again where the region has grown enough since.
   void
   take (std::uint32_t place)
   {
+    constexpr double parameters_of_plane = 3.0;
+    // Else it is not clear enough along which axis the region is thin.
+    constexpr double min_ratio_of_variances = 4.0;
     add (place);
     const double points = region_.moments.count;
     if (points < min_fitted_points ||
         points <= place_constants.refit_growth * fitted_points_)
       return;
-    constexpr double clear = 4.0; // of which variance is the smallest
     fitted_points_ = points;
     region_.noise = meanNoise();
     const std::optional<PlaneFit> fit = fitPlane (region_.moments);
-    if (!fit || fit->variances[1] <= clear * fit->variances[0])
+    if (!fit || fit->variances[1] <= min_ratio_of_variances * fit->variances[0])
       return;
     region_.fit = *fit;
     width_ = region_.width();
-    rms_ = std::sqrt (fit->variances[0] * points / (points - 3.0));
+    rms_ = std::sqrt (fit->variances[0] * points / (points - parameters_of_plane));
   }
 
   void
@@ -137,12 +143,15 @@ private:
     constexpr double half = 0.5;
     region_.noise = meanNoise();
     region_.scatter = quantileOf (scatters_, half);
+    // What a region with too few points for a fit has: the width of its seed, no
+    // length.
     region_.fit.centroid = region_.moments.centroid();
     region_.fit.variances = {0.0, width_ * width_ / squared_width_of_variance, 0.0};
     region_.refit();
     return region_;
   }
 
+  // While it grows; the points of a small patch lean with their noise.
   static constexpr double min_fitted_points = 12.0;
   const double min_cosine_ = std::cos (place_constants.max_angle);
   const Places& places_;
@@ -152,10 +161,10 @@ private:
   Region region_;
   Indices members_;
   std::vector<float> scatters_;
-  double sum_of_logarithms_ = 0.0;
-  double rms_ = 0.0;
+  double sum_of_logarithms_ = 0.0; // of the noise of its places
+  double rms_ = 0.0;               // of the last fit, as width_ [m]
   double width_ = 0.0;
-  double fitted_points_ = 0.0;
+  double fitted_points_ = 0.0; // how many points the last fit had
 };
 
 } // namespace

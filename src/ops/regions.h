@@ -15,11 +15,12 @@ struct Region {
   /** \brief About the zero of the local frame. */
   Moments moments;
   PlaneFit fit;
-  /** \brief The median of what its places scatter by, and the geometric mean of their
-   * noise [m]. */
+  /** \brief The median scatter of its places, by their chosen supports, and the
+   * geometric mean of their noise [m]. Of joined regions means weighted by points. */
   double scatter = 0.0;
   double noise = 0.0;
-  /** \brief Of parts that may lean away from each other. */
+  /** \brief Whether it has parts that may lean away from each other, and not only taken
+   * scraps. */
   bool is_joined = false;
 
   /** \brief Extent in the narrower direction, and in the longer one [m]. */
@@ -32,21 +33,21 @@ struct Region {
   void
   refit ();
 
-  /** \brief Takes the points of another one; has to be refitted. */
+  /** \brief Takes the points of another one, which is empty then; needs a refit(). */
   void
   take (Region& other);
 };
 
 struct Regions {
   std::vector<Region> list;
-  /** \brief Which of the list each place is in; no_plane: in none. */
+  /** \brief For each place the position in the list of its region; no_plane: none. */
   Labels of_place;
 };
 
-/** \brief Lets regions grow from the flattest places over their neighbors, each place
- * into the first region that it fits.
- * \param[in] distance_threshold how far a place may be from its plane [m]; not given: by
- * the noise there */
+/** \brief Lets regions grow from the flattest places over their neighbors, one after
+ * the other; a place goes into the first region that it fits.
+ * \param[in] distance_threshold largest distance of a place to its plane [m]; where it is
+ * not given, the noise limits it */
 Regions
 growRegions (const Places& places,
              const PlaceNoise& noise,
