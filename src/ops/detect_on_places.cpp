@@ -22,29 +22,29 @@ detectOnPlaces (const Points& points,
   const unsigned threads = parameters.threads;
   LabelledPlanes found;
   StageClock clock;
-  // P: each place once, in an order of its own
+  // each place once, in an order that does not depend on the order of the points
   const DistinctPlaces distinct = distinctPlaces (points, threads);
   if (distinct.size() < least_places || drawsNothing (parameters, points.size())) {
     found.labels.assign (points.size(), no_plane);
     return found;
   }
   const StageReports report (parameters.on_stage, distinct.of_input);
-  // k: the nearest points of each, and what larger supports are like
+  // the k nearest points of each, and larger supports
   const Places places =
       describePlaces (distinct, neighborsOf (parameters, distinct.size()), threads);
   report (Stage::Density, places.density);
   clock.lap (times.search);
-  // n_i: normals of the largest supports that the noise explains
+  // normals n_i, of the largest supports that the noise explains
   const PlaceNoise noise = noiseOfPlaces (places, parameters.noise_of_whole, threads);
   report (Stage::Noise, noise.of_place);
   const ChosenSupports chosen = chooseSupports (places, noise, threads);
   report (Stage::Supports, chosen.width, chosen.is_flat);
   clock.lap (times.normals);
-  // Pi: regions from the flattest places on
+  // planes Pi: regions grow from the flattest places on
   Regions regions = growRegions (places, noise, chosen, parameters.distance_threshold);
   report (Stage::Regions, regions.of_place);
   clock.lap (times.extraction);
-  // section III-C, by the noise instead of theta_h
+  // merging as in section III-C of the paper, by the noise instead of theta_h
   joinTouching (places, threads, regions);
   if (parameters.merging.enabled)
     joinOverGaps (parameters.merging, regions);
@@ -53,7 +53,7 @@ detectOnPlaces (const Points& points,
       places, noise, chosen, regions, minPointsFactor (parameters), threads);
   report (Stage::Planes, regions.of_place, is_plane);
   clock.lap (times.merging);
-  // every point of P to a plane
+  // every point of the cloud to a plane or to none
   found =
       planesOfRegions (points, distinct, places, noise, regions, is_plane, parameters);
   found.planes_before_merging = regions.list.size();

@@ -7,18 +7,19 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The default: planes from the neighborhoods of points. Nothing in it divides
- * space, and no decision is one of the whole cloud, so that its planes stay the same
- * where the cloud is moved or turned, and nearly the same where points are left out.
- * OrientedPointSamplingParameters::on_stage gets all stages but the last, as of \p
- * points. */
+/** \brief The default: planes from the neighborhoods of points. It divides no space, so
+ * that its planes stay the same where the cloud is moved or turned, and nearly the same
+ * where points are left out. OrientedPointSamplingParameters::on_stage gets the results
+ * of all stages but the last, with a value for each of \p points. */
 LabelledPlanes
 detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,
                 StageDurations& times);
 
-/** \brief The noise of a cloud, or of a sample of one of so many points; no points
- * where there are too few to tell. */
+/** \brief Measures the noise of a cloud. Where it cannot tell, as of few points,
+ * CloudNoise::points of the result is 0.
+ * \param[in] points all of the cloud, or a sample of them
+ * \param[in] points_of_whole how many the cloud has, if they are a sample; else 0 */
 CloudNoise
 noiseOfCloud (const Points& points,
               const OrientedPointSamplingParameters& parameters,

@@ -15,7 +15,7 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// The engine behind Sampling::Automatic, too.
+// The sampling that Sampling::Automatic stands for, or the one that is given.
 Sampling
 usedSampling (const OrientedPointSamplingParameters& parameters)
 {
@@ -24,6 +24,8 @@ usedSampling (const OrientedPointSamplingParameters& parameters)
   return parameters.surfels.voxel_size ? Sampling::Surfels : Sampling::Neighborhoods;
 }
 
+// Calls the engine of the sampling: one detects as in the paper, one on voxels, and the
+// default on neighborhoods.
 LabelledPlanes
 detectBySampling (const DetectorInput& input,
                   const OrientedPointSamplingParameters& parameters,

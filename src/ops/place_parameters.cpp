@@ -13,17 +13,18 @@ namespace pcl_ops::internal {
 bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points)
 {
-  constexpr double least_drawn = 0.1;
+  constexpr double least_drawn = 0.1; // points, in the mean
   return parameters.sampling_rate * static_cast<double> (points) < least_drawn;
 }
 
 std::size_t
 neighborsOf (const OrientedPointSamplingParameters& parameters, std::size_t places)
 {
-  // Larger neighborhoods have smoother normals, more samples find smaller planes.
+  // As in the paper a larger k has smoother normals, and a larger sampling rate finds
+  // smaller planes.
   constexpr double usual_k = 30.0;
   constexpr double usual_rate = 0.03;
-  constexpr double power = 0.25;
+  constexpr double power = 0.25; // so that ten times the rate has about half as many
   const double factor =
       parameters.k / usual_k * std::pow (usual_rate / parameters.sampling_rate, power);
   const std::optional<CloudNoise>& whole = parameters.noise_of_whole;

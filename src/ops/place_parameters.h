@@ -13,16 +13,17 @@ namespace pcl_ops::internal {
 /** \brief Fewer places are no plane. */
 inline constexpr std::size_t least_places = 6;
 
-/** \brief alpha_s: whether a share of the points is too small to draw one of them. */
+/** \brief Whether the sampling rate alpha_s is so small that of so many points none
+ * would be drawn: then there are no planes. */
 bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points);
 
-/** \brief alpha_s, k: how many nearest points each of so many places has, itself
- * included. */
+/** \brief How many points neighborhoods have, their places included, by alpha_s and k.
+ * \param[in] places so many has the cloud, unless the parameters have its noise */
 std::size_t
 neighborsOf (const OrientedPointSamplingParameters& parameters, std::size_t places);
 
-/** \brief theta_N: over the usual one. */
+/** \brief How many times the usual number of points a plane needs, by theta_N. */
 double
 minPointsFactor (const OrientedPointSamplingParameters& parameters);
 

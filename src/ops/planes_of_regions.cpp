@@ -19,16 +19,17 @@ namespace {
 
 using OpsParameters = OrientedPointSamplingParameters;
 
-// The two sides of a wall that is thinner than its noise lets regions tell are planes
-// of their own.
+// Makes two planes of each region that grew over both sides of a thin wall; the new
+// planes are numbered after the regions.
 void
-splitLayers (const Coordinates& places,
-             const Regions& regions,
-             std::optional<double> distance_threshold,
-             Labels& labels,
-             std::vector<char>& is_plane)
+splitThinWalls (const Coordinates& places,
+                const Regions& regions,
+                std::optional<double> distance_threshold,
+                Labels& labels,
+                std::vector<char>& is_plane)
 {
-  // Supports that mix the layers scatter by half of what they are apart.
+  // Not more, as noise that was measured over both sides is half of what they are
+  // apart.
   constexpr double noises_apart = 1.7;
   std::vector<Plane> planes;
   std::vector<double> min_apart;
@@ -40,14 +41,14 @@ splitLayers (const Coordinates& places,
   splitLayers (places, planes, min_apart, labels, is_plane);
 }
 
-// No plane is thicker than its noise says: hills are joined of pieces each of which is
-// thin. What is exact for its width is none.
+// Drops planes that are much thicker than their noise, as hills that were joined from
+// thin pieces. Thick planes of points without noise are dropped by their width.
 void
-dropThick (const Coordinates& places,
-           const PlaceNoise& noise,
-           const Labels& labels,
-           unsigned threads,
-           std::vector<char>& is_plane)
+dropThickPlanes (const Coordinates& places,
+                 const PlaceNoise& noise,
+                 const Labels& labels,
+                 unsigned threads,
+                 std::vector<char>& is_plane)
 {
   const std::vector<Moments> moments =
       momentsOfLabels (places, labels, is_plane.size(), threads);
@@ -62,15 +63,16 @@ dropThick (const Coordinates& places,
     if (!fit)
       continue;
     const double width = std::sqrt (squared_width_of_variance * fit->variances[1]);
-    const double limit =
+    const double max_rms =
         std::max (place_constants.max_noises_of_plane * medianOf (noises[p]),
                   place_constants.max_exact * width);
-    if (fit->variances[0] > limit * limit)
+    if (fit->variances[0] > max_rms * max_rms)
       is_plane[p] = 0;
   }
 }
 
-// The labels of all points of the cloud, of planes that are kept.
+// Gives each point of the cloud the label of its place, after the planes that are kept
+// are numbered anew.
 AssignedPoints
 labelPointsOf (const Points& points,
                const DistinctPlaces& distinct,
@@ -78,23 +80,23 @@ labelPointsOf (const Points& points,
                const std::vector<char>& is_kept,
                unsigned threads)
 {
-  Labels number (is_kept.size(), no_plane);
+  Labels new_number (is_kept.size(), no_plane);
   std::int32_t planes = 0;
   for (std::size_t p = 0; p < is_kept.size(); ++p)
     if (is_kept[p] != 0)
-      number[p] = planes++;
+      new_number[p] = planes++;
   AssignedPoints assigned;
   assigned.labels.resize (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::int32_t plane = labels[distinct.of_input[i]];
-    assigned.labels[i] = plane == no_plane ? no_plane : number[plane];
+    assigned.labels[i] = plane == no_plane ? no_plane : new_number[plane];
   }
   assigned.moments = momentsOfLabels (
       points, assigned.labels, static_cast<std::size_t> (planes), threads);
   return assigned;
 }
 
-// Planes of a distance that a user gave are one, too.
+// Merges planes only where the user gave a distance for it: joins have done the rest.
 LabelledPlanes
 mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
 {
@@ -103,11 +105,12 @@ mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
   return mergeAssigned (std::move (assigned), given, parameters.threads);
 }
 
-// The noise of each plane, the median over its points; unknown of exact ones.
+// Sets the noise of each plane, the median over its points, unknown where that is 0;
+// and the median distance to which planes have points.
 void
-tellNoises (const DistinctPlaces& distinct,
-            const PlaceNoise& noise,
-            LabelledPlanes& found)
+setNoises (const DistinctPlaces& distinct,
+           const PlaceNoise& noise,
+           LabelledPlanes& found)
 {
   std::vector<std::vector<float>> noises (found.planes.fits.size());
   for (std::size_t i = 0; i < found.labels.size(); ++i)
@@ -141,13 +144,13 @@ planesOfRegions (const Points& points,
                                is_plane,
                                parameters.distance_threshold,
                                parameters.threads);
-  splitLayers (distinct, regions, parameters.distance_threshold, labels, is_plane);
+  splitThinWalls (distinct, regions, parameters.distance_threshold, labels, is_plane);
   if (!parameters.distance_threshold)
-    dropThick (distinct, noise, labels, parameters.threads, is_plane);
+    dropThickPlanes (distinct, noise, labels, parameters.threads, is_plane);
   LabelledPlanes found = mergeByGivenDistance (
       labelPointsOf (points, distinct, labels, is_plane, parameters.threads),
       parameters);
-  tellNoises (distinct, noise, found);
+  setNoises (distinct, noise, found);
   if (parameters.distance_threshold)
     found.used.distance_threshold = parameters.distance_threshold;
   return found;

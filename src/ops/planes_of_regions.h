@@ -13,10 +13,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Gives every point to a plane or to none, tells layers apart, drops planes
- * that are thicker than their noise, and says what the noise of each is.
- * \param[in] points the cloud, and \param[in] distinct its places
- * \param[in] is_plane which regions are planes */
+/** \brief Gives every point to a plane or to none, splits planes that are the two sides
+ * of a thin wall, drops planes that are much thicker than their noise, merges planes if
+ * the user gave a distance for it, and sets the noise of each plane.
+ * \param[in] points all points of the cloud
+ * \param[in] distinct the same without equal ones; each is the place of that number
+ * \param[in] places,noise,regions what earlier stages found out about places
+ * \param[in] is_plane for each region, whether it is a plane */
 LabelledPlanes
 planesOfRegions (const Points& points,
                  const DistinctPlaces& distinct,

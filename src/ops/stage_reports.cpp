@@ -9,8 +9,7 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// What is known of places, for each of the points that are there; nothing stays
-// nothing.
+// A value for each point, that of its place; empty for no values.
 template <typename Value>
 std::vector<Value>
 atPlaces (const std::vector<Value>& of_places, const Indices& place_of_point)
@@ -24,7 +23,8 @@ atPlaces (const std::vector<Value>& of_places, const Indices& place_of_point)
   return of_points;
 }
 
-// What is known of points, for each point of their cloud; nothing stays nothing.
+// A value for each point of the cloud, unknown where a point is left out; empty for no
+// values.
 template <typename Value>
 std::vector<Value>
 inCloud (const std::vector<Value>& of_points,

@@ -11,21 +11,23 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Tells an observer what stages made of places, as of points. Without an
- * observer it does nothing. */
+/** \brief Tells an observer the results of stages. Stages have them by place, the
+ * observer gets them by point. Without an observer it does nothing. */
 class StageReports {
 public:
-  /** \param[in] place_of_point both have to outlive this */
+  /** \brief Keeps references to both. */
   StageReports (const StageObserver& observer, const Indices& place_of_point)
   : observer_ (observer), place_of_point_ (place_of_point)
   {}
 
-  /** \param[in] is_flat of each place; none: the stage has no labels */
+  /** \brief Reports values of places.
+   * \param[in] is_flat of each place, reported as labels; none: the stage has no labels */
   void operator() (Stage stage,
                    const std::vector<float>& values,
                    const std::vector<char>& is_flat = {}) const;
 
-  /** \param[in] is_kept of each label; none: all are */
+  /** \brief Reports labels of places.
+   * \param[in] is_kept of each label, whether it is reported; none: all are */
   void operator() (Stage stage,
                    const Labels& labels,
                    const std::vector<char>& is_kept = {}) const;
@@ -35,9 +37,9 @@ private:
   const Indices& place_of_point_;
 };
 
-/** \brief Takes results of points and hands them on as those of their cloud; empty as
- * the observer is.
- * \param[in] observer it and the points have to outlive this */
+/** \brief An observer that takes results by point of \p points and hands them on by
+ * point of the input cloud; empty if the other observer is. Keeps references to both.
+ */
 StageObserver
 observerOfPoints (const StageObserver& observer,
                   const Points& points,
