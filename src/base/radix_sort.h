@@ -12,8 +12,14 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Sorts items by 11 bits of their keys; those that agree stay in their order.
- * The rest as \ref radixSort. */
+/** \brief Bits of a digit of a key: its counts, 2^11 of 4 bytes, fit the fastest cache.
+ */
+inline constexpr int bits_of_digit = 11;
+
+/** \brief Sorts items by one digit of their keys; those that agree stay in their order.
+ * Other parameters are those of \ref radixSort.
+ * \param[in] lowest_bit of the digit
+ * \param[out] sorted room for as many items */
 template <typename Item, typename KeyOf>
 void
 sortByDigit (unsigned threads,
@@ -23,40 +29,42 @@ sortByDigit (unsigned threads,
              const KeyOf& keyOf,
              Item* sorted)
 {
-  constexpr std::size_t digits = 1 << 11;
-  constexpr std::size_t items_per_piece = 1 << 15;
+  constexpr std::size_t digits = 1 << bits_of_digit;
+  constexpr std::size_t items_per_piece = 1 << 15; // much more than there are digits
   const auto digitOf = [&] (const Item& item) {
     return static_cast<std::size_t> (keyOf (item) >> lowest_bit & (digits - 1));
   };
-  // Of each piece how many have a digit, then where they go.
-  using Places = std::array<std::uint32_t, digits>;
-  std::vector<Places> places =
+  // For each piece of the items: how many have each digit.
+  using PerDigit = std::array<std::uint32_t, digits>;
+  std::vector<PerDigit> per_piece =
       parallelChunks (threads, size, items_per_piece, [&] (auto begin, auto end) {
-        Places number{};
+        PerDigit counts{};
         for (std::size_t i = begin; i < end; ++i)
-          ++number[digitOf (items[i])];
-        return number;
+          ++counts[digitOf (items[i])];
+        return counts;
       });
+  // In place of each count, where its items begin in the sorted ones.
   std::uint32_t next = 0;
   for (std::size_t digit = 0; digit < digits; ++digit)
-    for (Places& place : places) {
-      const std::uint32_t number = place[digit];
-      place[digit] = next;
-      next += number;
+    for (PerDigit& of_piece : per_piece) {
+      const std::uint32_t count = of_piece[digit];
+      of_piece[digit] = next;
+      next += count;
     }
   parallelFor (threads, size, items_per_piece, [&] (auto begin, auto end) {
-    Places& place = places[begin / items_per_piece];
+    PerDigit& positions = per_piece[begin / items_per_piece];
     for (std::size_t i = begin; i < end; ++i)
-      sorted[place[digitOf (items[i])]++] = items[i];
+      sorted[positions[digitOf (items[i])]++] = items[i];
   });
 }
 
-/** \brief Sorts items by their keys, the lowest digits first; those of one key stay in
- * their order. Digits in which no keys differ are left out.
+/** \brief Sorts items by rising keys, digit by digit from the lowest; those of one key
+ * stay in their order. Ends at the highest digit in which keys differ.
+ * \param[in,out] items they are overwritten
  * \param[in] size fewer than 2^32
- * \param[in] spare room for as many
+ * \param[in] spare room for as many items
  * \param[in] keyOf returns the key of an item, 64 bits without a sign
- * \return where they are sorted: one of the two places */
+ * \return the sorted items: \p items or \p spare */
 template <typename Item, typename KeyOf>
 Item*
 radixSort (
@@ -65,7 +73,7 @@ radixSort (
   std::uint64_t differing = 0;
   for (std::size_t i = 0; i < size; ++i)
     differing |= keyOf (items[i]) ^ keyOf (items[0]);
-  for (int bit = 0; bit < 64 && differing >> bit != 0; bit += 11) {
+  for (int bit = 0; bit < 64 && differing >> bit != 0; bit += bits_of_digit) {
     sortByDigit (threads, items, size, bit, keyOf, spare);
     std::swap (items, spare);
   }
