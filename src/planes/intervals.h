@@ -7,7 +7,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A part of a line, by places along it [m]. */
+/** \brief A piece of a line: where it begins and ends, by coordinates along the line
+ * [m].
+ */
 struct Interval {
   double from, to;
 
@@ -18,20 +20,21 @@ struct Interval {
   }
 };
 
-/** \brief Ascending, none touching another. */
+/** \brief Intervals of one line, ascending, with gaps between them. */
 using Intervals = std::vector<Interval>;
 
-/** \brief Intervals from place to place, ascending; a gap that is larger than \p
- * max_gap begins another. */
+/** \brief The intervals that points on a line cover, if gaps up to \p max_gap between
+ * neighbors count as covered.
+ * \param[in] coordinates of the points along the line [m], in any order */
 inline Intervals
-intervalsOf (std::vector<double> places, double max_gap)
+intervalsOf (std::vector<double> coordinates, double max_gap)
 {
-  std::sort (places.begin(), places.end());
+  std::sort (coordinates.begin(), coordinates.end());
   Intervals intervals;
-  for (const double place : places) {
-    if (intervals.empty() || place - intervals.back().to > max_gap)
-      intervals.push_back ({place, place});
-    intervals.back().to = place;
+  for (const double coordinate : coordinates) {
+    if (intervals.empty() || coordinate - intervals.back().to > max_gap)
+      intervals.push_back ({coordinate, coordinate});
+    intervals.back().to = coordinate;
   }
   return intervals;
 }

@@ -15,7 +15,9 @@ namespace pcl_ops {
 using namespace internal;
 namespace {
 
-/** \brief How far inside a convex hull each point lies; below 0 outside. */
+constexpr std::size_t corners_of_an_area = 3;
+
+/** \brief How far inside a convex hull each point lies [m]; below 0 outside. */
 std::vector<double>
 depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
 {
@@ -30,26 +32,27 @@ depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
   return depths;
 }
 
-/** \brief The points no deeper within a hull than \p depth. */
+/** \brief Removes the points no deeper within a hull than \p depth, and returns them.
+ * \param[in] depths of the points, by \ref depthsWithin */
 PlanarPoints
 splitOff (PlanarPoints& points, const std::vector<double>& depths, double depth)
 {
-  PlanarPoints off;
-  PlanarPoints left;
+  PlanarPoints removed;
+  PlanarPoints kept;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (depths[i] <= depth)
-      off.push_back (points[i]);
+      removed.push_back (points[i]);
     else
-      left.push_back (points[i]);
-  points.swap (left);
-  return off;
+      kept.push_back (points[i]);
+  points.swap (kept);
+  return removed;
 }
 
-// The depth of a corner is a rounding away from 0.
+/** \brief The largest depth that rounding gives a corner of a hull, where it is 0. */
 double
 depthOfCorners (const PlanarPoints& hull)
 {
-  constexpr double rounding = 1e-12;
+  constexpr double rounding = 1e-12; // some thousand times that of a double
   double largest = 0.0;
   for (const Eigen::Vector2d& corner : hull)
     largest = std::max (largest, corner.lpNorm<Eigen::Infinity>());
@@ -61,7 +64,6 @@ depthOfCorners (const PlanarPoints& hull)
 PlanarPoints
 hullOfAll (const PlanarPoints& points)
 {
-  constexpr std::size_t corners_of_an_area = 3;
   if (points.size() < corners_of_an_area)
     return {};
   const double scale = unitScale (points);
@@ -85,20 +87,22 @@ hullOfAll (const PlanarPoints& points)
   return hull;
 }
 
-/** \brief A hull around all but a few per cent of the points, from a sample of them. */
+/** \brief A hull around all but a few per cent of the points, from a sample of them;
+ * empty for points that are too few for a sample. */
 PlanarPoints
 innerHull (const PlanarPoints& points)
 {
   constexpr std::size_t sample_size = 2048;
-  constexpr std::size_t one_outside_in = 32;
+  constexpr std::size_t one_outside_in = 32; // of the sample
   if (points.size() <= sample_size)
     return {};
-  RandomGenerator generator; // of the standard's own seed: the result has none
+  RandomGenerator generator; // always of the same seed: users give none
   PlanarPoints sample;
   for (std::size_t i = 0; i < sample_size; ++i)
     sample.push_back (
         points[drawBelow (generator, static_cast<std::uint32_t> (points.size()))]);
   PlanarPoints hull = hullOfAll (sample);
+  // Takes the corners off until enough of the sample is outside.
   while (!hull.empty() && sample.size() > sample_size - sample_size / one_outside_in) {
     splitOff (sample, depthsWithin (hull, sample), depthOfCorners (hull));
     hull = hullOfAll (sample);
@@ -106,11 +110,12 @@ innerHull (const PlanarPoints& points)
   return hull;
 }
 
-/** \brief Removes the points on a hull of theirs and those nearest to it.
+/** \brief Removes the points that are corners of a hull around them, and those nearest
+ * to its border.
  * \param[in] fewest how many points to remove at least
- * \return how many points that were */
+ * \return how many points were removed */
 std::size_t
-takeOff (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest)
+takeOffLayer (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest)
 {
   if (points.empty())
     return 0;
@@ -121,7 +126,8 @@ takeOff (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest)
   return splitOff (points, depths, std::max (*last, depthOfCorners (hull))).size();
 }
 
-/** \brief A rectangle around points: a box along its side u and the one to its left. */
+/** \brief A rectangle around points: a box in the frame of the axis u, of length 1, and
+ * the axis to its left. */
 struct Rectangle {
   Eigen::Vector2d u = Eigen::Vector2d::UnitX();
   Eigen::AlignedBox2d box{Eigen::Vector2d::Zero()};
@@ -138,6 +144,7 @@ struct Rectangle {
   }
 };
 
+/** \brief The smallest rectangle around points with a side along u. */
 Rectangle
 rectangleAlong (const Eigen::Vector2d& u, const PlanarPoints& points)
 {
@@ -148,10 +155,11 @@ rectangleAlong (const Eigen::Vector2d& u, const PlanarPoints& points)
   return rectangle;
 }
 
-// One side of the smallest rectangle lies along an edge of the convex hull.
+/** \brief The rectangle with the smallest area around a convex hull. */
 Rectangle
 smallestRectangle (const PlanarPoints& hull)
 {
+  // One of its sides lies along an edge of the hull.
   Rectangle smallest;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -166,12 +174,13 @@ smallestRectangle (const PlanarPoints& hull)
   return smallest;
 }
 
+/** \brief The rectangle of points on a line: as long as they reach, with no width. */
 Rectangle
 rectangleAlongLine (const PlanarPoints& points)
 {
   if (points.empty())
     return {};
-  // Its direction, by two that lie far apart.
+  // The direction of the line, by two points that lie far apart.
   const auto farthestFrom = [&] (const Eigen::Vector2d& from) {
     return *std::max_element (
         points.begin(), points.end(), [&] (const auto& first, const auto& second) {
@@ -196,11 +205,14 @@ PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& no
 PlanarPoints
 convexHull (const PlanarPoints& points, double max_outside)
 {
+  // Where a surface ends noise has blurred its edge: half as dense there as within.
   constexpr double edge_density = 0.5;
+  // So many layers make up what may be left outside: each has enough points for a
+  // density.
   constexpr std::size_t layers = 16;
   PlanarPoints rim = finiteOf (points);
-  const auto number = static_cast<double> (rim.size());
-  const auto budget = static_cast<std::size_t> (max_outside * number);
+  const auto all = static_cast<double> (rim.size());
+  const auto budget = static_cast<std::size_t> (max_outside * all);
   // Points clearly inside stay, and are not looked at again.
   const PlanarPoints inner_hull = innerHull (rim);
   if (!inner_hull.empty())
@@ -212,15 +224,16 @@ convexHull (const PlanarPoints& points, double max_outside)
   };
   PlanarPoints hull = hull_of_rest();
   for (std::size_t outside = 0; !hull.empty();) {
-    const std::size_t layer = takeOff (rim, hull, budget / layers + 1);
+    const std::size_t layer = takeOffLayer (rim, hull, budget / layers + 1);
     outside += layer;
     if (outside > budget)
       break;
     const PlanarPoints next = hull_of_rest();
     const double area = areaOf (next);
     const double lost = areaOf (hull) - area;
+    // layer / lost, the density of the layer, is below half of all / area.
     const bool is_fringe =
-        static_cast<double> (layer) * area < edge_density * number * lost;
+        static_cast<double> (layer) * area < edge_density * all * lost;
     if (next.empty() || !is_fringe)
       break;
     hull = next;
