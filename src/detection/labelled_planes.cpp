@@ -9,6 +9,7 @@
 namespace pcl_ops::internal {
 namespace {
 
+// In the local frame, with room for its inliers.
 PlaneSegment
 toSegment (const Moments& moments,
            const PlaneFit& fit,
@@ -24,8 +25,9 @@ toSegment (const Moments& moments,
           noise};
 }
 
-// Writes each label's indices to its segment, which has room for them. Points that
-// follow each other mostly share a plane: its place to write to stays in a register.
+// Writes the indices of the points of each label to its segment, which has room for
+// them. Points that follow each other mostly share a plane, so the inner loop keeps
+// where to write next in a register.
 void
 addInliers (const Points& points,
             const Labels& labels,
@@ -40,10 +42,10 @@ addInliers (const Points& points,
       ++i;
       continue;
     }
-    pcl::index_t* place = next[label];
+    pcl::index_t* write_to = next[label];
     for (; i < labels.size() && labels[i] == label; ++i)
-      *place++ = points.indexOf (i);
-    next[label] = place;
+      *write_to++ = points.indexOf (i);
+    next[label] = write_to;
   }
   for (const Copy& copy : points.copies)
     if (const std::int32_t label = labels[copy.point]; label != no_plane)
@@ -53,6 +55,7 @@ addInliers (const Points& points,
       std::sort (segment.inliers.begin(), segment.inliers.end());
 }
 
+// Sorts planes by falling numbers of points, and labels and merged_into accordingly.
 void
 sortByFallingCount (LabelledPlanes& found)
 {
@@ -64,16 +67,16 @@ sortByFallingCount (LabelledPlanes& found)
   });
   MergedPlanes sorted;
   std::vector<std::optional<double>> noises;
-  sorted.merged_into.resize (order.size());
+  Labels new_number (order.size());
   for (const std::size_t p : order) {
-    sorted.merged_into[p] = static_cast<std::int32_t> (sorted.moments.size());
+    new_number[p] = static_cast<std::int32_t> (sorted.moments.size());
     sorted.moments.push_back (planes.moments[p]);
     sorted.fits.push_back (planes.fits[p]);
     if (!found.noises.empty())
       noises.push_back (found.noises[p]);
   }
-  relabel (found.labels, sorted.merged_into, 1);
-  relabel (planes.merged_into, sorted.merged_into, 1);
+  relabel (found.labels, new_number, 1);
+  relabel (planes.merged_into, new_number, 1);
   sorted.merged_into = std::move (planes.merged_into);
   planes = std::move (sorted);
   found.noises = std::move (noises);
@@ -119,9 +122,9 @@ addCopies (const Points& points, LabelledPlanes& found)
       moments.add (place.x(), place.y(), place.z());
     }
   for (std::size_t p = 0; p < planes.fits.size(); ++p) {
+    // The centroid of all points, put onto the plane of the places.
     PlaneFit& fit = planes.fits[p];
-    const Moments& moments = planes.moments[p];
-    fit.centroid = moments.centroid();
+    fit.centroid = planes.moments[p].centroid();
     fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
   }
   sortByFallingCount (found);

@@ -22,12 +22,15 @@ struct LabelledPlanes {
   /** \brief The noise of the surroundings of each plane [m], \ref PlaneSegment::noise;
    * empty where the detector does not measure it. */
   std::vector<std::optional<double>> noises = {};
-  /** \brief A threshold that parameters give need not be repeated. */
+  /** \brief Lengths that followed the cloud. A distance threshold that parameters give
+   * may be left out: \ref detectInFinitePoints adds it. */
   UsedLengths used = {};
 };
 
-/** \brief The merging process with theta_h where it has no distance of its own (the
- * paper); theta_h is given. */
+/** \brief The merging parameters with theta_h as their distance, as in the paper,
+ * unless they have a distance of their own. parameters.distance_threshold (theta_h)
+ * must be set.
+ */
 inline MergingParameters
 mergingOf (const PlaneDetectorParameters& parameters)
 {
@@ -37,19 +40,21 @@ mergingOf (const PlaneDetectorParameters& parameters)
   return merging;
 }
 
-/** \brief Merges planes by the points assigned to them, and labels the points anew. */
+/** \brief Fits planes to the points assigned to them and merges them, and labels the
+ * points by merged plane. */
 LabelledPlanes
 mergeAssigned (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads);
 
-/** \brief The planes that other labels of the points make of those that were found.
- * Planes that have the same number as before keep their noise. */
+/** \brief Planes fitted to other labels of the same points, without merging; what else
+ * \p found says of them stays. Planes with the number of a found one have its noise. */
 LabelledPlanes
 relabelled (const LabelledPlanes& found, AssignedPoints assigned, unsigned threads);
 
-/** \brief Has the planes of points hold their copies, too, and sorts them anew by their
- * numbers of points: equations stay those of the places. */
+/** \brief Counts the copies of points as points of their planes, and sorts the planes
+ * anew by falling numbers of points. Equations stay as they are: each place counted
+ * once. */
 void
 addCopies (const Points& points, LabelledPlanes& found);
 
@@ -60,14 +65,15 @@ toSegments (const Points& points,
             const LabelledPlanes& found,
             const Eigen::Vector3d& viewpoint);
 
-/** \brief Takes planes with fewer inliers than this out. */
+/** \brief Drops planes with fewer inliers than \p min_points. */
 void
 dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
 
-/** \brief What all detectors begin and end with: the finite points, equal ones as one
- * where they would decide, and the planes among them in the frame of the input cloud.
- * \param[in] detect (points, durations) -> LabelledPlanes
- * \param[in] step of the local frame's zero, \ref finitePoints */
+/** \brief What all detectors begin and end with. Before: takes the finite points, and
+ * one of equal ones where many are (\ref distinctPoints). After: makes segments in the
+ * frame of the input cloud, drops small ones, names their orientations.
+ * \param[in] detect the detector, called as (points, durations), returns LabelledPlanes
+ * \param[in] step that the zero of the local frame is a multiple of, \ref finitePoints */
 template <typename Detect>
 Detection
 detectInFinitePoints (const DetectorInput& input,
@@ -77,7 +83,7 @@ detectInFinitePoints (const DetectorInput& input,
 {
   Detection found;
   const StageClock clock;
-  // P: drop NaN, Inf and copies once; nothing later checks again
+  // Nothing later looks for NaN, infinite coordinates or copies again.
   const Points points =
       distinctPoints (input.cloud, parameters.threads, input.indices, step);
   LabelledPlanes planes =
@@ -88,7 +94,8 @@ detectInFinitePoints (const DetectorInput& input,
   dropSmallPlanes (parameters.min_points, found.planes);
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
-  // A cloud that says 0 0 0 says nothing, unless it was seen from there.
+  // A viewpoint of zero may be that of the sensor, or never have been set: then normals
+  // of planes that cannot have been seen from there turn up.
   if (input.viewpoint.isZero (0.0))
     turnUnseenUp (
         input.cloud, input.viewpoint, parameters.up_axis.cast<double>(), found.planes);

@@ -14,10 +14,13 @@
 namespace pcl_ops::internal {
 namespace {
 
-// So few that they lie close together where neighbors in the list are neighbors in
-// space, and most planes can be left out; so many that leaving out costs little.
+// Points are compared with planes in blocks: a plane that is too far from the box
+// around a block is skipped. Blocks are so small that their points lie close together,
+// if neighbors in the list are neighbors in space, and so large that boxes cost little.
 constexpr std::size_t block_size = 256;
 constexpr std::size_t points_of_a_task = 64 * block_size;
+// How many planes a block is compared with before it is looked whether all points are
+// done.
 constexpr std::size_t planes_between_looks = 32;
 
 struct Box {
@@ -39,7 +42,8 @@ boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
   return {0.5 * (low + high).cast<double>(), 0.5 * (high - low).cast<double>()};
 }
 
-// False if no point of the box can be within the threshold, rounding included.
+// Whether a point of the box may be within the threshold of a plane, with room for the
+// rounding of distances.
 bool
 reaches (const Plane& plane, const Box& box, double threshold)
 {
@@ -50,7 +54,8 @@ reaches (const Plane& plane, const Box& box, double threshold)
   return std::abs (plane.distance (box.center)) <= threshold + reach + rounding;
 }
 
-// Points begin .. end - 1, at most block_size.
+// Assigns points begin .. end - 1, at most block_size. A point goes to a plane that is
+// nearer than best, which is the threshold first, then the distance to its plane.
 void
 assignBlock (const Coordinates& points,
              std::size_t begin,
@@ -67,20 +72,22 @@ assignBlock (const Coordinates& points,
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (!reaches (planes[p], box, threshold))
       continue;
-    // Of thousands of planes the first hundreds have all points.
+    // By rule First nothing is left to do once all points have a plane, best 0: of
+    // thousands of planes the first hundreds often have them all.
     const float* const last = best.data() + (end - begin);
     if (rule == AssignmentRule::First && ++compared % planes_between_looks == 0 &&
         std::count (std::as_const (best).data(), last, 0.0f) == last - best.data())
       return;
     const auto label = static_cast<std::int32_t> (p);
     std::int32_t* const label_of = labels.data();
-    // A distance no later plane can beat makes the first plane final.
-    const float won = rule == AssignmentRule::First ? 0.0f : 1.0f;
+    // No distance is below 0: by rule First that keeps the plane. A factor instead of a
+    // branch lets the loop be vectorized.
+    const float factor = rule == AssignmentRule::First ? 0.0f : 1.0f;
     const auto assign = [=, &best] (std::size_t i, float distance) {
       float& nearest = best[i - begin];
       const bool closer = distance < nearest;
       label_of[i] = closer ? label : label_of[i];
-      nearest = closer ? won * distance : nearest;
+      nearest = closer ? factor * distance : nearest;
     };
     forDistances (FloatPlane (planes[p]), points, begin, end, assign);
   }
@@ -113,12 +120,14 @@ momentsOfLabels (const Coordinates& points,
                  std::size_t number,
                  unsigned threads)
 {
-  // Of thousands of planes the sums of a piece take more memory than its points.
+  // So many points a piece at least: else, with thousands of planes, its sums would
+  // take more memory than its points.
   constexpr std::size_t points_per_plane = 8;
   // Sums per piece, added up in order: the same digits for any number of threads.
   const auto sum = [&] (std::size_t begin, std::size_t end) {
     std::vector<Moments> moments (number);
     for (std::size_t i = begin; i < end; ++i)
+      // no_plane, below 0, becomes a large number
       if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
         moments[label].add (points.x[i], points.y[i], points.z[i]);
     return moments;

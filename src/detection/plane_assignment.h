@@ -9,15 +9,17 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Points with their planes, and the planes' moments. */
+/** \brief The plane of each point, and the moments of each plane. */
 struct AssignedPoints {
   Labels labels;
   /** \brief Moments of the points of each plane about the zero of their frame. */
   std::vector<Moments> moments;
 };
 
-/** \brief Assigns every point to a plane in the frame of the points that is nearer than
- * \p distance_threshold, theta_h [m]. */
+/** \brief Gives every point the number of a plane that is nearer than \p
+ * distance_threshold, theta_h [m], or no_plane.
+ * \param[in] planes in the frame of the points, without borders
+ * \param[in] rule which one, if several are near enough */
 Labels
 assignPoints (const Coordinates& points,
               const std::vector<Plane>& planes,
@@ -33,7 +35,7 @@ momentsOfLabels (const Coordinates& points,
                  std::size_t number,
                  unsigned threads);
 
-/** \brief \ref assignPoints with the moments of what each plane got. */
+/** \brief \ref assignPoints, with the moments of the points of each plane. */
 AssignedPoints
 assignToUnboundedPlanes (const Coordinates& points,
                          const std::vector<Plane>& planes,

@@ -10,12 +10,38 @@ namespace pcl_ops::internal {
 
 namespace {
 
+/** \brief A division of sorted distances into lower and upper ones. */
+struct Division {
+  std::size_t first_above = 0;
+  double apart = 0.0;     // distance of the means of both [m]
+  double explained = 0.0; // sum of squares of these means about the mean of all
+};
+
+// The division that explains most, by Otsu.
+Division
+bestDivision (const std::vector<double>& sorted, double sum)
+{
+  const auto all = static_cast<double> (sorted.size());
+  Division best;
+  double sum_below = 0.0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    sum_below += sorted[i - 1];
+    const auto below = static_cast<double> (i);
+    const double apart = sum_below / below - (sum - sum_below) / (all - below);
+    const double explained = below * (all - below) / all * apart * apart;
+    if (explained > best.explained)
+      best = {i, std::abs (apart), explained};
+  }
+  return best;
+}
+
 // The signed distance that parts two layers, if there are two.
 std::optional<double>
 thresholdOf (std::vector<double>& distances, double min_apart)
 {
   constexpr std::size_t min_distances = 50;
-  // 0.64 of the variance of an even distribution, .75 of two normal ones that touch.
+  // Of the sum of squares. The best division explains .64 of it in a normal
+  // distribution, and .75 in an even one.
   constexpr double min_explained = 0.88;
   if (distances.size() < min_distances)
     return std::nullopt;
@@ -27,27 +53,14 @@ thresholdOf (std::vector<double>& distances, double min_apart)
     squares += distance * distance;
   }
   const auto all = static_cast<double> (distances.size());
-  const double total = squares - sum * sum / all;
-  double best = 0.0;
-  double best_apart = 0.0;
-  double sum_below = 0.0;
-  std::size_t first_above = 0;
-  for (std::size_t i = 1; i < distances.size(); ++i) {
-    sum_below += distances[i - 1];
-    const auto below = static_cast<double> (i);
-    const double apart = sum_below / below - (sum - sum_below) / (all - below);
-    const double explained = below * (all - below) / all * apart * apart;
-    if (explained > best) {
-      best = explained;
-      best_apart = std::abs (apart);
-      first_above = i;
-    }
-  }
-  if (best <= min_explained * total || best_apart < min_apart)
+  const double squares_about_mean = squares - sum * sum / all;
+  const Division best = bestDivision (distances, sum);
+  if (best.explained <= min_explained * squares_about_mean || best.apart < min_apart)
     return std::nullopt;
-  return 0.5 * (distances[first_above - 1] + distances[first_above]);
+  return 0.5 * (distances[best.first_above - 1] + distances[best.first_above]);
 }
 
+// How many points each plane has.
 std::vector<std::size_t>
 countLabels (const Labels& labels, std::size_t planes)
 {
@@ -58,7 +71,8 @@ countLabels (const Labels& labels, std::size_t planes)
   return counts;
 }
 
-// Some signed distances of each plane's points, spread evenly over them [m].
+// Signed distances of some 500 points of each plane, or of all it has, spread evenly
+// over their order [m].
 std::vector<std::vector<double>>
 sampleDistances (const Coordinates& points,
                  const std::vector<Plane>& planes,
@@ -90,7 +104,7 @@ splitLayers (const Coordinates& points,
 {
   std::vector<std::vector<double>> distances = sampleDistances (points, planes, labels);
   std::vector<std::optional<double>> thresholds (planes.size());
-  Labels above (planes.size(), no_plane);
+  Labels upper_layer (planes.size(), no_plane);
   bool has_layers = false;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (is_kept[p] == 0)
@@ -98,7 +112,7 @@ splitLayers (const Coordinates& points,
     thresholds[p] = thresholdOf (distances[p], min_apart[p]);
     if (!thresholds[p])
       continue;
-    above[p] = static_cast<std::int32_t> (is_kept.size());
+    upper_layer[p] = static_cast<std::int32_t> (is_kept.size());
     is_kept.push_back (1);
     has_layers = true;
   }
@@ -106,7 +120,7 @@ splitLayers (const Coordinates& points,
     const std::int32_t plane = labels[i];
     if (plane != no_plane && thresholds[plane] &&
         planes[plane].distance (points[i]) > *thresholds[plane])
-      labels[i] = above[plane];
+      labels[i] = upper_layer[plane];
   }
   return has_layers;
 }

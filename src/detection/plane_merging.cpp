@@ -12,6 +12,7 @@ using namespace detail;
 using namespace internal;
 namespace {
 
+/** \brief Planes that were merged into one, by their numbers. */
 struct Group {
   Moments moments;
   PlaneFit fit;
@@ -27,6 +28,7 @@ sortByFallingCount (std::vector<Group>& groups)
       });
 }
 
+// A group for each plane whose points tell a plane, by falling numbers of points.
 std::vector<Group>
 groupsWithAPlane (const std::vector<Moments>& planes)
 {
@@ -38,12 +40,13 @@ groupsWithAPlane (const std::vector<Moments>& planes)
   return groups;
 }
 
-// Whether the noise of both explains how far the smaller plane's points are from the
-// larger plane. Neither plane is extrapolated to the other's centroid.
+// Whether the noise of both explains how far the points of the smaller group are from
+// the plane of the larger one, which need not reach as far as the centroid of the
+// smaller one.
 bool
 agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {
-  // Of the rounding of coordinates, where there is no noise.
+  // Exact points have the rounding of coordinates as noise, a millionth of the extent.
   constexpr double squared_rounding = 1e-12;
   const double rounding = squared_rounding * larger.fit.variances[2];
   const auto [cleaner, noisier] =
@@ -60,6 +63,7 @@ areWithinAngle (const PlaneFit& first, const PlaneFit& second, double angle_thre
   return std::acos (std::min (1.0, cosine)) < angle_threshold;
 }
 
+// Adds a group to a larger one; does nothing and returns false if both have no plane.
 bool
 absorb (Group& larger, const Group& smaller)
 {
@@ -82,10 +86,12 @@ mergeOnce (std::vector<Group>& groups,
            double distance_threshold,
            double noise_factor)
 {
-  // Every pair of planes whose normals are too far apart is left out by this alone: of
-  // thousands of planes there are millions of pairs. Rounding included.
+  // Thousands of planes have millions of pairs: the cosine of their normals leaves most
+  // out before anything else is compared.
+  constexpr double rounding = 1e-9;
   const double right_angle = std::acos (0.0);
-  const double min_cosine = std::cos (std::min (angle_threshold, right_angle)) - 1e-9;
+  const double min_cosine =
+      std::cos (std::min (angle_threshold, right_angle)) - rounding;
   std::vector<Eigen::Vector3d> normals;
   normals.reserve (groups.size());
   for (const Group& group : groups)
