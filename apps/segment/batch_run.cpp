@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "batch_run.h"
+
+#include <boost/format.hpp>
+
+#include <Eigen/Geometry>
+
+#include "segment_cloud.h"
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <cli/progress.h>
+#include <cli/text.h>
+#include <detection/common_up.h>
+#include <detection/warning_lines.h>
+#include <io/output_file.h>
+#include <io/pose_file.h>
+#include <pcl_ops/plane_tracker.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <iostream>
+#include <mutex>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+std::vector<Eigen::Isometry3d>
+posesOf (const TrackOptions& options, std::size_t frames)
+{
+  if (options.poses.empty())
+    return std::vector<Eigen::Isometry3d> (frames, Eigen::Isometry3d::Identity());
+  std::vector<Eigen::Isometry3d> poses = loadPoses (options.poses);
+  if (poses.size() != frames)
+    throw WorkError (options.poses,
+                     "has " + std::to_string (poses.size()) + " poses for " +
+                         std::to_string (frames) +
+                         " clouds; give one for each, in the order of their names");
+  if (!options.calibration.empty()) {
+    const Eigen::Isometry3d to_camera = loadCalibration (options.calibration);
+    for (Eigen::Isometry3d& pose : poses)
+      pose = to_camera.inverse() * pose * to_camera;
+  }
+  return poses;
+}
+
+bool
+isScanOfKitti (const Task& task)
+{
+  return extensionOf (task.input) == ".bin";
+}
+
+struct Status {
+  enum { Done, Failed, Interrupted } end;
+  std::string problem = {}, summary = {}, input = {};
+  std::vector<ResultWarning> warnings = {};
+};
+
+/** \brief One call of \ref runBatch. */
+class BatchRun {
+public:
+  BatchRun (const SegmentOptions& options, const Batch& batch)
+  : options_ (options)
+  , in_common_frame_ (options)
+  , batch_ (batch)
+  , tracker_ (options.track.matching)
+  , tracker_of_whole_ (options.track.matching)
+  , progress_ (batch.tasks.size(),
+               std::cerr,
+               ::isatty (STDERR_FILENO) == 1 ? ProgressStyle::Bar : ProgressStyle::None)
+  , statuses_ (batch.tasks.size())
+  {
+    if (options.track.is_on && !batch.tasks.empty())
+      poses_ = posesOf (options.track, batch.tasks.size());
+    in_common_frame_.track.has_camera_poses =
+        options.track.calibration.empty() && !options.track.poses.empty() &&
+        std::any_of (batch.tasks.begin(), batch.tasks.end(), isScanOfKitti) &&
+        lookLikeCameraOfKitti (options.track.poses, poses_);
+  }
+
+  int
+  run ()
+  {
+    for (const std::string& problem : batch_.problems)
+      print ({Status::Failed, problem});
+    if (options_.track.is_on && !batch_.tasks.empty())
+      setCommonUp();
+    runInParallel (statuses_.size(), options_.jobs, [this] (std::size_t i) {
+      try {
+        finish (i, statusOf (i));
+      }
+      catch (...) {
+        // No memory even to say so: those behind must not wait for this one.
+        const std::lock_guard<std::mutex> lock (mutex_);
+        is_given_up_ = true;
+        is_next_.notify_all();
+        throw;
+      }
+    });
+    progress_.erase();
+    if (!options_.quiet)
+      for (const std::string& line : doubts_.lines())
+        warn (line);
+    return conclude();
+  }
+
+private:
+  /** \brief Gives the planes of a cloud their ids, once the clouds before are done.
+   * \param[in] sensor in the frame of the cloud: what a pose's error turns about */
+  void
+  giveIds (std::size_t i, const Eigen::Vector3d& sensor, Report& report)
+  {
+    std::unique_lock<std::mutex> lock (mutex_);
+    is_next_.wait (lock, [&] { return finished_ == i || is_given_up_; });
+    if (is_given_up_)
+      throw Interrupted();
+    const auto track = [&] (PlaneTracker& tracker, std::vector<PlaneSegment> planes) {
+      for (PlaneSegment& plane : planes)
+        plane.moveBy (-sensor);
+      return tracker.track (planes, poses_[i] * Eigen::Translation3d (sensor));
+    };
+    report.ids = track (tracker_, report.detected.planes);
+    if (options_.pieces)
+      report.ids_of_whole = track (tracker_of_whole_, report.detected.whole_planes);
+  }
+
+  /** \brief What single clouds say which way is up, in the frame that poses share; of
+   * long sequences evenly chosen ones. */
+  std::vector<UpAxis>
+  answersOnUp ()
+  {
+    constexpr std::size_t max_asked = 64;
+    const std::size_t all = batch_.tasks.size();
+    const std::size_t asked = std::min (all, max_asked);
+    std::vector<std::optional<UpAxis>> found (asked);
+    runInParallel (asked, options_.jobs, [&] (std::size_t k) {
+      const std::size_t i = k * all / asked;
+      try {
+        stopIfInterrupted();
+        const FileCloud cloud = loadCloud (batch_.tasks[i].input);
+        const ShiftedCloud shifted =
+            shiftedCloudOf (cloud, voxelStepOf (options_.detector));
+        found[k] = findUpAxis (options_.detector, *shifted.cloud);
+        if (found[k])
+          found[k]->direction = poses_[i].rotation() * found[k]->direction;
+      }
+      catch (const std::exception&) {
+        // The cloud's own turn tells what is wrong with it.
+      }
+    });
+    std::vector<UpAxis> answers;
+    for (const std::optional<UpAxis>& answer : found)
+      if (answer)
+        answers.push_back (*answer);
+    return answers;
+  }
+
+  /** \brief One axis for the clouds of a sequence, of which many cannot tell. */
+  void
+  setCommonUp ()
+  {
+    DetectorOptions& detector = in_common_frame_.detector;
+    const bool has_poses = !options_.track.poses.empty();
+    if (detector.up_is_camera && has_poses) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const Eigen::Isometry3d& pose : poses_)
+        sum -= pose.rotation().col (1);
+      if (sum.norm() < 0.5 * static_cast<double> (poses_.size()))
+        throw UsageError ("--up", "camera: by --poses it is not level; give auto");
+      detector.up = sum.normalized().cast<float>();
+    }
+    if (!detector.finds_up)
+      return;
+    const std::vector<UpAxis> answers = answersOnUp();
+    const std::optional<CommonUp> common = commonUp (answers);
+    detector.finds_up = false;
+    detector.sequence_has_up = true;
+    if (common) {
+      detector.up = common->axis.direction.cast<float>();
+      detector.up_confidence = common->axis.confidence;
+    }
+    if (!options_.quiet)
+      progress_.note (noteOnUp (common, answers.size(), has_poses), std::cout);
+  }
+
+  static std::string
+  noteOnUp (const std::optional<CommonUp>& common, std::size_t answers, bool has_poses)
+  {
+    if (!common)
+      return "Up axis of all clouds: they cannot tell, 0,0,1 is used; give --up x,y,z";
+    const Eigen::Vector3d& up = common->axis.direction;
+    return str (
+        boost::format ("Up axis of all clouds: %.3f,%.3f,%.3f%s, as %d of the %d "
+                       "say that can tell") %
+        up.x() % up.y() % up.z() % (has_poses ? " in the frame of --poses" : "") %
+        common->answers % answers);
+  }
+
+  /** \brief Those of a cloud: up is given in the frame that poses share. */
+  SegmentOptions
+  optionsOf (std::size_t i) const
+  {
+    SegmentOptions options = in_common_frame_;
+    DetectorOptions& detector = options.detector;
+    const Eigen::Vector3f upwards = Eigen::Vector3f::UnitZ();
+    if (!options.track.poses.empty() && !detector.finds_up)
+      detector.up = poses_[i].rotation().transpose().cast<float>() *
+                    detector.up.value_or (upwards);
+    return options;
+  }
+
+  Status
+  statusOf (std::size_t i)
+  {
+    const Task& task = batch_.tasks[i];
+    GiveIds tracked;
+    if (options_.track.is_on)
+      tracked = [&] (const Eigen::Vector3d& sensor, Report& report) {
+        giveIds (i, sensor, report);
+      };
+    try {
+      stopIfInterrupted();
+      const char* const fix =
+          options_.jobs == 1 ? "give a smaller cloud" : "give fewer --jobs";
+      const Report report = inMemory (task.input, fix, [&] {
+        return segmentCloud (optionsOf (i), task, tracked, nullptr);
+      });
+      return {Status::Done,
+              report.damage.empty() ? "" : task.input + ": " + report.damage,
+              task.input + " -> " + task.outputs.cloud + ": " + summaryOf (report),
+              task.input,
+              report.warnings};
+    }
+    catch (const Interrupted&) {
+      return {Status::Interrupted};
+    }
+    catch (const std::exception& error) {
+      return {Status::Failed, error.what()};
+    }
+  }
+
+  void
+  finish (std::size_t i, const Status& status)
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    statuses_[i] = status;
+    for (; finished_ < statuses_.size() && statuses_[finished_]; ++finished_)
+      print (*statuses_[finished_]);
+    is_next_.notify_all();
+    if (status.end != Status::Interrupted)
+      progress_.step();
+  }
+
+  void
+  print (const Status& status)
+  {
+    ++counts_.at (status.end);
+    doubts_.add (status.input, status.warnings);
+    if (!status.problem.empty())
+      progress_.note (errorLine (status.problem), std::cerr);
+    if (status.end == Status::Done && !options_.quiet)
+      progress_.note (oneLine (status.summary), std::cout);
+  }
+
+  int
+  conclude () const
+  {
+    const std::size_t all = batch_.tasks.size() + batch_.problems.size();
+    const std::size_t failed = counts_[Status::Failed];
+    const std::string done = std::to_string (counts_[Status::Done]) + " of " +
+                             std::to_string (all) + " inputs are done";
+    if (counts_[Status::Interrupted] > 0)
+      throw WorkError ("interrupted", done + ", none is half-written; run it again");
+    if (failed > 0 && all > 1)
+      throw WorkError (std::to_string (failed) + " failed", done + "; see above");
+    return failed > 0 ? ExitCode::work_failed : ExitCode::done;
+  }
+
+  const SegmentOptions& options_;
+  /** \brief With the up axis that all clouds of a sequence have. */
+  SegmentOptions in_common_frame_;
+  const Batch& batch_;
+  PlaneTracker tracker_;
+  /** \brief Of the planes that pieces lie on. */
+  PlaneTracker tracker_of_whole_;
+  std::vector<Eigen::Isometry3d> poses_;
+  Progress progress_;
+  std::mutex mutex_;
+  std::condition_variable is_next_;
+  std::vector<std::optional<Status>> statuses_;
+  /** \brief So many from the first on have a status, which is printed. */
+  std::size_t finished_ = 0;
+  bool is_given_up_ = false;
+  std::array<std::size_t, 3> counts_{};
+  WarningLines doubts_;
+};
+
+} // namespace
+
+int
+runBatch (const SegmentOptions& options, const Batch& batch)
+{
+  return BatchRun (options, batch).run();
+}
+
+} // namespace pcl_ops::apps
