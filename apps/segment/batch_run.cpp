@@ -27,6 +27,9 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief The pose of each cloud, in one common frame; all the same where none are
+ * given.
+ * \throws WorkError if the file has another number of poses */
 std::vector<Eigen::Isometry3d>
 posesOf (const TrackOptions& options, std::size_t frames)
 {
@@ -52,9 +55,12 @@ isScanOfKitti (const Task& task)
   return extensionOf (task.input) == ".bin";
 }
 
+/** \brief How the work on one cloud ended. */
 struct Status {
   enum { Done, Failed, Interrupted } end;
-  std::string problem = {}, summary = {}, input = {};
+  /** \brief What failed, or what makes the cloud look damaged. */
+  std::string problem = {};
+  std::string summary = {}, input = {};
   std::vector<ResultWarning> warnings = {};
 };
 
@@ -108,7 +114,8 @@ public:
 
 private:
   /** \brief Gives the planes of a cloud their ids, once the clouds before are done.
-   * \param[in] sensor in the frame of the cloud: what a pose's error turns about */
+   * \param[in] sensor in the frame of the cloud. Planes are compared relative to it, as
+   * it is what an error of a pose turns them about. */
   void
   giveIds (std::size_t i, const Eigen::Vector3d& sensor, Report& report)
   {
@@ -126,12 +133,12 @@ private:
       report.ids_of_whole = track (tracker_of_whole_, report.detected.whole_planes);
   }
 
-  /** \brief What single clouds say which way is up, in the frame that poses share; of
-   * long sequences evenly chosen ones. */
+  /** \brief The up axes that single clouds have by their planes, in the frame of the
+   * poses. Of long sequences only some clouds are asked, evenly chosen. */
   std::vector<UpAxis>
   answersOnUp ()
   {
-    constexpr std::size_t max_asked = 64;
+    constexpr std::size_t max_asked = 64; // enough for a majority
     const std::size_t all = batch_.tasks.size();
     const std::size_t asked = std::min (all, max_asked);
     std::vector<std::optional<UpAxis>> found (asked);
@@ -157,20 +164,31 @@ private:
     return answers;
   }
 
-  /** \brief One axis for the clouds of a sequence, of which many cannot tell. */
+  /** \brief The mean direction against that of y, which points down in cameras, in the
+   * frame of the poses.
+   * \throws UsageError if the camera was not nearly level all the time */
+  Eigen::Vector3d
+  upOfCamera () const
+  {
+    // Unit vectors that lean to all sides have a shorter mean.
+    constexpr double min_length_of_mean = 0.5;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Isometry3d& pose : poses_)
+      sum -= pose.rotation().col (1);
+    if (sum.norm() < min_length_of_mean * static_cast<double> (poses_.size()))
+      throw UsageError ("--up", "camera: by --poses it is not level; give auto");
+    return sum.normalized();
+  }
+
+  /** \brief Sets one up axis for all clouds of a sequence, as many of them cannot tell
+   * theirs. */
   void
   setCommonUp ()
   {
     DetectorOptions& detector = in_common_frame_.detector;
     const bool has_poses = !options_.track.poses.empty();
-    if (detector.up_is_camera && has_poses) {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const Eigen::Isometry3d& pose : poses_)
-        sum -= pose.rotation().col (1);
-      if (sum.norm() < 0.5 * static_cast<double> (poses_.size()))
-        throw UsageError ("--up", "camera: by --poses it is not level; give auto");
-      detector.up = sum.normalized().cast<float>();
-    }
+    if (detector.up_is_camera && has_poses)
+      detector.up = upOfCamera().cast<float>();
     if (!detector.finds_up)
       return;
     const std::vector<UpAxis> answers = answersOnUp();
@@ -198,7 +216,7 @@ private:
         common->answers % answers);
   }
 
-  /** \brief Those of a cloud: up is given in the frame that poses share. */
+  /** \brief The options for one cloud: the up axis in its own frame. */
   SegmentOptions
   optionsOf (std::size_t i) const
   {
@@ -211,6 +229,7 @@ private:
     return options;
   }
 
+  /** \brief Segments a cloud. */
   Status
   statusOf (std::size_t i)
   {
@@ -241,6 +260,8 @@ private:
     }
   }
 
+  /** \brief Notes how a cloud ended, and prints what all clouds before have waited for.
+   */
   void
   finish (std::size_t i, const Status& status)
   {
@@ -290,7 +311,7 @@ private:
   std::mutex mutex_;
   std::condition_variable is_next_;
   std::vector<std::optional<Status>> statuses_;
-  /** \brief So many from the first on have a status, which is printed. */
+  /** \brief The first so many clouds have a status, and it is printed. */
   std::size_t finished_ = 0;
   bool is_given_up_ = false;
   std::array<std::size_t, 3> counts_{};

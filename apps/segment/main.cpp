@@ -13,9 +13,9 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief What files hold, and what is doubtful, on stderr. */
+/** \brief Prints what files hold and what is doubtful on the standard error. */
 void
-sayWhatIsDoubtful (const Report& report)
+printNotes (const Report& report)
 {
   for (const std::string& line : report.written)
     warn (line);
@@ -39,7 +39,7 @@ segmentOne (const SegmentOptions& options)
   if (!report.damage.empty())
     warn (report.input + ": " + report.damage);
   if (!options.quiet)
-    sayWhatIsDoubtful (report);
+    printNotes (report);
   if (options.quiet || task.outputs.planes == standard_stream)
     return ExitCode::done;
   printTable (report, std::cout);

@@ -12,7 +12,6 @@
 #include <pcl_ops/visibility.h>
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 #if PCL_OPS_WITH_SURFACE
@@ -23,6 +22,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief 1, 2, ... size. */
 std::vector<std::uint32_t>
 numbersUpTo (std::size_t size)
 {
@@ -31,19 +31,19 @@ numbersUpTo (std::size_t size)
   return numbers;
 }
 
-/** \brief Has the pieces in place of the planes, beside what these are without them. */
+/** \brief Puts the connected pieces of planes in place of the planes, which move to
+ * Detected::whole_planes. */
 void
 divideIntoPieces (const SegmentOptions& options,
                   const XyzCloud& cloud,
                   Detected& detected)
 {
-  const auto threads = options.detector.numbers.find ("threads");
-  PlanePieces found = findPlanePieces (cloud,
-                                       detected.planes,
-                                       options.of_pieces,
-                                       threads == options.detector.numbers.end()
-                                           ? 1
-                                           : static_cast<unsigned> (threads->second));
+  const auto given = options.detector.numbers.find ("threads");
+  const unsigned threads = given == options.detector.numbers.end()
+                               ? 1
+                               : static_cast<unsigned> (given->second);
+  PlanePieces found =
+      findPlanePieces (cloud, detected.planes, options.of_pieces, threads);
   detected.whole_planes = std::move (detected.planes);
   for (PlaneSegment& plane : detected.whole_planes)
     plane.inliers.clear();
@@ -52,6 +52,7 @@ divideIntoPieces (const SegmentOptions& options,
   detected.settings["piece_gap"] = options.of_pieces.max_gap;
 }
 
+/** \brief Finds planes, in pieces if these are asked for, in the frame of the file. */
 Detected
 detectPlanes (const SegmentOptions& options,
               const ShiftedCloud& shifted,
@@ -59,7 +60,9 @@ detectPlanes (const SegmentOptions& options,
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
-  // Of other clouds the detector knows.
+  // A file without a sensor has it at zero, but that is elsewhere in the shifted cloud:
+  // so the detector takes it for known, and does not turn up what cannot be seen from
+  // there.
   if (!shifted.shift.isZero (0.0) && cloud.origin.head<3>().isZero (0.0f))
     turnUnseenUp (*shifted.cloud,
                   shifted.cloud->sensor_origin_.head<3>().cast<double>(),
@@ -76,7 +79,8 @@ detectPlanes (const SegmentOptions& options,
   return detected;
 }
 
-/** \brief Refuses an output that cannot have all of the input and labels. */
+/** \brief Refuses an output of a format that cannot hold the input and labels.
+ * \throws UsageError, WorkError */
 void
 checkTakesLabels (const SegmentOptions& options,
                   const Task& task,
@@ -97,6 +101,8 @@ checkTakesLabels (const SegmentOptions& options,
     throw WorkError (nameOfInput (task), problem);
 }
 
+/** \brief The outline of points on a plane.
+ * \param[in] hull "convex" or "concave", the latter only with pcl_ops_surface */
 PlanarRings
 outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
 {
@@ -107,8 +113,9 @@ outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
   return {convexHull (points)};
 }
 
-/** \brief Where a plane ends, in the file's frame.
- * \param[in] shifted the cloud the plane was found in
+/** \brief Where a plane ends, in the frame of the file.
+ * \param[in] shifted the cloud that the plane was found in
+ * \param[in] plane in the frame of the file
  * \param[in] hull "convex" or "concave" */
 PlaneExtent
 extentInFile (const ShiftedCloud& shifted,
@@ -130,8 +137,9 @@ regularize (Detected& detected)
   detected.moves = std::move (found.moves);
 }
 
-/** \brief Says what planes are, by their convex outlines, which are kept.
- * \param[in] meter its length in the unit of the cloud */
+/** \brief Sets the kinds of planes, such as floor and wall, and the convex outlines by
+ * which they are told.
+ * \param[in] meter the length of a meter in the unit of the cloud */
 void
 nameKinds (const FileCloud& cloud,
            const ShiftedCloud& shifted,
@@ -149,8 +157,8 @@ nameKinds (const FileCloud& cloud,
     detected.settings["meter"] = meter;
 }
 
-/** \brief Why so few points are on planes, with the fix. What is wrong with a cloud
- * comes before what might be wrong with parameters. */
+/** \brief What to do about so few points on planes. Damage of the cloud comes first,
+ * then its unit, then parameters that may not suit it. */
 std::string
 likeliestCause (const Report& report)
 {
@@ -162,7 +170,15 @@ likeliestCause (const Report& report)
   return report.detected.advice;
 }
 
-/** \param[in] counts of the planes before any was left out */
+std::size_t
+countOf (PlaneKind kind, const Detected& detected)
+{
+  return static_cast<std::size_t> (
+      std::count (detected.kinds.begin(), detected.kinds.end(), kind));
+}
+
+/** \brief Finds the floor plan, and warns if it has no wall.
+ * \param[in] counts of the planes before any was left out */
 void
 drawPlan (const SegmentOptions& options,
           const ShiftedCloud& shifted,
@@ -181,8 +197,8 @@ drawPlan (const SegmentOptions& options,
   putWarningOnPlan (counts, report.warnings);
 }
 
-/** \brief Has the reference system of a file name maps and say the unit, unless the
- * user does. */
+/** \brief The options with the reference system and the unit of a LAS file, where the
+ * user gives none. */
 SegmentOptions
 withSystemOf (const FileCloud& cloud, SegmentOptions options)
 {
@@ -196,6 +212,65 @@ withSystemOf (const FileCloud& cloud, SegmentOptions options)
     options.has_meter = true;
   }
   return options;
+}
+
+/** \brief The planes of a cloud before any is moved or left out, and what is doubtful
+ * about them. */
+Report
+reportOn (const SegmentOptions& options,
+          const Task& task,
+          const FileCloud& cloud,
+          const ShiftedCloud& shifted)
+{
+  Report report;
+  report.input = nameOfInput (task);
+  report.method = options.method;
+  report.points = cloud.size();
+  report.damage = damageOf (shifted);
+  report.detected = detectPlanes (options, shifted, cloud);
+  turnToScanners (report.detected.planes, cloud.scans);
+  if (!options.quiet || !task.outputs.planes.empty())
+    report.warnings = warningsOn (options, task, cloud, shifted, report.detected);
+  if (!report.detected.advice.empty())
+    report.detected.advice = likeliestCause (report);
+  return report;
+}
+
+/** \brief Regularizes planes, names their kinds, drops those that are not chosen and
+ * finds the floor plan, each if it is asked for. */
+void
+choosePlanes (const SegmentOptions& options,
+              const Outputs& outputs,
+              const FileCloud& cloud,
+              const ShiftedCloud& shifted,
+              Report& report)
+{
+  if (options.regularize)
+    regularize (report.detected);
+  nameKinds (cloud, shifted, options.of_plan.meter, report.detected);
+  PlanCounts counts;
+  counts.wall_planes_found = countOf (PlaneKind::Wall, report.detected);
+  counts.has_floor = countOf (PlaneKind::Floor, report.detected) > 0;
+  const auto extentOfPlane = [&] (const PlaneSegment& plane) {
+    return extentInFile (shifted, plane, options.hull);
+  };
+  report.dropped = keepChosen (options.choice, extentOfPlane, report.detected);
+  if (!outputs.plan.empty())
+    drawPlan (options, shifted, counts, report);
+}
+
+/** \brief Sets where planes end, if that is known already or an output says so. */
+void
+setExtents (const SegmentOptions& options,
+            const Outputs& outputs,
+            const ShiftedCloud& shifted,
+            Report& report)
+{
+  if (options.hull == "convex")
+    report.extents = report.detected.extents;
+  else if (!outputs.planes.empty() || !outputs.mesh.empty() || !outputs.view.empty())
+    for (const PlaneSegment& plane : report.detected.planes)
+      report.extents.push_back (extentInFile (shifted, plane, options.hull));
 }
 
 } // namespace
@@ -212,11 +287,10 @@ segmentCloud (const SegmentOptions& given,
               const GiveIds& give_ids,
               StageLines* lines)
 {
-  const std::string name = nameOfInput (task);
   const auto begin = [&] (const std::string& stage) {
     stopIfInterrupted();
     if (lines != nullptr)
-      lines->begin (name + ": " + stage);
+      lines->begin (nameOfInput (task) + ": " + stage);
   };
   begin ("reading");
   const bool is_piped = task.input == standard_stream;
@@ -225,41 +299,14 @@ segmentCloud (const SegmentOptions& given,
   checkTakesLabels (options, task, cloud);
   begin ("finding planes in " + std::to_string (cloud.size()) + " points");
   const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));
-  Report report;
-  report.input = name;
-  report.method = options.method;
-  report.points = cloud.size();
-  report.damage = damageOf (shifted);
-  report.detected = detectPlanes (options, shifted, cloud);
-  turnToScanners (report.detected.planes, cloud.scans);
-  if (!options.quiet || !task.outputs.planes.empty())
-    report.warnings = warningsOn (options, task, cloud, shifted, report.detected);
-  if (!report.detected.advice.empty())
-    report.detected.advice = likeliestCause (report);
-  if (options.regularize)
-    regularize (report.detected);
-  nameKinds (cloud, shifted, options.of_plan.meter, report.detected);
-  const std::vector<PlaneSegment>& planes = report.detected.planes;
-  const auto extent_of = [&] (const PlaneSegment& plane) {
-    return extentInFile (shifted, plane, options.hull);
-  };
-  PlanCounts counts;
-  counts.wall_planes_found = countOf (PlaneKind::Wall, report.detected);
-  counts.has_floor = countOf (PlaneKind::Floor, report.detected) > 0;
-  report.dropped = keepChosen (options.choice, extent_of, report.detected);
-  if (!task.outputs.plan.empty())
-    drawPlan (options, shifted, counts, report);
-  report.ids = numbersUpTo (planes.size());
+  Report report = reportOn (options, task, cloud, shifted);
+  choosePlanes (options, task.outputs, cloud, shifted, report);
+  report.ids = numbersUpTo (report.detected.planes.size());
   report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
   if (give_ids)
     give_ids (sensor.isZero (0.0) ? shifted.shift : sensor, report);
-  if (options.hull == "convex")
-    report.extents = report.detected.extents;
-  else if (!task.outputs.planes.empty() || !task.outputs.mesh.empty() ||
-           !task.outputs.view.empty())
-    std::transform (
-        planes.begin(), planes.end(), std::back_inserter (report.extents), extent_of);
+  setExtents (options, task.outputs, shifted, report);
   begin ("writing");
   report.written = saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;

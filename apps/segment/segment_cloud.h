@@ -10,16 +10,20 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Gives what was found in a cloud, in the cloud's frame, its ids.
- * \param[in] sensor where it was or, if that is not known, a place among the points */
+/** \brief Sets Report::ids and Report::ids_of_whole of the planes of a cloud.
+ * \param[in] sensor its position in the frame of the cloud or, if that is not known, a
+ * place among the points */
 using GiveIds = std::function<void (const Eigen::Vector3d& sensor, Report& report)>;
 
+/** \brief The file of a task, or what messages call the standard input. */
 std::string
 nameOfInput (const Task& task);
 
 /** \brief Reads a cloud, finds its planes and writes its outputs.
- * \param[in] give_ids where it is missing, planes are numbered by falling size
- * \param[in] lines what tells the stages; nullptr for none
+ * \param[in] given the options; where they say nothing of maps and the unit, the
+ * reference system of the file does
+ * \param[in] give_ids empty: planes are numbered by falling size
+ * \param[in] lines prints each stage as it begins; nullptr for none
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
  * written, Interrupted before anything is written */
 Report

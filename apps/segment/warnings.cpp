@@ -4,13 +4,12 @@
 
 #include <detection/warning_lines.h>
 
-#include <algorithm>
-
 namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief How sure the up axis is that was used. */
+/** \brief Whether the up axis that was used is known, was looked for in vain, or is
+ * only assumed. */
 UpKnowledge
 knowledgeOfUp (const DetectorOptions& detector,
                const FileCloud& cloud,
@@ -46,13 +45,6 @@ warningsOn (const SegmentOptions& options,
   context.has_camera_poses = options.track.has_camera_poses;
   context.search = detected.search;
   return resultWarnings (*shifted.cloud, detected.planes, context);
-}
-
-std::size_t
-countOf (PlaneKind kind, const Detected& detected)
-{
-  return static_cast<std::size_t> (
-      std::count (detected.kinds.begin(), detected.kinds.end(), kind));
 }
 
 } // namespace pcl_ops::apps

@@ -6,17 +6,14 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What is doubtful about all planes that were found, before any is moved or
- * left out. */
+/** \brief What is doubtful about the planes of a cloud.
+ * \param[in] shifted the cloud as it was searched
+ * \param[in] detected before any plane is moved or left out */
 std::vector<ResultWarning>
 warningsOn (const SegmentOptions& options,
             const Task& task,
             const FileCloud& cloud,
             const ShiftedCloud& shifted,
             const Detected& detected);
-
-/** \brief How many planes are of a kind. */
-std::size_t
-countOf (PlaneKind kind, const Detected& detected);
 
 } // namespace pcl_ops::apps
