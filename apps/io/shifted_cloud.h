@@ -12,34 +12,43 @@
 #include "number_types.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 using XyzCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief What planes are looked for in: coordinates alone, in single precision. */
+/** \brief The coordinates of a cloud in single precision, relative to a point near it:
+ * the cloud that planes are looked for in. */
 struct ShiftedCloud {
-  /** \brief Every point, NaN too, and the sensor's pose relative to \ref shift. */
+  /** \brief All points of the file, those with NaN, too, and the pose of the sensor,
+   * all relative to \ref shift. */
   XyzCloud::Ptr cloud;
-  /** \brief In the file's frame: near most points, whatever their order, where the file
-   * has digits that single precision would lose; else zero. */
+  /** \brief Zero of the cloud in the frame of the file. It is not zero only where
+   * single precision would lose digits of the file, or a step is asked for. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 
-/** \param[in] step the shift is near most points, at a whole multiple of it along each
- * axis, whatever the precision; 0: not asked for */
+/** \brief Shifts a cloud by \ref localOrigin, if single precision does not hold all its
+ * coordinates.
+ * \param[in] step above 0: shifts it in any case, by a multiple of this along each axis */
 ShiftedCloud
 shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
-/** \brief What makes a cloud look damaged though it can be read, with the fix: most of
- * some thousand points are at one place, or some are a thousand times as far away as
- * the rest is wide; or that one per cent or more are at one place, as missing readings
- * are. Empty where nothing does. */
+/** \brief What makes a cloud that can be read look damaged, and what to do about it;
+ * empty if nothing does. By a sample of its points, one of these:
+ * - most are at one place;
+ * - some are more than a thousand times as far away as the rest is wide;
+ * - one per cent or more are at one place, as missing readings are. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 
-/** \brief The three coordinates of each point of a cloud, whatever their type. */
+/** \brief Reads the three coordinates of points of a cloud, whatever their type. Keeps
+ * a reference to the cloud. */
 class CoordinateReader {
 public:
   explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
@@ -62,7 +71,7 @@ public:
                             readers_[2](point + offsets_[2]));
   }
 
-  /** \brief Whether all are in single precision. */
+  /** \brief Whether the fields of all three coordinates are in single precision. */
   bool is_single = true;
 
 private:
@@ -71,19 +80,25 @@ private:
   std::array<NumberReader, 3> readers_{};
 };
 
+/** \brief Returns where a point is, by its number. */
 using PlaceOf = std::function<Eigen::Vector3d (std::size_t)>;
 
-/** \brief A number as good as drawn, but the same for a place wherever it stands. */
+/** \brief A hash of the coordinates of a place: to choose points by it is as good as to
+ * draw them, but does not depend on their order. */
 std::uint32_t
 hashOf (const Eigen::Vector3d& place);
 
-/** \brief Finite ones of some points, evenly spread over their order. */
+/** \brief A sample of the finite points, evenly spread over their order.
+ * \param[in] size how many points there are
+ * \param[in] looked_at largest size of the sample */
 std::vector<Eigen::Vector3d>
 somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);
 
-/** \brief A place near most points, whatever their order; wherever few stray to, and
- * however many are at one place: one outlier must not leave the others without digits.
- * Zero where no point is finite. All are read, some thousand looked at. */
+/** \brief A place near most points: the median of a sample of different points,
+ * rounded. It does not depend on the order of the points, and neither outliers nor many
+ * points at one place draw it away: the others would lose digits. Zero if no point is
+ * finite.
+ * \param[in] size how many points there are; all are read */
 Eigen::Vector3d
 localOrigin (std::size_t size, const PlaceOf& place);
 

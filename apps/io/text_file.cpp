@@ -25,14 +25,16 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The field of a coordinate, and what surveyors and ParaView call it. */
+/** \brief The names of a coordinate: first that of the field, then those that surveyors
+ * and ParaView use. */
 using Axis = std::array<const char*, 5>;
 
 constexpr std::array<Axis, 3> axes = {{{"x", "easting", "east", "e", "points:0"},
                                        {"y", "northing", "north", "n", "points:1"},
                                        {"z", "elevation", "height", "h", "points:2"}}};
 
-/** \brief Also one with letters beyond ASCII. */
+/** \brief Whether a word is a name: it begins with a letter, which may be beyond ASCII,
+ * or with an underscore, and is no number as "nan" is. */
 bool
 isName (const std::string& word)
 {
@@ -42,7 +44,7 @@ isName (const std::string& word)
          !numberType (pcl::PCLPointField::FLOAT64).parse (word, number);
 }
 
-/** \brief A name in small letters without the unit in brackets behind it. */
+/** \brief A name in small letters, without a unit in brackets at its end. */
 std::string
 plainName (const std::string& name)
 {
@@ -51,7 +53,8 @@ plainName (const std::string& name)
   return boost::algorithm::to_lower_copy (plain, std::locale::classic());
 }
 
-/** \brief As the field is called, or else by the first of its names that there is. */
+/** \brief The column of a coordinate: the one with exactly the name of the field, else
+ * the first one of the first of its names that any column has. */
 Words::const_iterator
 findAxis (const Words& names, const Axis& axis)
 {
@@ -63,7 +66,8 @@ findAxis (const Words& names, const Axis& axis)
   return found;
 }
 
-/** \brief A name as headers of clouds can have it: without blanks, and short. */
+/** \brief A name as headers of clouds can have it: without blanks, and short. Empty if
+ * that is no name. */
 std::string
 fieldName (std::string name)
 {
@@ -74,10 +78,11 @@ fieldName (std::string name)
                 std::iscntrl (static_cast<unsigned char> (c)) != 0
             ? '_'
             : c;
-  return name == "_" ? "" : name; // PCD's name of bytes that are nothing
+  return name == "_" ? "" : name; // in PCD the name of padding
 }
 
-/** \brief Of the words of a line, as \ref splitWords has it. */
+/** \brief What separates the words of a line, for \ref splitWords: a semicolon if it
+ * has one, else a comma, else blanks. */
 char
 separatorOf (const std::string& line)
 {
@@ -99,8 +104,8 @@ wordsOf (const std::string& line)
   return words;
 }
 
-/** \brief The parts of a line between quotes: those of odd index are within. None where
- * a quote has no other. */
+/** \brief A line divided at its quotes: parts of odd index are quoted. Empty if the
+ * last quote is not closed. */
 std::vector<std::string>
 quotedParts (const std::string& line)
 {
@@ -115,7 +120,9 @@ quotedParts (const std::string& line)
   return parts;
 }
 
-/** \brief Takes the quotes off all words, and from within them what separates words. */
+/** \brief Removes the quotes from a line, and puts underscores in place of separators
+ * within them, which would divide a word.
+ * \throws WorkError if a quoted number has a decimal comma, but commas separate words */
 void
 removeQuotes (const HeaderReader& reader, std::string& line)
 {
@@ -126,25 +133,27 @@ removeQuotes (const HeaderReader& reader, std::string& line)
   for (std::size_t i = 0; i < parts.size(); i += 2)
     outside += parts[i];
   const char separator = separatorOf (outside);
-  const std::string taken = separator == ';' ? ";" : separator == ',' ? ",;" : ",; \t";
+  const std::string separators = separator == ';'   ? ";"
+                                 : separator == ',' ? ",;"
+                                                    : ",; \t";
   for (std::size_t i = 1; i < parts.size(); i += 2) {
     const bool is_number =
         parts[i].find_first_not_of ("0123456789+-.,") == std::string::npos;
-    if (is_number && taken[0] == ',' && parts[i].find (',') != std::string::npos)
+    if (is_number && separators[0] == ',' && parts[i].find (',') != std::string::npos)
       reader.failAtLine ("has '" + parts[i] +
                          "', a number with a decimal comma in place of a point");
     for (char& c : parts[i])
-      c = taken.find (c) == std::string::npos ? c : '_';
+      c = separators.find (c) == std::string::npos ? c : '_';
   }
   line = boost::algorithm::join (parts, "");
 }
 
-/** \brief Whether commas may separate the digits of decimals: a whole number has no
- * zero in front, and 3,05 has. */
+/** \brief Whether the commas between the words of a line look like decimal commas: all
+ * words are whole numbers, and one begins with a zero, as 05 in 3,05. */
 bool
 mayHaveDecimalCommas (const HeaderReader& reader)
 {
-  constexpr std::size_t min_words = 6; // of three decimals
+  constexpr std::size_t min_words = 6; // two for each of three coordinates
   bool has_zero = false;
   for (std::size_t i = 0; i < reader.wordCount(); ++i) {
     const std::string_view word = reader.word (i);
@@ -156,7 +165,8 @@ mayHaveDecimalCommas (const HeaderReader& reader)
   return has_zero && reader.wordCount() >= min_words;
 }
 
-/** \brief Whether these can be names of columns: one is, none is a number. */
+/** \brief Whether words can be the names of columns: one is a name, and the others are
+ * names or empty. */
 bool
 areNames (const Words& words)
 {
@@ -168,6 +178,7 @@ areNames (const Words& words)
 
 /** \brief The column of each coordinate by \ref findAxis, or the first three columns of
  * numbers where there are no names.
+ * \param[in] are_words for each column, whether it has words
  * \throws WorkError where columns have names, but a coordinate has none */
 std::vector<std::size_t>
 columnsOfAxes (const std::string& file,
@@ -193,9 +204,9 @@ columnsOfAxes (const std::string& file,
   return columns;
 }
 
-/** \brief The fields that columns become: coordinates by \ref columnsOfAxes. The others
- * keep their names as far as a field can have them, or are field_4, field_5, ...; those
- * of words have none.
+/** \brief The name of the field that each column becomes; empty if it has words. The
+ * coordinates are told by \ref columnsOfAxes. Other columns keep their names if a field
+ * can have them and no other has, or else become field_4, field_5, ...
  * \throws WorkError where columns have names, but a coordinate has none */
 Words
 fieldNames (const std::string& file,
@@ -222,6 +233,8 @@ fieldNames (const std::string& file,
   return fields;
 }
 
+/** \brief Reads a text file: comments, then perhaps the names of columns and the number
+ * of points, in any order, then a line for each point. */
 class TextReader {
 public:
   explicit TextReader (const std::string& file) : file_ (file), reader_ (file, "text")
@@ -241,7 +254,7 @@ public:
       if (names[i].empty())
         rows.skipColumn();
       else {
-        reader_.number (i); // a coordinate with a name, too, is one
+        reader_.number (i); // fails if it is a word
         rows.addColumn (names[i], pcl::PCLPointField::FLOAT64);
       }
     // Lines are about as long as the first.
@@ -261,7 +274,8 @@ public:
   }
 
 private:
-  /** \brief Goes on to a line that is neither empty nor a comment, if there is one. */
+  /** \brief Goes on to the next line that is neither empty nor a comment, if there is
+   * one, and notes comments before the first point that name columns. */
   bool
   nextLine ()
   {
@@ -275,24 +289,30 @@ private:
         continue;
       if (line_[begin] != '#' && line_.compare (begin, 2, "//") != 0)
         return true;
-      if (has_points_)
-        continue;
-      const std::size_t text = line_.find_first_not_of ("#/ \t");
-      const Words words = wordsOf (line_.substr (std::min (text, line_.size())));
-      // A comment has names of columns where x, y and z are among them.
-      const auto has_name = [&] (const Axis& axis) {
-        return findAxis (words, axis) != words.end();
-      };
-      if (std::all_of (axes.begin(), axes.end(), has_name))
-        comment_names_ = words;
+      if (!has_points_)
+        noteComment();
     }
     return false;
   }
 
+  /** \brief Takes a comment for names of columns if x, y and z are among its words. */
+  void
+  noteComment ()
+  {
+    const std::size_t text = line_.find_first_not_of ("#/ \t");
+    const Words words = wordsOf (line_.substr (std::min (text, line_.size())));
+    const auto has_name = [&] (const Axis& axis) {
+      return findAxis (words, axis) != words.end();
+    };
+    if (std::all_of (axes.begin(), axes.end(), has_name))
+      comment_names_ = words;
+  }
+
+  /** \brief Has the reader divide the line into numbers and words. */
   void
   takeLine ()
   {
-    if (separator_ == ';') // a comma is that of decimals
+    if (separator_ == ';') // then commas are decimal commas
       std::replace (line_.begin(), line_.end(), ',', '.');
     reader_.takeNumbers (line_, separator_);
     if (separator_ == ',' && names_.empty() && mayHaveDecimalCommas (reader_))
@@ -300,13 +320,13 @@ private:
                           "decimal points, too");
   }
 
-  /** \brief Reads up to the first point, that too. */
+  /** \brief Reads the lines up to the first point, and its line, too. */
   void
   readHead ()
   {
     while (nextLine()) {
       const Words words = wordsOf (line_);
-      const bool is_number_of_points = words.size() == 1 && !promised_;
+      const bool is_point_count = words.size() == 1 && !promised_;
       if (names_.empty() && areNames (words)) {
         names_ = words;
         continue;
@@ -317,8 +337,8 @@ private:
                          "gdal_translate -of XYZ");
       separator_ = separatorOf (line_);
       takeLine();
-      findWords (words);
-      if (is_number_of_points) {
+      findColumnsOfWords (words);
+      if (is_point_count) {
         promised_ = reader_.count ("its number of points", words[0]);
         continue;
       }
@@ -328,11 +348,12 @@ private:
     reader_.failEmpty();
   }
 
-  /** \brief Finds the columns of words by the first point, which has three numbers.
-   * What does not begin as a name, as 5abc, is damage unless columns have names.
-   * \param[in] words without quotes */
+  /** \brief Finds which columns have words, by the line that was taken.
+   * \param[in] words of the line, without quotes
+   * \throws WorkError if it has fewer than three numbers, or, while columns have no names,
+   * a word such as 5abc that is neither a number nor a name */
   void
-  findWords (const Words& words)
+  findColumnsOfWords (const Words& words)
   {
     are_words_.clear();
     for (std::size_t i = 0; i < reader_.wordCount(); ++i)
@@ -341,10 +362,13 @@ private:
     for (std::size_t i = 0; i < are_words_.size(); ++i) {
       const bool can_be_word = !names_.empty() || isName (words[i]);
       if (numbers < 3 || !can_be_word)
-        reader_.number (i); // is one
+        reader_.number (i); // fails if it is a word
     }
   }
 
+  /** \brief Compares the columns of the first point with their names. Names in a
+   * comment are used if they are as many.
+   * \throws WorkError if names in a line are not as many */
   void
   checkColumns ()
   {
@@ -353,7 +377,6 @@ private:
     if (!names_.empty() && names_.size() != count)
       reader_.failAtLine ("has " + std::to_string (count) + " numbers for " +
                           std::to_string (names_.size()) + " names of columns");
-    // A comment is no promise.
     if (names_.empty() && comment_names_.size() == count)
       names_ = comment_names_;
   }
@@ -361,9 +384,11 @@ private:
   std::string file_;
   HeaderReader reader_;
   std::string line_;
+  /** \brief The names of columns that a line has, and that a comment has. */
   Words names_, comment_names_;
+  /** \brief The number of points, where a line before them tells it. */
   std::optional<std::uint64_t> promised_;
-  /** \brief Of columns; no field has room for words. */
+  /** \brief For each column, whether it has words: it becomes no field. */
   std::vector<bool> are_words_;
   char separator_ = ' ';
   bool has_points_ = false;
