@@ -11,26 +11,27 @@ namespace pcl_ops::apps {
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& answers)
 {
-  // Twice what a single answer is off by, at most.
-  const double min_cosine = std::cos (toRadians (15.0));
+  // Each answer may be off by half of this.
+  constexpr double max_degrees_apart = 15.0;
+  const double min_cosine = std::cos (toRadians (max_degrees_apart));
   CommonUp best{{Eigen::Vector3d::Zero(), 0.0}, 0};
-  double weight = 0.0;
+  double confidence_of_all = 0.0;
   for (const UpAxis& candidate : answers) {
-    weight += candidate.confidence;
-    CommonUp found{{Eigen::Vector3d::Zero(), 0.0}, 0};
+    confidence_of_all += candidate.confidence;
+    CommonUp agreeing{{Eigen::Vector3d::Zero(), 0.0}, 0};
     for (const UpAxis& answer : answers)
       if (answer.direction.dot (candidate.direction) >= min_cosine) {
-        found.axis.direction += answer.confidence * answer.direction;
-        found.axis.confidence += answer.confidence;
-        ++found.answers;
+        agreeing.axis.direction += answer.confidence * answer.direction;
+        agreeing.axis.confidence += answer.confidence;
+        ++agreeing.answers;
       }
-    if (found.axis.confidence > best.axis.confidence)
-      best = found;
+    if (agreeing.axis.confidence > best.axis.confidence)
+      best = agreeing;
   }
-  if (best.answers == 0 || 2.0 * best.axis.confidence <= weight)
+  if (best.answers == 0 || 2.0 * best.axis.confidence <= confidence_of_all)
     return std::nullopt;
   best.axis.direction.normalize();
-  best.axis.confidence /= weight;
+  best.axis.confidence /= confidence_of_all;
   return best;
 }
 

@@ -10,17 +10,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Which way is up in a sequence. */
+/** \brief Which way is up in a sequence of clouds. */
 struct CommonUp {
+  /** \brief Its confidence is the share of all answers' confidence that agrees with it.
+   */
   UpAxis axis;
   /** \brief How many of the answers agree with it. */
   std::size_t answers;
 };
 
-/** \brief What most answers of single clouds agree on, each with the weight of its
- * confidence; the confidence is the share of the weight that agrees.
+/** \brief The mean of the answers of single clouds that agree with each other, weighted
+ * by their confidence.
  * \param[in] answers in one frame
- * \return nothing where no half of the weight agrees */
+ * \return nothing if those that agree have no more than half of the confidence of all */
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& answers);
 
