@@ -10,6 +10,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+// In voxels of 0.1 m.
 std::int32_t
 keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 {
@@ -30,11 +31,12 @@ TEST (VoxelKeys, AreRoundedDownAndEndWhereTheirRangeEnds)
   EXPECT_EQ (keyOfCoordinate (-1e9f), -key_limit);
 }
 
-TEST (VoxelKeys, OfVoxelsTooSmallForTheirInverseAreInTheirRange)
+TEST (VoxelKeys, EndTheirRangeWhereVoxelsAreTooSmallForAnInverse)
 {
-  // 0 times infinity is no number.
   const float infinite = std::numeric_limits<float>::infinity();
-  EXPECT_EQ (keyOfCoordinate (0.0f, infinite), keyOfCoordinate (-1.0f, infinite));
+  EXPECT_EQ (keyOfCoordinate (1.0f, infinite), key_limit);
+  EXPECT_EQ (keyOfCoordinate (-1.0f, infinite), -key_limit);
+  EXPECT_EQ (keyOfCoordinate (0.0f, infinite), -key_limit) << "0 times infinity is NaN";
 }
 
 TEST (MortonCode, InterleavesTheBitsOfCoordinates)
@@ -45,15 +47,19 @@ TEST (MortonCode, InterleavesTheBitsOfCoordinates)
   EXPECT_EQ (mortonCode (0b101, 0b010, 0b111) - mortonCode (0, 0, 0), 0b101110101u);
 }
 
-TEST (MortonCode, OfAVoxelOfTwiceTheEdgeIsAnEighth)
+TEST (MortonCode, WithoutItsLast3BitsIsOneOfVoxelsOfTwiceTheEdge)
 {
   EXPECT_EQ (mortonCode (10, 22, 32) >> 3, mortonCode (11, 23, 33) >> 3);
   EXPECT_NE (mortonCode (10, 22, 32) >> 3, mortonCode (9, 22, 32) >> 3);
+}
+
+TEST (MortonCode, WithoutItsLast12BitsIsOneOfVoxelsOf16TimesTheEdge)
+{
   EXPECT_EQ (mortonCode (0, 0, 0) >> 12, mortonCode (15, 15, 15) >> 12);
   EXPECT_NE (mortonCode (0, 0, 0) >> 12, mortonCode (-1, 0, 0) >> 12);
 }
 
-TEST (MortonCode, TellsTheCoordinatesAgain)
+TEST (MortonCode, GivesTheCoordinatesBackPlusTheirOffset)
 {
   for (const std::int32_t x : {0, 1, 0x12345, key_limit, -key_limit}) {
     const VoxelKey key = numbersOf (mortonCode (x, -x, 7));
@@ -65,6 +71,7 @@ TEST (MortonCode, TellsTheCoordinatesAgain)
 
 TEST (MortonCode, OfKeysNearZeroSharesItsUpperBits)
 {
+  // Up to 100 the lowest 9 bits of each of the three coordinates differ.
   for (const std::int32_t x : {-100, 0, 100})
     EXPECT_EQ (mortonCode (x, -x, x) >> 27, mortonCode (0, 0, 0) >> 27);
 }

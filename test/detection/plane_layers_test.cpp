@@ -9,7 +9,8 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// Points of two grounds so far apart, on one plane between them, split.
+// Points of two level squares, one above the other, that were labelled as one plane in
+// the middle: and what splitLayers makes of that plane.
 struct Split {
   Split (double apart, double noise, std::size_t of_each, double min_apart = 5_mm)
   : labels (2 * of_each, 0), is_kept (1, 1)
@@ -42,16 +43,20 @@ TEST (PlaneLayers, AreTheTwoSidesOfAThinWall)
 TEST (PlaneLayers, AreNoneOfOneNoisyPlane)
 {
   EXPECT_EQ (Split (0.0, 1_cm, 2000).is_kept.size(), 1u);
+}
+
+TEST (PlaneLayers, AreNoneIfTheyAreOnlyTheirNoiseApart)
+{
   EXPECT_EQ (Split (1_cm, 1_cm, 2000).is_kept.size(), 1u);
 }
 
-TEST (PlaneLayers, AreAsFarApartAsIsAsked)
+TEST (PlaneLayers, AreAtLeastAsFarApartAsIsAsked)
 {
   EXPECT_EQ (Split (4_cm, 3_mm, 500, 3_cm).is_kept.size(), 2u);
   EXPECT_EQ (Split (4_cm, 3_mm, 500, 5_cm).is_kept.size(), 1u);
 }
 
-TEST (PlaneLayers, NeedPoints)
+TEST (PlaneLayers, NeedFiftyPointsTogether)
 {
   EXPECT_EQ (Split (4_cm, 3_mm, 20).is_kept.size(), 1u);
   EXPECT_EQ (Split (4_cm, 3_mm, 30).is_kept.size(), 2u);

@@ -45,10 +45,18 @@ TEST (Program, SaysWhatItNeedsMoreMemoryFor)
              "b.pcd: is odd");
 }
 
-TEST (Program, IsInterruptedOnceByTwoSignalsAtOnceAndEndedByALaterOne)
+namespace {
+
+/** \brief Has EXPECT_EXIT run its statement in a process of its own: signals end it. */
+class InterruptedProgram : public testing::Test {
+protected:
+  InterruptedProgram() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
+};
+
+} // namespace
+
+TEST_F (InterruptedProgram, GoesOnAfterTwoSignalsAtOnce)
 {
-  // Each in a process of its own.
-  testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto interrupted_twice = [] { // as timeout sends them
     noteInterruptions();
     std::raise (SIGTERM);
@@ -56,12 +64,20 @@ TEST (Program, IsInterruptedOnceByTwoSignalsAtOnceAndEndedByALaterOne)
     std::exit (isInterrupted() ? 0 : 1);
   };
   EXPECT_EXIT (interrupted_twice(), testing::ExitedWithCode (0), "");
+}
+
+TEST_F (InterruptedProgram, IsEndedByALaterSignal)
+{
   const auto interrupted_again = [] {
     noteInterruptions();
     while (true) // until one is later than "at once"
       std::raise (SIGINT);
   };
   EXPECT_EXIT (interrupted_again(), testing::KilledBySignal (SIGINT), "");
+}
+
+TEST_F (InterruptedProgram, EndsByTheSignalThatInterruptedIt)
+{
   const auto ended = [] {
     noteInterruptions();
     std::raise (SIGTERM);

@@ -16,11 +16,12 @@ using Eigen::Vector3d;
 
 namespace {
 
+/** \brief Points with the numbers of their planes, from 1 on; 0: on no plane. */
 struct LabeledPoints {
   std::vector<Vector3d> points;
   std::vector<std::uint32_t> labels;
 
-  /** \brief A row along x, 1 cm apart. */
+  /** \brief Adds a row of points along x, 1 cm apart. */
   void
   addRow (std::uint32_t label, int number, double y)
   {
@@ -38,7 +39,7 @@ struct LabeledPoints {
   }
 };
 
-/** \brief What stands on a page between the tags of an element. */
+/** \brief The text of the script element of a page with this id. */
 std::string
 elementOf (const std::string& page, const std::string& id)
 {
@@ -47,7 +48,7 @@ elementOf (const std::string& page, const std::string& id)
   return page.substr (begin, page.find ("</script>", begin) - begin);
 }
 
-/** \brief Bytes of letters in base64. */
+/** \brief The bytes that letters of base64 stand for. */
 std::vector<std::uint8_t>
 decoded (const std::string& letters)
 {
@@ -64,9 +65,10 @@ decoded (const std::string& letters)
   return bytes;
 }
 
+/** \brief The points of a group as a browser places them. */
 struct ShownGroup {
-  std::size_t all;
-  Vector3d step;
+  std::size_t all; // how many the cloud has; some may not be on the page
+  Vector3d step;   // from one place that a point can have to the next [m]
   std::vector<Vector3d> points;
 };
 
@@ -81,7 +83,7 @@ groupsOn (const std::string& page)
 {
   const std::vector<std::uint8_t> bytes = decoded (elementOf (page, "places"));
   std::size_t next = 0;
-  const auto coordinate = [&] {
+  const auto coordinate = [&] { // the next one, of 16 bits, low byte first
     const int number = bytes.at (next) + 256 * bytes.at (next + 1);
     next += 2;
     return double (number);
@@ -102,6 +104,7 @@ groupsOn (const std::string& page)
 
 class Page : public testing::Test {
 protected:
+  /** \brief The page of some groups. */
   std::string
   textOf (const std::vector<PointGroup>& groups,
           const std::string& description = "{}",
@@ -120,14 +123,16 @@ TEST_F (Page, HasEachPointInItsGroupWithinHalfAStep)
   cloud.addRow (2, 300, 1.0);
   cloud.addRow (0, 50, 7.0);
   cloud.addRow (1, 200, 3.0);
-  const Vector3d shift (500'000, 5'400'000, 100);
+  const Vector3d shift (500'000, 5'400'000, 100); // as of UTM
   const std::vector<ShownGroup> shown =
       groupsOn (textOf (cloud.groups (2), "{}", shift));
   ASSERT_EQ (shown.size(), 3u);
+  // Planes have a group each, and the points on none are the last one.
   const std::vector<std::uint32_t> group_of_label = {2, 0, 1};
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     const ShownGroup& group = shown[group_of_label[cloud.labels[i]]];
-    const Vector3d half_step = 0.5 * group.step + Vector3d::Constant (1e-8);
+    const double rounding = 1e-8; // of the shift
+    const Vector3d half_step = 0.5 * group.step + Vector3d::Constant (rounding);
     EXPECT_TRUE (std::any_of (group.points.begin(), group.points.end(), [&] (auto& p) {
       return ((p - shift - cloud.points[i]).array().abs() <= half_step.array()).all();
     })) << i;
@@ -135,7 +140,7 @@ TEST_F (Page, HasEachPointInItsGroupWithinHalfAStep)
   EXPECT_EQ (shown[0].points.size(), 200u);
   EXPECT_EQ (shown[1].points.size(), 300u);
   EXPECT_EQ (shown[2].points.size(), 50u);
-  EXPECT_LE (shown[1].step.maxCoeff(), 3.0 / 65535 + 1e-12);
+  EXPECT_LE (shown[1].step.maxCoeff(), 3.0 / 65535 + 1e-12) << "3 m, 16 bits";
 }
 
 TEST_F (Page, OfManyPointsHasSomeOfEachPlaneAndAtMostTheLimit)
@@ -150,24 +155,27 @@ TEST_F (Page, OfManyPointsHasSomeOfEachPlaneAndAtMostTheLimit)
   for (const ShownGroup& group : shown)
     all += group.points.size();
   EXPECT_LE (all, 1000u);
-  EXPECT_GE (all, 600u);
+  EXPECT_GE (all, 600u) << "most of the limit is used";
   EXPECT_EQ (shown[0].all, 100'000u);
-  EXPECT_GT (shown[0].points.size(), 300u);
-  EXPECT_GE (shown[1].points.size(), 100u);
+  EXPECT_GT (shown[0].points.size(), 300u) << "the largest plane has most";
+  EXPECT_GE (shown[1].points.size(), 100u) << "each has a hundred, if it has as many";
   EXPECT_EQ (shown[2].points.size(), 10u);
 }
 
-TEST_F (Page, ShowsAnEvenSampleWhosePartsAreEven)
+TEST_F (Page, ShowsAnEvenSampleWhoseFirstQuarterIsEvenToo)
 {
+  // Four standard deviations of a share of 1000 points.
+  const double tolerance = 0.06;
   LabeledPoints cloud;
   cloud.addRow (1, 100'000, 1.0);
   const std::vector<Vector3d> points =
       groupsOn (textOf (cloud.groups (1, 4000)))[0].points;
   for (const std::size_t part : {points.size(), points.size() / 4}) {
+    // The row is 1000 m long.
     const auto is_left = [] (const Vector3d& point) { return point.x() < 500.0; };
     const auto end = points.begin() + static_cast<std::ptrdiff_t> (part);
     const auto left = double (std::count_if (points.begin(), end, is_left));
-    EXPECT_NEAR (left / double (part), 0.5, 0.06);
+    EXPECT_NEAR (left / double (part), 0.5, tolerance);
   }
 }
 
@@ -201,33 +209,33 @@ TEST_F (Page, OfNoPointsHasEmptyGroups)
     EXPECT_TRUE (group.points.empty());
 }
 
-TEST_F (Page, TakesEightBytesForAPoint)
+TEST_F (Page, HasAtMostEightBytesForAPointAnd17MBForTheMostPoints)
 {
   LabeledPoints cloud;
   cloud.addRow (1, 30'000, 1.0);
   const std::size_t empty = textOf (LabeledPoints().groups (1)).size();
-  EXPECT_LT (textOf (cloud.groups (1)).size() - empty, 8u * 30'000 + 200);
-  // So that the most points have 30 MB at most, with a megabyte for planes.
-  EXPECT_LT (empty + 8u * max_points_on_page, 29'000'000u);
+  const std::size_t numbers_of_group = 200; // its origin, step and count
+  EXPECT_LT (textOf (cloud.groups (1)).size() - empty, 8u * 30'000 + numbers_of_group);
+  EXPECT_LT (empty + 8u * max_points_on_page, 17'000'000u);
 }
 
-TEST_F (Page, HasNamesWhichLookLikeTheEndOfAScript)
+TEST_F (Page, KeepsNamesThatLookLikeTheEndOfAScript)
 {
   const nlohmann::json description = {{"title", "</script><script>alert (1)<!--"}};
   const std::string plain = textOf (LabeledPoints().groups (0));
   const std::string page = textOf (LabeledPoints().groups (0), description.dump());
   EXPECT_EQ (nlohmann::json::parse (elementOf (page, "description")), description);
-  const auto scripts = [] (const std::string& text) {
+  const auto countScripts = [] (const std::string& text) {
     std::size_t number = 0;
     for (std::size_t at = 0; (at = text.find ("<script", at)) != std::string::npos;
          ++at)
       ++number;
     return number;
   };
-  EXPECT_EQ (scripts (page), scripts (plain));
+  EXPECT_EQ (countScripts (page), countScripts (plain));
 }
 
-TEST_F (Page, LoadsNothing)
+TEST_F (Page, NamesNothingToLoad)
 {
   const std::string page = textOf (LabeledPoints().groups (0));
   for (const char* word : {"http", "src=", "import", "fetch", "url(", "{{"})
