@@ -8,7 +8,10 @@ import numpy as np
 
 
 def surface(corner, first, second, number, noise=0.002, seed=1):
-    """Points of a parallelogram with noise along its normal."""
+    """Random points of a parallelogram, with noise [m] along its normal.
+
+    corner: where the sides first and second begin.
+    """
     draws = np.random.default_rng(seed)
     normal = np.cross(first, second)
     normal = normal / np.linalg.norm(normal)
@@ -18,7 +21,7 @@ def surface(corner, first, second, number, noise=0.002, seed=1):
 
 
 def room():
-    """A floor of 4 m x 3 m, two walls of 2.5 m, and points that saw nothing."""
+    """A floor of 4 m x 3 m, two walls of 2.5 m, and points without coordinates, mixed."""
     cloud = np.vstack([
         surface((0, 0, 0), (4, 0, 0), (0, 3, 0), 12000, seed=1),
         surface((0, 3, 0), (4, 0, 0), (0, 0, 2.5), 10000, seed=2),
@@ -29,7 +32,7 @@ def room():
 
 
 def turn(degrees):
-    """About z, as a 4 x 4 matrix."""
+    """The pose turned about z, as a 4 x 4 matrix."""
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     pose = np.eye(4)
     pose[:2, :2] = [[c, -s], [s, c]]
@@ -37,21 +40,29 @@ def turn(degrees):
 
 
 def seen_from(pose, points):
-    """The points in the frame that has this pose."""
+    """The points in the frame of a sensor with this pose."""
     return ((points - pose[:3, 3]) @ pose[:3, :3]).astype(np.float32)
 
 
 def las(points, geo_keys=()):
-    """The bytes of a LAS file with coordinates in millimeters, from the least on.
+    """The bytes of a LAS 1.2 file. Its integers are millimeters from the least coordinates on.
 
     geo_keys: (id, value) of each key of GeoTIFF that names its reference system.
     """
-    zero = np.nanmin(points, axis=0).astype(np.float64)
-    record = np.zeros(len(points), [("place", "<i4", 3), ("rest", "u1", 8)])
-    record["place"] = np.round((points - zero) * 1000)
+    offset = np.nanmin(points, axis=0).astype(np.float64)
+    # Point format 0: of its 20 bytes only the coordinates are used.
+    records = np.zeros(len(points), [("xyz", "<i4", 3), ("rest", "u1", 8)])
+    records["xyz"] = np.round((points - offset) * 1000)
+    # A variable length record, the directory of keys (34735).
     keys = struct.pack("<4H", 1, 1, 0, len(geo_keys)) + b"".join(
         struct.pack("<4H", key, 0, 1, value) for key, value in geo_keys)
-    system = struct.pack("<2x16s2H32x", b"LASF_Projection", 34735, len(keys)) + keys
-    header = struct.pack("<4s20xBB68xHIIBHI20x12d", b"LASF", 1, 2, 227, 227 + len(system), 1, 0,
-                         20, len(points), *[0.001] * 3, *zero, *[1e7, 0.0] * 3)
-    return header + system + record.tobytes()
+    directory = struct.pack("<2x16s2H32x", b"LASF_Projection", 34735, len(keys)) + keys
+    header_size = 227
+    header = struct.pack(
+        "<4s20xBB68xHIIBHI20x12d",
+        b"LASF", 1, 2,  # version 1.2
+        header_size, header_size + len(directory),  # where points begin
+        1, 0, 20, len(points),  # variable length records, point format, its bytes, points
+        *[0.001] * 3, *offset,  # scale [m] and offset of x, y, z
+        *[1e7, 0.0] * 3)  # largest and least x, y, z, which nobody reads
+    return header + directory + records.tobytes()

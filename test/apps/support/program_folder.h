@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
 #include <support/text.h>
@@ -9,19 +11,22 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 #include <utility>
 
+/** \brief How a command ended, and what it wrote to its standard output and error. */
 struct Outcome {
   int exit_code;
   std::string out, err;
 };
 
-/** \brief A folder to run a program in. */
+/** \brief An empty folder for each test to run a program in. */
 class ProgramFolder : public testing::Test {
 protected:
+  /** \param[in] program its path; commands find the programs of its folder by name */
   explicit ProgramFolder (std::string program) : program_ (std::move (program)) {}
 
-  /** \brief Runs commands of the shell in the folder, which find all programs. */
+  /** \brief Runs commands of the shell in the folder. */
   Outcome
   shell (const std::string& commands) const
   {
@@ -35,6 +40,7 @@ protected:
             contentOf (streams_ / "err")};
   }
 
+  /** \brief Runs the program, and fails the test unless its exit code is 0. */
   Outcome
   expectDone (const std::string& arguments) const
   {
@@ -45,5 +51,5 @@ protected:
 
   std::string program_;
   TemporaryFolder folder_;
-  TemporaryFolder streams_{"_streams"};
+  TemporaryFolder streams_{"_streams"}; // of standard output and error
 };
