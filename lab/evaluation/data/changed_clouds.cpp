@@ -24,7 +24,8 @@ using RandomGenerator = std::mt19937;
 double
 drawUnit (RandomGenerator& generator)
 {
-  return generator() * (1.0 / 4294967296.0);
+  constexpr double range = 4294967296.0; // 2^32
+  return generator() * (1.0 / range);
 }
 
 void

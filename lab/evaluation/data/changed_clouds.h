@@ -8,33 +8,35 @@
 
 namespace pcl_ops::evaluation {
 
-/** A cloud of which nothing has changed that planes depend on. */
+/** A cloud changed in a way that should leave its planes as they are. */
 struct ChangedCloud {
   XyzCloud::Ptr cloud;
-  Vector3d up;         // against gravity, of length 1
-  pcl::Indices points; // of each point, where it was in the cloud as it was
+  Vector3d up;         // unit vector against gravity
+  pcl::Indices points; // for each point its index before the change
 };
 
-/** A way to change a cloud, always the same one of the same cloud. */
+/** A way to change a cloud. The same cloud is always changed in the same way. */
 struct CloudChange {
-  /** Of its column in results.csv, agreement_NAME. */
+  /** The column agreement_NAME in results.csv has its results. */
   const char* name;
   /** \param[in,out] changed a copy of the cloud with all its points */
   void (*apply) (ChangedCloud& changed);
 };
 
-/**  - moved: by 5 cm and more along each axis, or nearly
- * - turned: by 30 degrees about z, with the up axis and the sensor
- * - thinned: without one point in a hundred, rounded up
- * - jittered: each coordinate by up to 0.1 mm to either side
- * - rounded: coordinates are whole millimeters */
+/** - moved: by 4 to 8 cm along each axis, the sensor, too
+ * - turned: by 30 degrees about z, the sensor and the up axis, too
+ * - thinned: one point in a hundred is left out, rounded up
+ * - jittered: each coordinate is moved by up to 0.1 mm to either side
+ * - rounded: coordinates are rounded to whole millimeters */
 extern const std::array<CloudChange, 5> cloud_changes;
 
-/** Exactly \p count of \p all points, ascending, each with the same chance (Knuth, The
- * Art of Computer Programming 2, algorithm S); always the same ones. */
+/** Draws \p count different ones of the indices 0 to \p all - 1, each with the same
+ * chance, always the same ones (Knuth, The Art of Computer Programming 2, algorithm S).
+ * \return ascending */
 pcl::Indices
 drawPoints (std::size_t all, std::size_t count);
 
+/** \param[in] up against gravity, of length 1 */
 ChangedCloud
 changedCloud (const XyzCloud& cloud, const Vector3d& up, const CloudChange& change);
 
