@@ -162,6 +162,7 @@ double
 blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction)
 {
   std::vector<double> offsets;
+  offsets.reserve (points.size());
   for (const Eigen::Vector3d& point : points)
     offsets.push_back (direction.dot (point));
   std::sort (offsets.begin(), offsets.end());
