@@ -2,62 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection/plane_layers.h"
 
+#include "geometry/two_groups.h"
+
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief A division of sorted distances into lower and upper ones. */
-struct Division {
-  std::size_t first_above = 0;
-  double apart = 0.0;     // distance of the means of both [m]
-  double explained = 0.0; // sum of squares of these means about the mean of all
-};
-
-// The division that explains most, by Otsu.
-Division
-bestDivision (const std::vector<double>& sorted, double sum)
-{
-  const auto all = static_cast<double> (sorted.size());
-  Division best;
-  double sum_below = 0.0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    sum_below += sorted[i - 1];
-    const auto below = static_cast<double> (i);
-    const double apart = sum_below / below - (sum - sum_below) / (all - below);
-    const double explained = below * (all - below) / all * apart * apart;
-    if (explained > best.explained)
-      best = {i, std::abs (apart), explained};
-  }
-  return best;
-}
-
 // The signed distance that parts two layers, if there are two.
 std::optional<double>
 thresholdOf (std::vector<double>& distances, double min_apart)
 {
   constexpr std::size_t min_distances = 50;
-  // Of the sum of squares. The best division explains .64 of it in a normal
-  // distribution, and .75 in an even one.
-  constexpr double min_explained = 0.88;
+  constexpr double min_explained = 0.88; // more than distributions without two layers
   if (distances.size() < min_distances)
     return std::nullopt;
   std::sort (distances.begin(), distances.end());
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double distance : distances) {
-    sum += distance;
-    squares += distance * distance;
-  }
-  const auto all = static_cast<double> (distances.size());
-  const double squares_about_mean = squares - sum * sum / all;
-  const Division best = bestDivision (distances, sum);
-  if (best.explained <= min_explained * squares_about_mean || best.apart < min_apart)
+  const TwoGroups layers = bestTwoGroups (distances);
+  if (layers.explained_share <= min_explained || layers.apart < min_apart)
     return std::nullopt;
-  return 0.5 * (distances[best.first_above - 1] + distances[best.first_above]);
+  return 0.5 * (distances[layers.first_above - 1] + distances[layers.first_above]);
 }
 
 // How many points each plane has.

@@ -3,12 +3,12 @@
 #include "ops/place_noise.h"
 
 #include "base/parallel.h"
+#include "geometry/two_groups.h"
 #include "ops/constants.h"
 #include "ops/usual_noise.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pcl_ops::internal {
 
@@ -189,30 +189,6 @@ limitByUsual (const Places& places,
   });
 }
 
-// The share of the variance of sorted values that is left about the means of two
-// groups, the lower and the upper values, where the best border parts them.
-double
-restOfTwoGroups (const std::vector<double>& sorted)
-{
-  constexpr std::size_t least_in_group = 3;
-  const auto number = static_cast<double> (sorted.size());
-  const double sum = std::accumulate (sorted.begin(), sorted.end(), 0.0);
-  double between = 0.0; // sum of squares of the means of groups about that of all
-  double sum_below = 0.0;
-  for (std::size_t k = 0; k + least_in_group < sorted.size(); ++k) {
-    sum_below += sorted[k];
-    const auto below = static_cast<double> (k + 1);
-    if (k + 1 < least_in_group)
-      continue;
-    const double apart = sum_below / below - (sum - sum_below) / (number - below);
-    between = std::max (between, below * (number - below) / number * apart * apart);
-  }
-  double squares = -sum * sum / number;
-  for (const double value : sorted)
-    squares += value * value;
-  return squares > 0.0 ? 1.0 - between / squares : 1.0;
-}
-
 // The level of the flattest support of a place whose nearest points are in two layers,
 // or 0 if they are not. Both sides of a wall that is thinner than points are apart
 // scatter by far more than their noise, and only larger supports know where the wall
@@ -237,7 +213,9 @@ flattestOfLayers (const Places& places, std::size_t place)
     offset.push_back (normal.dot (places.position[places.nearestOf (place)[k]] -
                                   places.position[place]));
   std::sort (offset.begin(), offset.end());
-  return restOfTwoGroups (offset) < place_constants.max_rest_of_layers ? flattest : 0;
+  constexpr std::size_t min_of_layer = 3;
+  const double rest = 1.0 - bestTwoGroups (offset, min_of_layer).explained_share;
+  return rest < place_constants.max_rest_of_layers ? flattest : 0;
 }
 
 } // namespace

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/two_groups.h"
+
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+TwoGroups
+bestTwoGroups (const std::vector<double>& sorted, std::size_t min_of_group)
+{
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double value : sorted) {
+    sum += value;
+    squares += value * value;
+  }
+  const auto all = static_cast<double> (sorted.size());
+  std::size_t first_above = 0;
+  double apart = 0.0;
+  double explained = 0.0;
+  double sum_below = 0.0;
+  for (std::size_t i = 1; i + min_of_group <= sorted.size(); ++i) {
+    sum_below += sorted[i - 1];
+    if (i < min_of_group)
+      continue;
+    const auto below = static_cast<double> (i);
+    const double means_apart = sum_below / below - (sum - sum_below) / (all - below);
+    const double by_these = below * (all - below) / all * means_apart * means_apart;
+    if (by_these > explained) {
+      explained = by_these;
+      first_above = i;
+      apart = std::abs (means_apart);
+    }
+  }
+  const double squares_about_mean = squares - sum * sum / all;
+  return squares_about_mean > 0.0
+             ? TwoGroups{first_above, apart, explained / squares_about_mean}
+             : TwoGroups{}; // equal but for rounding
+}
+
+} // namespace pcl_ops::internal
