@@ -18,8 +18,8 @@ PAGES = [SOURCES / "README.md", *sorted((SOURCES / "src/doc").glob("*.md"))]
 
 # What a reader has by then: a cloud and the detector of the first example, and where a page
 # goes on from planes, these. Headers beyond that are the block's own business.
+GIVEN_HEADER = "#include <pcl_ops/oriented_point_sampling.h>\n"
 GIVEN = """
-#include <pcl_ops/oriented_point_sampling.h>
 void
 example (const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud,
          pcl_ops::OrientedPointSampling<pcl::PointXYZ>& ops,
@@ -39,23 +39,39 @@ def blocks_of(page):
     return re.findall(r"^```cpp\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
 
 
-def program_of(block):
-    """A block with a main function is a program, another one the body of a function."""
-    if re.search(r"^main \(", block, re.MULTILINE):
-        return block
+def is_program(block):
+    return re.search(r"^main \(", block, re.MULTILINE) is not None
+
+
+def body_of(block):
+    """A block without a main function as the body of a function."""
     lines = block.splitlines(keepends=True)
     headers = [line for line in lines if line.startswith("#")]
     return "".join([*headers, GIVEN, *(line for line in lines if line not in headers), "}\n}\n"])
 
 
 class Blocks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        # Compiled once: it takes most of the time of a block.
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.given = pathlib.Path(cls.folder.name, "given.h")
+        cls.given.write_text(GIVEN_HEADER)
+        done = cls.compile("-x", "c++-header", cls.given, "-o", f"{cls.given}.gch")
+        assert done.returncode == 0, done.stdout
+
+    @staticmethod
+    def compile(*options):
+        return subprocess.run([COMPILER, "-std=c++17", f"@{FLAGS}", *options],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              check=False)
+
     def assertCompiles(self, block):
-        with tempfile.TemporaryDirectory() as folder:
-            source = pathlib.Path(folder, "block.cpp")
-            source.write_text(program_of(block))
-            done = subprocess.run([COMPILER, "-std=c++17", f"@{FLAGS}", "-fsyntax-only", source],
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                  check=False)
+        source = pathlib.Path(self.folder.name, "block.cpp")
+        source.write_text(block if is_program(block) else body_of(block))
+        given = [] if is_program(block) else ["-include", self.given]
+        done = self.compile("-fsyntax-only", *given, source)
         self.assertEqual(done.returncode, 0, f"{block}\n{done.stdout}")
 
     def test_compile_as_written(self):
