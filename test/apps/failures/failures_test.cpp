@@ -241,7 +241,7 @@ TEST_P (Failures, NoThreadIsNoFailure)
 TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)
 {
   command_ = "pcl_ops_segment in.pcd OUT --quiet";
-  pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall (500));
+  pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall (250));
   expectMemoryIsMissed();
 }
 
