@@ -125,6 +125,15 @@ TEST (NormalsWithoutASensor, PointToASensorAtZeroThatSawThePlanes)
   EXPECT_LT (normals[0].z(), -0.9);
 }
 
+TEST (NormalsWithoutASensor, PointToASensorAtZeroFromACeilingTwoDegreesAboveIt)
+{
+  Cloud ceiling = roomAt ({1, -2, 0.1}); // 3 m ahead in the middle
+  ceiling.resize (101 * 101);
+  const std::vector<Vector3d> normals = normalsOf (ceiling);
+  ASSERT_EQ (normals.size(), 1u);
+  EXPECT_LT (normals[0].z(), -0.9);
+}
+
 TEST (NormalsWithoutASensor, PointToASensorThatIsGivenWhateverItSees)
 {
   const std::vector<Vector3d> normals =

@@ -104,6 +104,23 @@ TEST (OrientedVoxels, TakeACoarserNeighborhoodWhereNoiseHidesTheFinest)
   EXPECT_LT (thickness (3), 0.2);
 }
 
+TEST (OrientedVoxels, TakeTheCoarserNeighborhoodThatTheyLieIn)
+{
+  // Noise hides the finest one, on a floor and on a wall far from it.
+  const Surface far_wall = {{4, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  const VoxelGrid grid =
+      connectedGrid (gridsOf ({floor_of_the_scene, far_wall}, 200, 5_cm), 0.05);
+  const auto surfels = findSurfels (grid, 3, 30.0, 1);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const bool is_on_wall = grid.moments[i].centroid().x() > 3.0;
+    const Eigen::Vector3d normal =
+        (is_on_wall ? far_wall : floor_of_the_scene).normal();
+    right += surfels[i] && angleBetween (surfels[i]->plane.normal, normal) < 5_deg;
+  }
+  EXPECT_GT (static_cast<double> (right), 0.9 * static_cast<double> (grid.size()));
+}
+
 TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
 {
   // 36 in a voxel, 324 in nine
