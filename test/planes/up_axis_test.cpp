@@ -96,6 +96,24 @@ TEST (UpAxis, FollowsThePlanesNotOneTiltedOne)
   expectUp (estimateUpAxis (planes, eye).value(), 0.5_deg);
 }
 
+TEST (UpAxis, IsAcrossWallsWhereManyAreLargerThanTheFloor)
+{
+  std::vector<PlaneSegment> planes;
+  for (const double degrees : {0.0, 60.0, 120.0})
+    for (const double distance : {-3.0, -2.0, 2.0, 3.0, 4.0}) {
+      const Eigen::AngleAxisd turn (degrees * 1_deg, Vector3d::UnitZ());
+      planes.push_back (seenFrom (
+          eye,
+          {turn * Vector3d (distance, -4, 0), turn * Vector3d (0, 8, 0), {0, 0, 3}}));
+    }
+  // It is not quite level.
+  planes.push_back (seenFrom (eye, {{-1, -1, 0}, {2.5, 0, 0}, {0, 2.5, 0.1}}));
+  UpAxisParameters parameters;
+  parameters.min_share = 0.001;
+  parameters.min_confidence = 0.0;
+  expectUp (estimateUpAxis (planes, eye, parameters).value(), 1_deg);
+}
+
 TEST (UpAxis, NeedsAFloorAndAWall)
 {
   const PlaneSegment floor = seenFrom (eye, room_floor),

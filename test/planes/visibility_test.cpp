@@ -195,6 +195,18 @@ TEST (Visibility, OfTooFewPointsIsAsGiven)
   EXPECT_TRUE (isSeenFrom (camera, CloudView (few)));
 }
 
+TEST (Visibility, CountsAPlaceWithVeryManyPointsAsOneWithSome)
+{
+  const Vector3d beside = camera + Vector3d (2, 0, 0);
+  const auto hidden = [&] (std::size_t equal) {
+    Cloud cloud = wallBehindABoard();
+    cloud.insert (cloud.end(), equal, toPoint (camera));
+    return occludedFraction (CloudView (cloud), beside);
+  };
+  EXPECT_GT (hidden (0), 0.0);
+  EXPECT_EQ (hidden (4000), hidden (300));
+}
+
 TEST (Visibility, LeavesOutWhatIsNotFinite)
 {
   Cloud cloud = wallBehindABoard();
