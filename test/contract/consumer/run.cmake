@@ -3,7 +3,8 @@
 
 # Uses an installed prefix (install.cmake) from outside: by find_package, by pkg-config
 # with the bare compiler, and by calling its programs.
-# cmake -DPREFIX=prefix -DWORK=folder -DCXX=c++ -DLIBDIR=lib -DPKG_CONFIG=pkg-config -P run.cmake
+# cmake -DPREFIX=prefix -DWORK=folder -DCXX=c++ -DLIBDIR=lib -DPKG_CONFIG=pkg-config
+#   [-DLOADER_KNOWS=ON] -P run.cmake
 cmake_minimum_required(VERSION 3.16)
 include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)
 
@@ -90,7 +91,10 @@ if(with_buildings)
   run_by_pkg_config(pcl_ops_buildings buildings_consumer)
 endif()
 
-set(ENV{LD_LIBRARY_PATH} "")
+# Programs have paths to their libraries; where LOADER_KNOWS them, as of packages, none.
+if(NOT LOADER_KNOWS)
+  set(ENV{LD_LIBRARY_PATH} "")
+endif()
 file(GLOB programs ${prefix}/bin/*)
 foreach(program ${programs})
   run(${program} --version)
