@@ -273,6 +273,14 @@ setExtents (const SegmentOptions& options,
       report.extents.push_back (extentInFile (shifted, plane, options.hull));
 }
 
+FileCloud
+loadInput (const Task& task)
+{
+  if (task.input == standard_stream)
+    return loadStandardInput();
+  return loadCloud (task.input);
+}
+
 } // namespace
 
 std::string
@@ -293,8 +301,7 @@ segmentCloud (const SegmentOptions& given,
       lines->begin (nameOfInput (task) + ": " + stage);
   };
   begin ("reading");
-  const bool is_piped = task.input == standard_stream;
-  const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
+  const FileCloud cloud = loadInput (task);
   const SegmentOptions options = withSystemOf (cloud, given);
   checkTakesLabels (options, task, cloud);
   begin ("finding planes in " + std::to_string (cloud.size()) + " points");

@@ -10,10 +10,9 @@
 namespace pcl_ops::internal {
 
 /** \brief Makes two planes of each that has two layers: the sides of a thin wall are
- * neighbors, so that they come out as one plane. Where a threshold on the signed
- * distances of the points of a plane explains most of their variance, the points above
- * it get a plane of their own (Otsu's threshold; N. Otsu, "A Threshold Selection Method
- * from Gray-Level Histograms", IEEE Trans. Systems, Man, and Cybernetics, 1979).
+ * neighbors, so that they come out as one plane. Where two groups explain most of the
+ * variance of the signed distances of its points (\ref bestTwoGroups), the points of
+ * the upper one get a plane of their own.
  * \param[in] min_apart of each plane, the least distance of its two layers [m]
  * \param[in,out] labels of the points; new planes are numbered from \p is_kept.size()
  * \param[in,out] is_kept for each plane 1, or 0 if it is left alone; new planes are added
