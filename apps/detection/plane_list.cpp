@@ -21,7 +21,6 @@
 #include <cmath>
 #include <iomanip>
 #include <locale>
-#include <regex>
 
 BOOST_GEOMETRY_REGISTER_POINT_3D (Eigen::Vector3d, double, cs::cartesian, x(), y(), z())
 BOOST_GEOMETRY_REGISTER_LINESTRING (pcl_ops::apps::Ring)
@@ -201,6 +200,18 @@ simplified (const Rings& rings, double tolerance)
 using Json = nlohmann::ordered_json;
 
 const std::string prefix_of_crs = "EPSG:";
+
+/** \brief Whether it is EPSG:N with 1 to 7 digits. */
+bool
+isCrs (const std::string& text)
+{
+  constexpr std::size_t most_digits = 7;
+  if (text.compare (0, prefix_of_crs.size(), prefix_of_crs) != 0)
+    return false;
+  const std::string number = text.substr (prefix_of_crs.size());
+  return !number.empty() && number.size() <= most_digits &&
+         number.find_first_not_of ("0123456789") == std::string::npos;
+}
 
 /** \brief A plane's columns and their values; lists are taken apart. */
 std::vector<std::pair<std::string, Json>>
@@ -528,7 +539,7 @@ declareMap (CommandLine& line, MapOptions& options)
 {
   line.add ("crs EPSG:N",
             [&options] (const std::string& text) {
-              if (!std::regex_match (text, std::regex (prefix_of_crs + "[0-9]{1,7}")))
+              if (!isCrs (text))
                 throw UsageError ("--crs",
                                   "'" + text +
                                       "' is not EPSG:N; give a number, as EPSG:25832");

@@ -7,6 +7,7 @@
 #include "plan_rooms.h"
 #include "plan_walls.h"
 #include "room_graph.h"
+#include "upright.h"
 #include "wall_faces.h"
 #include "wall_fronts.h"
 #include <pcl_ops/buildings/floor_plan.h>
@@ -68,17 +69,6 @@ private:
   const CloudView& cloud_;
   Eigen::Matrix3d to_plan_;
 };
-
-/** \brief Turns up to z the shortest way: x and y stay where up is z. */
-Eigen::Matrix3d
-turnUpright (const Vector3d& up)
-{
-  const Vector3d axis = up.stableNormalized();
-  if (axis == Vector3d::UnitZ())
-    return Eigen::Matrix3d::Identity();
-  return Eigen::Quaterniond::FromTwoVectors (axis, Vector3d::UnitZ())
-      .toRotationMatrix();
-}
 
 /** \brief Planes with their kinds and their points in the frame of the plan. */
 struct Seen {

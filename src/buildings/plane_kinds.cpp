@@ -5,6 +5,7 @@
 #include "constants.h"
 #include "continuation.h"
 #include "stories.h"
+#include "upright.h"
 #include <pcl_ops/buildings/plane_kinds.h>
 
 #include <algorithm>
@@ -356,7 +357,7 @@ planesFromAbove (const Scene& scene,
                  const std::vector<PlaneExtent>& extents,
                  double meter)
 {
-  const auto turn = Eigen::Quaterniond::FromTwoVectors (scene.up, Vector3d::UnitZ());
+  const Eigen::Matrix3d turn = turnUpright (scene.up);
   std::vector<PlaneFromAbove> planes;
   for (std::size_t i = 0; i < extents.size(); ++i) {
     const PlaneShape& shape = scene.shapes[i];

@@ -63,8 +63,8 @@ bendOf (const Places& places, const Region& region, const Indices& members)
   }
   const auto number = static_cast<double> (members.size());
   products.diagonal().array() += ridge * number;
-  const double explained =
-      std::clamp (products.ldlt().solve (right).dot (right), 0.0, squares);
+  const Vector surface = products.ldlt().solve (right);
+  const double explained = std::clamp (surface.dot (right), 0.0, squares);
   const double rest = (squares - explained) / number + least_rest * width * width;
   return std::min (std::sqrt (explained / number / rest), place_constants.max_bend);
 }

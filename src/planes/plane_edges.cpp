@@ -208,7 +208,7 @@ meetingPoint (const PlaneSegment& first,
   const Vector3d distances (signedDistance (middle, first),
                             signedDistance (middle, second),
                             signedDistance (middle, third));
-  return middle - normals.partialPivLu().solve (distances);
+  return middle - normals.inverse() * distances;
 }
 
 bool

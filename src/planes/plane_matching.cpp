@@ -128,8 +128,9 @@ struct PoseEstimate {
   double
   squaredDistance (const Mismatch& mismatch) const
   {
-    return mismatch.heights.dot (
-        expectedCovariance (mismatch).ldlt().solve (mismatch.heights));
+    const Vector3d weighted =
+        expectedCovariance (mismatch).ldlt().solve (mismatch.heights);
+    return mismatch.heights.dot (weighted);
   }
 
   /** \brief Lets the pose follow from two patches that are one plane (the update of an
