@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -158,10 +157,6 @@ void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads)
 {
   constexpr std::size_t labels_per_piece = 65536;
-  Labels unchanged (merged_into.size());
-  std::iota (unchanged.begin(), unchanged.end(), 0);
-  if (merged_into == unchanged)
-    return;
   const auto replace = [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (labels[i] != no_plane)
