@@ -85,7 +85,7 @@ sortByFallingCount (LabelledPlanes& found)
 } // namespace
 
 LabelledPlanes
-mergeAssigned (AssignedPoints assigned,
+mergePlanesOf (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads)
 {
@@ -94,21 +94,6 @@ mergeAssigned (AssignedPoints assigned,
                        assigned.moments.size()};
   relabel (found.labels, found.planes.merged_into, threads);
   return found;
-}
-
-LabelledPlanes
-relabelled (const LabelledPlanes& found, AssignedPoints assigned, unsigned threads)
-{
-  MergingParameters none;
-  none.enabled = false;
-  LabelledPlanes planes = mergeAssigned (std::move (assigned), none, threads);
-  planes.planes_before_merging = found.planes_before_merging;
-  planes.used = found.used;
-  planes.noises.resize (planes.planes.fits.size());
-  for (std::size_t plane = 0; plane < found.noises.size(); ++plane)
-    if (const std::int32_t into = planes.planes.merged_into[plane]; into != no_plane)
-      planes.noises[into] = found.noises[plane];
-  return planes;
 }
 
 void

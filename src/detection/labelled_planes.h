@@ -43,14 +43,9 @@ mergingOf (const PlaneDetectorParameters& parameters)
 /** \brief Fits planes to the points assigned to them and merges them, and labels the
  * points by merged plane. */
 LabelledPlanes
-mergeAssigned (AssignedPoints assigned,
+mergePlanesOf (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads);
-
-/** \brief Planes fitted to other labels of the same points, without merging; what else
- * \p found says of them stays. Planes with the number of a found one have its noise. */
-LabelledPlanes
-relabelled (const LabelledPlanes& found, AssignedPoints assigned, unsigned threads);
 
 /** \brief Counts the copies of points as points of their planes, and sorts the planes
  * anew by falling numbers of points. Equations stay as they are: each place counted

@@ -102,7 +102,7 @@ mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
 {
   MergingParameters given = parameters.merging;
   given.enabled = given.enabled && given.distance_threshold.has_value();
-  return mergeAssigned (std::move (assigned), given, parameters.threads);
+  return mergePlanesOf (std::move (assigned), given, parameters.threads);
 }
 
 // Sets the noise of each plane, the median over its points, unknown where that is 0;

@@ -74,7 +74,7 @@ detectAsInPaper (const DetectorInput& input,
   clock.lap (durations.assignment);
   // section III-C: the coplanarity test on each pair
   LabelledPlanes found =
-      mergeAssigned (std::move (assigned), mergingOf (parameters), parameters.threads);
+      mergePlanesOf (std::move (assigned), mergingOf (parameters), parameters.threads);
   clock.lap (durations.merging);
   return found;
 }

@@ -40,7 +40,7 @@ detail::detect (const DetectorInput& input,
     clock.lap (durations.assignment);
     // fitted to their points, and merged where they have become coplanar
     LabelledPlanes found =
-        mergeAssigned (std::move (assigned), merging, parameters.threads);
+        mergePlanesOf (std::move (assigned), merging, parameters.threads);
     found.planes_before_merging = sampled.moments.size();
     clock.lap (durations.merging);
     return found;

@@ -108,7 +108,7 @@ assignToUnboundedPlanes (const Points& points,
   clock.lap (durations.assignment);
   assigned.moments = momentsOfLabels (points, assigned.labels, planes.size(), threads);
   LabelledPlanes merged =
-      mergeAssigned (std::move (assigned), mergingOf (parameters), threads);
+      mergePlanesOf (std::move (assigned), mergingOf (parameters), threads);
   restorePlanes (merged.planes, planes);
   clock.lap (durations.merging);
   return merged;
@@ -146,7 +146,7 @@ assignToOutlinedPlanes (const Points& points,
   MergingParameters keep_apart;
   keep_apart.enabled = false;
   LabelledPlanes kept =
-      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+      mergePlanesOf (std::move (assigned), keep_apart, parameters.threads);
   clock.lap (durations.assignment);
   return kept;
 }

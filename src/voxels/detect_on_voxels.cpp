@@ -278,7 +278,7 @@ detectOnVoxels (const Points& points,
   MergingParameters keep_apart;
   keep_apart.enabled = false;
   LabelledPlanes found =
-      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+      mergePlanesOf (std::move (assigned), keep_apart, parameters.threads);
   found.planes_before_merging = tally.planes_before_merging;
   found.used = tally.used;
   return found;

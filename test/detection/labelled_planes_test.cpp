@@ -6,7 +6,7 @@
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
-TEST (MergeAssigned, FitsThePlanesToTheirPointsAndRelabelsThem)
+TEST (MergePlanesOf, FitsThePlanesToTheirPointsAndRelabelsThem)
 {
   // Plane 0 is a line, 1 and 2 are two halves of one floor, and a point is on none.
   Points points;
@@ -22,29 +22,12 @@ TEST (MergeAssigned, FitsThePlanesToTheirPointsAndRelabelsThem)
   MergingParameters merging;
   merging.distance_threshold = 5_cm;
   const LabelledPlanes found =
-      mergeAssigned ({labels, momentsOfLabels (points, labels, 3, 1)}, merging, 2);
+      mergePlanesOf ({labels, momentsOfLabels (points, labels, 3, 1)}, merging, 2);
   EXPECT_EQ (found.labels, expected);
   EXPECT_EQ (found.planes_before_merging, 3u);
   ASSERT_EQ (found.planes.fits.size(), 1u);
   EXPECT_NEAR (std::abs (found.planes.fits[0].plane.normal.z()), 1.0, 1e-9);
   EXPECT_EQ (found.planes.moments[0].count, 99.0);
-}
-
-TEST (Relabelled, KeepsTheNoiseOfEachPlaneThoughAnotherHasNoPointsLeft)
-{
-  const Points points = gridsOf ({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                                  {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-                                  {{0, 0, 2}, {1, 0, 0}, {0, 1, 0}}},
-                                 10);
-  Labels labels (points.size(), no_plane);
-  std::fill (labels.begin() + 100, labels.begin() + 200, 1);
-  std::fill (labels.begin() + 200, labels.end(), 2);
-  LabelledPlanes before;
-  before.noises = {1_mm, 2_mm, 3_mm};
-  const LabelledPlanes found =
-      relabelled (before, {labels, momentsOfLabels (points, labels, 3, 1)}, 1);
-  ASSERT_EQ (found.planes.fits.size(), 2u);
-  EXPECT_EQ (found.noises, (std::vector<std::optional<double>>{2_mm, 3_mm}));
 }
 
 TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
@@ -82,7 +65,7 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
     MergingParameters keep_apart;
     keep_apart.enabled = false;
     LabelledPlanes found =
-        mergeAssigned ({labels, momentsOfLabels (points, labels, 2, 1)}, keep_apart, 1);
+        mergePlanesOf ({labels, momentsOfLabels (points, labels, 2, 1)}, keep_apart, 1);
     found.noises = {1_mm, 2_cm};
     return found;
   };
