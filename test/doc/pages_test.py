@@ -62,6 +62,8 @@ FAULTS = re.compile(r"^\| `([a-z-]+):1-(\d+)` \| (-|[\d.]+/[\d.]+) \|", re.MULTI
 # Rows of the table of stability, and the columns of accuracy.csv.
 CHANGES = {"moved": "moved", "turned": "turned", "1 % of the points left out": "thinned",
            "jitter of .1 mm": "jittered", "rounded to whole millimeters": "rounded"}
+# Rows of detectors on changed clouds: the number, and both ends of five agreements.
+STEADY = re.compile(r"(?m)^\| (.+?) (\| \.\d+(?: \| [\d.]+/[\d.]+){5} \|)$")
 NUMBER = re.compile(r"The number of the default is (\.\d+) over all (\d+) clouds of the (\d+) sets")
 # The overlap that F is counted at.
 DEFINITIONS = {"0.5"}
@@ -167,6 +169,17 @@ def stability_cells(change):
     return [thousandths(stored[row][CHANGES[change]]) for row in ("real-median", "real-tenth")]
 
 
+def steadiness_cells(label):
+    """Of the setting of a detector that has the higher number."""
+    with open(SOURCES / "src/doc/steadiness.csv", newline="", encoding="utf-8") as stream:
+        rows = [row for row in csv.DictReader(stream)
+                if row["detector"].removesuffix("-measured") == METHODS[label]]
+    best = max(rows, key=lambda row: float(row["number"]))
+    agreements = ["/".join(thousandths(best[f"{change}_{end}"]) for end in ("median", "tenth"))
+                  for change in CHANGES.values()]
+    return f"| {' | '.join([thousandths(best['number']), *agreements])} |"
+
+
 def fill_accuracy(page):
     """Writes what scripts/accuracy stored."""
     scores = faults_scores()
@@ -178,6 +191,7 @@ def fill_accuracy(page):
     for change in CHANGES:
         text = re.sub(rf"(?m)^\| {re.escape(change)} \| [\d.]+ \| [\d.]+ \|",
                       f"| {change} | {' | '.join(stability_cells(change))} |", text)
+    text = STEADY.sub(lambda row: f"| {row[1]} {steadiness_cells(row[1])}", text)
     page.write_text(text)
 
 
@@ -324,6 +338,12 @@ class Pages(unittest.TestCase):
             cells = re.search(rf"(?m)^\| {re.escape(change)} \| (.*?) \| (.*?) \|", page)
             self.assertIsNotNone(cells, change)
             self.assertEqual(list(cells.groups()), stability_cells(change), change)
+
+    def test_accuracy_has_the_steadiness_of_detectors(self):
+        rows = STEADY.findall((SOURCES / "src/doc/accuracy.md").read_text())
+        self.assertGreaterEqual(len(rows), 5)
+        for label, cells in rows:
+            self.assertEqual(cells, steadiness_cells(label), label)
 
     def test_the_drawing_of_the_stages_has_the_functions_of_the_source(self):
         drawing = (SOURCES / "src/doc/images/stages.svg").read_text()

@@ -111,6 +111,14 @@ class Agreements(unittest.TestCase):
         self.assertAlmostEqual(rows["all-median"]["moved"], 0.525)
         self.assertAlmostEqual(rows["all-tenth"]["moved"], 0.15)
 
+    def test_a_row_of_steadiness_has_the_number_and_both_ends_of_each_change(self):
+        sets = {"real-a": agreeing(with_truth(0.6), 0.9, 1.0, 1.0),
+                "wild-b": agreeing(without_truth(0.9, 0.2), 0.5)}
+        row = accuracy.steadiness_of("loop", sets)
+        self.assertEqual((row["detector"], row["clouds"], row["number"]), ("loop", 8, "0.575"))
+        self.assertEqual((row["moved_median"], row["moved_tenth"]), ("0.950", "0.500"))
+        self.assertEqual(row["turned_median"], "nan")
+
     def test_a_program_without_changes_has_none(self):
         self.assertEqual(accuracy.agreements_of([{"f_score": "1"}])["moved"], [])
         rows = [{"agreement_moved": text} for text in ("0.5", "nan", "1")]
