@@ -6,6 +6,8 @@
 
 #include "buildings/upright.h"
 
+#include <vector>
+
 namespace pcl_ops::internal::buildings {
 namespace {
 
