@@ -37,7 +37,7 @@ double
 bendOf (const Places& places, const Region& region, const Indices& members)
 {
   constexpr std::size_t terms = 6;
-  constexpr double ridge = 1e-9;      // so that places on a line have a solution
+  constexpr double ridge = 1e-9; // so that places on a line have a solution
   // Of the squared width: exact places have no rest. With 1e-4, as much as regions that
   // are joined may bend, F in streets falls from .77 to .69 by false planes.
   constexpr double least_rest = 1e-6;
