@@ -156,6 +156,25 @@ class Stored(unittest.TestCase):
         self.assertTrue(math.isnan(over_clouds["all-median"]["turned"]))
         self.assertEqual(accuracy.score(stored["wild-kitti"]), 0.25)
 
+    def test_steadiness_of_one_detector_leaves_the_rows_of_others(self):
+        file = self.folder / "steadiness.csv"
+        values = {"real-a": agreeing(with_truth(0.5), 1.0)}
+        with mock.patch.object(accuracy, "STEADINESS", file), \
+                mock.patch.object(accuracy, "measure_all", lambda *_: values):
+            for detector in ("ops", "loop"):
+                printed(accuracy.store_steadiness, self.folder, detector)
+        lines = file.read_text().splitlines()
+        self.assertEqual([line.split(",")[0] for line in lines], ["detector", "loop", "ops"])
+
+    def test_steadiness_is_not_stored_where_a_set_is_missing(self):
+        file = self.folder / "steadiness.csv"
+        values = {"real-a": agreeing(with_truth(0.5), 1.0), "wild-b": "absent"}
+        with mock.patch.object(accuracy, "STEADINESS", file), \
+                mock.patch.object(accuracy, "measure_all", lambda *_: values):
+            with self.assertRaisesRegex(SystemExit, "wild-b absent"):
+                printed(accuracy.store_steadiness, self.folder, "ops")
+        self.assertFalse(file.exists())
+
     def test_the_file_of_the_project_has_only_sets_that_are_measured(self):
         self.assertLessEqual(set(accuracy.read_stored()), set(accuracy.SETS))
 
