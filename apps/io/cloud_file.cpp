@@ -296,13 +296,15 @@ loadCloud (const std::string& file)
                        std::string ("has no field ") + axis +
                            "; give a cloud with x, y and z");
   cloud.points.row_step = cloud.points.point_step * cloud.points.width;
-  if (!cloud.origin.head<3>().allFinite())
+  if (!cloud.origin.allFinite())
     cloud.origin.setZero();
-  const float norm = cloud.orientation.norm();
-  if (std::isfinite (norm) && norm > 0.0f)
-    cloud.orientation.normalize();
-  else
+  constexpr double rounding =
+      1e-6; // of a pose in single precision, which stays as it is
+  const double norm = cloud.orientation.norm();
+  if (!std::isfinite (norm) || norm <= 0.0)
     cloud.orientation.setIdentity();
+  else if (std::abs (norm - 1.0) > rounding)
+    cloud.orientation.normalize();
   cloud.is_survey = format->is_survey;
   return cloud;
 }

@@ -38,8 +38,8 @@ sizeOf (const pcl::PCLPointCloud2& points)
  * frame: zero and identity where the file has none or an invalid one, and for PLY. */
 struct FileCloud {
   pcl::PCLPointCloud2 points;
-  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
-  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   /** \brief Of a cloud from a LAS: what has all its other bytes, too. */
   std::shared_ptr<LasFile> las = {};
   /** \brief From a LAS, a text or a mesh, which have no pose. */

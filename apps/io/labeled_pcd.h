@@ -20,7 +20,9 @@ saveLabeledPcd (const std::string& file,
                 const pcl::PointCloud<pcl::PointXYZL>& cloud,
                 const std::vector<char>& is_ignored = {})
 {
-  FileCloud packed{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
+  FileCloud packed{{},
+                   cloud.sensor_origin_.head<3>().cast<double>(),
+                   cloud.sensor_orientation_.cast<double>()};
   pcl::PCLPointCloud2& points = packed.points;
   for (const char* axis : {"x", "y", "z"})
     addField (axis, pcl::PCLPointField::FLOAT32, points);

@@ -116,14 +116,14 @@ readViewpoint (const HeaderReader& reader, const PcdHeader& header, FileCloud& c
   const auto line = header.find ("VIEWPOINT");
   if (line == header.end())
     return;
-  std::array<float, 7> numbers{};
+  std::array<double, 7> numbers{};
   bool are_numbers = line->second.size() == numbers.size();
   for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i)
     are_numbers =
-        numberType (pcl::PCLPointField::FLOAT32).parse (line->second[i], &numbers[i]);
+        numberType (pcl::PCLPointField::FLOAT64).parse (line->second[i], &numbers[i]);
   if (!are_numbers)
     reader.fail ("VIEWPOINT is not seven numbers");
-  cloud.origin << numbers[0], numbers[1], numbers[2], 0.0f;
+  cloud.origin << numbers[0], numbers[1], numbers[2];
   cloud.orientation = {numbers[3], numbers[4], numbers[5], numbers[6]};
 }
 
@@ -292,6 +292,31 @@ readPcd (const std::string& file)
   return cloud;
 }
 
+namespace {
+
+/** \brief With as few digits as tell it from others, of single precision where it is
+ * one of these. */
+std::string
+textOf (double number)
+{
+  const bool is_single = static_cast<double> (static_cast<float> (number)) == number;
+  std::string text;
+  double read = NAN;
+  for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+    std::ostringstream stream;
+    stream.imbue (std::locale::classic());
+    stream.precision (digits);
+    stream << number;
+    text = stream.str();
+    numberType (pcl::PCLPointField::FLOAT64).parse (text, &read);
+    if (read == number || (is_single && static_cast<float> (read) == number))
+      break;
+  }
+  return text;
+}
+
+} // namespace
+
 std::string
 pcdHeader (const FileCloud& cloud)
 {
@@ -318,14 +343,15 @@ pcdHeader (const FileCloud& cloud)
     end = field.offset + static_cast<pcl::uindex_t> (field.count * type.size);
   }
   pad (points.point_step);
-  const Eigen::Quaternionf& q = cloud.orientation;
+  const Eigen::Quaterniond& q = cloud.orientation;
   std::ostringstream header;
   header.imbue (std::locale::classic());
   header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" << names
          << "\nSIZE" << sizes << "\nTYPE" << types << "\nCOUNT" << counts << "\nWIDTH "
          << points.width << "\nHEIGHT " << points.height << "\nVIEWPOINT "
-         << cloud.origin[0] << ' ' << cloud.origin[1] << ' ' << cloud.origin[2] << ' '
-         << q.w() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << "\nPOINTS "
+         << textOf (cloud.origin[0]) << ' ' << textOf (cloud.origin[1]) << ' '
+         << textOf (cloud.origin[2]) << ' ' << textOf (q.w()) << ' ' << textOf (q.x())
+         << ' ' << textOf (q.y()) << ' ' << textOf (q.z()) << "\nPOINTS "
          << sizeOf (points) << "\nDATA binary\n";
   return header.str();
 }

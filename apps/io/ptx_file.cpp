@@ -49,8 +49,8 @@ public:
     cloud.scans.clear();
     cloud.points.width = static_cast<pcl::uindex_t> (scan.rows);
     cloud.points.height = static_cast<pcl::uindex_t> (scan.columns);
-    cloud.origin.head<3>() = scan.place.cast<float>();
-    cloud.orientation = scan.axes.cast<float>();
+    cloud.origin = scan.place;
+    cloud.orientation = scan.axes;
     return cloud;
   }
 

@@ -174,9 +174,9 @@ shiftedCloudOf (const FileCloud& cloud, double step)
   shifted.cloud->width = cloud.points.width;
   shifted.cloud->height = cloud.points.height;
   shifted.cloud->is_dense = false;
-  shifted.cloud->sensor_orientation_ = cloud.orientation;
+  shifted.cloud->sensor_orientation_ = cloud.orientation.cast<float>();
   shifted.cloud->sensor_origin_.head<3>() =
-      (cloud.origin.head<3>().cast<double>() - shifted.shift).cast<float>();
+      (cloud.origin - shifted.shift).cast<float>();
   return shifted;
 }
 

@@ -74,8 +74,8 @@ load (const std::string& file)
                           arg ("datatype") = field.datatype,
                           arg ("count") = field.count));
   const pcl::PCLPointCloud2& points = cloud->points;
-  const Eigen::Vector3f viewpoint = cloud->origin.head<3>();
-  const Eigen::Quaternionf& turn = cloud->orientation;
+  const Eigen::Vector3d viewpoint = cloud->origin;
+  const Eigen::Quaterniond& turn = cloud->orientation;
   const auto orientation = std::make_tuple (turn.w(), turn.x(), turn.y(), turn.z());
   const py::object unit = unitOf (*cloud);
   const py::capsule owner (cloud.release(),
@@ -108,8 +108,8 @@ writeCloud (const std::string& file,
             const std::vector<Field>& fields,
             const Bytes& data,
             pcl::uindex_t height,
-            const Eigen::Vector3f& viewpoint,
-            const Eigen::Vector4f& orientation,
+            const Eigen::Vector3d& viewpoint,
+            const Eigen::Vector4d& orientation,
             const Labels& labels,
             const Distances& distances,
             bool keeps_color)
@@ -122,7 +122,7 @@ writeCloud (const std::string& file,
   cloud.points.width = static_cast<pcl::uindex_t> (cloud.points.data.size() /
                                                    cloud.points.point_step / height);
   cloud.points.row_step = cloud.points.point_step * cloud.points.width;
-  cloud.origin.head<3>() = viewpoint;
+  cloud.origin = viewpoint;
   cloud.orientation = {orientation[0], orientation[1], orientation[2], orientation[3]};
   const auto of_planes = vectorOf (labels);
   const auto apart = vectorOf (distances);

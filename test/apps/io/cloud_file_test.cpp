@@ -9,6 +9,7 @@
 
 #include <cli/errors.h>
 #include <io/cloud_file.h>
+#include <io/labeled_pcd.h>
 #include <io/shifted_cloud.h>
 #include <support/cloud_values.h>
 #include <support/las_bytes.h>
@@ -180,9 +181,29 @@ TEST_F (CloudFile, KeepsPointsFieldsAndPoseInEveryFormat)
                "x 1 nan 4; y 2 nan 5; z 3 nan 6; intensity 0.5 0.25 0.75");
     if (name.find (".pcd") == std::string::npos)
       continue; // the pose of a PLY is not read
-    EXPECT_TRUE (loaded.origin.head<3>().isApprox (Eigen::Vector3f (0.5, -1, 1.5)));
+    EXPECT_TRUE (loaded.origin.isApprox (Eigen::Vector3d (0.5, -1, 1.5)));
     EXPECT_NEAR (std::abs (loaded.orientation.x()), 1.0, 1e-6);
   }
+}
+
+TEST_F (CloudFile, KeepsAPoseInMapCoordinates)
+{
+  const std::string pose =
+      "VIEWPOINT 691002.1 5334012.3 520.5 0.9238795325 0 0 0.3826834324";
+  const FileCloud cloud = load ("utm.pcd", pcdWith (pose));
+  saveCloud (folder_ / "saved.pcd", cloud);
+  EXPECT_NE (contentOf (folder_ / "saved.pcd").find (pose + '\n'), std::string::npos);
+}
+
+TEST_F (CloudFile, WritesAPoseInSinglePrecisionWithTheDigitsThatTellIt)
+{
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  cloud.emplace_back();
+  cloud.sensor_origin_ = {0.1f, 12345.678f, 0.0f, 0.0f};
+  saveLabeledPcd (folder_ / "single.pcd", cloud);
+  EXPECT_NE (
+      contentOf (folder_ / "single.pcd").find ("VIEWPOINT 0.1 12345.678 0 1 0 0 0\n"),
+      std::string::npos);
 }
 
 TEST_F (CloudFile, SavesEveryByteThatPclWroteAndCompressed)
@@ -259,7 +280,7 @@ TEST_F (CloudFile, IsNotMovedWhereSinglePrecisionHoldsAllItsDigits)
 TEST_F (CloudFile, HasNoPoseWhereItsViewpointIsNotFinite)
 {
   const FileCloud cloud = load ("nowhere.pcd", pcdWith ("VIEWPOINT nan 2 3 nan 0 0 0"));
-  EXPECT_EQ (cloud.origin, Eigen::Vector4f (Eigen::Vector4f::Zero()));
+  EXPECT_EQ (cloud.origin, Eigen::Vector3d (Eigen::Vector3d::Zero()));
   EXPECT_EQ (cloud.orientation.w(), 1.0f);
 }
 
@@ -470,19 +491,18 @@ TEST_F (CloudFile, OfPtxKnowsWhereItsScannersWere)
            translation + " 1\n1 2 3 0.5\n";
   };
   const FileCloud one = load ("a.ptx", scan ("10 20 30", "10 20 30"));
-  EXPECT_EQ (one.origin, Eigen::Vector4f (10, 20, 30, 0));
+  EXPECT_EQ (one.origin, Eigen::Vector3d (10, 20, 30));
   EXPECT_TRUE (one.orientation.isApprox (
-      Eigen::Quaternionf (std::sqrt (0.5f), 0.0f, 0.0f, std::sqrt (0.5f)), 1e-6f));
+      Eigen::Quaterniond (std::sqrt (0.5), 0.0, 0.0, std::sqrt (0.5)), 1e-6));
   EXPECT_TRUE (one.scans.empty());
-  EXPECT_EQ (load ("a.ptx", scan ("0 0 0", "1 2 3")).origin,
-             Eigen::Vector4f (1, 2, 3, 0))
+  EXPECT_EQ (load ("a.ptx", scan ("0 0 0", "1 2 3")).origin, Eigen::Vector3d (1, 2, 3))
       << "where only the matrix says it";
   const FileCloud two =
       load ("a.ptx", scan ("1 2 3", "1 2 3") + scan ("4 5 6", "1 2 3"));
   ASSERT_EQ (two.scans.size(), 2u);
   EXPECT_EQ (two.scans[1].first, 1u);
   EXPECT_EQ (two.scans[1].place, Eigen::Vector3d (4, 5, 6));
-  EXPECT_TRUE (two.origin.isZero (0.0f)) << "there is no one place";
+  EXPECT_TRUE (two.origin.isZero (0.0)) << "there is no one place";
 }
 
 TEST_F (TextFile, IsReadByEachOfItsExtensionsAndInFoldersByThoseOfClouds)
