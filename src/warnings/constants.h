@@ -29,6 +29,9 @@ struct WarningConstants {
   /** \brief Of these, whose neighbors are looked up. */
   std::size_t probes = 2000;
 
+  /** \brief Largest step of single precision, over the distance between points. */
+  double max_step_of_spacing = 0.25;
+
   // Planes of rms 0 one behind another.
   /** \brief Scatter over width of what is exact: single precision has seven digits. */
   double max_exact = 1e-5;

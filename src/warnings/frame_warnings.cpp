@@ -9,11 +9,15 @@
 #include <pcl_ops/visibility.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <locale>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pcl_ops::internal {
 
@@ -36,6 +40,15 @@ meterOf (const std::string& length, const ParameterText& text)
 {
   return text.of ("meter", length) +
          (text.isPython() ? " to plane_kinds and floor_plan" : "");
+}
+
+/** \brief From a number to the next one in single precision. */
+double
+stepOfSingle (double number)
+{
+  const auto single = static_cast<float> (std::abs (number));
+  constexpr float above = std::numeric_limits<float>::infinity();
+  return double (std::nextafter (single, above)) - double (single);
 }
 
 /** \brief How far a sample reaches along an axis without stray points. */
@@ -179,6 +192,34 @@ warnOfUnit (const LabelledSample& sample,
       "the cloud is " + roundedLength (extents[0]) + " x " +
           roundedLength (extents[1]) + " x " + roundedLength (extents[2]) +
           " wide, which looks like millimeters; give " + meterOf ("1000", text)};
+}
+
+std::optional<ResultWarning>
+warnOfPrecision (const LabelledSample& sample, const ResultContext& context)
+{
+  if (sample.labels.empty() || context.tiles) // tiles are in a frame of their own
+    return std::nullopt;
+  const Eigen::Vector3d zero = sample.origin - context.shift; // in the cloud's frame
+  const std::vector<float>* const axes[] = {
+      &sample.points.x, &sample.points.y, &sample.points.z};
+  std::array<double, 3> extents;
+  double step = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> values = *axes[axis];
+    step = std::max (step, stepOfSingle (zero[axis] + medianOf (values)));
+    extents[axis] = extentWithoutStrays (std::move (values));
+  }
+  std::sort (extents.begin(), extents.end());
+  const double spacing =
+      std::sqrt (extents[1] * extents[2] / static_cast<double> (sample.finite));
+  if (!(step > warning_constants.max_step_of_spacing * spacing))
+    return std::nullopt;
+  return ResultWarning{"coarse-coordinates",
+                       "coordinates in single precision are " + roundedLength (step) +
+                           " apart so far from zero, points about " +
+                           roundedLength (spacing) +
+                           "; keep them in double precision from the start, or "
+                           "subtract an offset before"};
 }
 
 std::optional<ResultWarning>

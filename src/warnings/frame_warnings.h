@@ -31,6 +31,11 @@ warnOfUnit (const LabelledSample& sample,
             const ResultContext& context,
             const ParameterText& text);
 
+/** \brief That coordinates in single precision are too far from zero to tell its points
+ * apart, as those of UTM. */
+std::optional<ResultWarning>
+warnOfPrecision (const LabelledSample& sample, const ResultContext& context);
+
 /** \brief That the cloud was not seen from where the sensor is said to have been. */
 std::optional<ResultWarning>
 warnOfViewpoint (const CloudView& cloud,

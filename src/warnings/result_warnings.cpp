@@ -26,6 +26,7 @@ resultWarnings (const CloudView& cloud,
   const std::optional<ResultWarning> on_unit = warnOfUnit (sample, context, text);
   const std::optional<ResultWarning> on_plan = warnOfEmptyPlan (context, on_unit, text);
   add (on_plan ? on_plan : on_unit);
+  add (warnOfPrecision (sample, context));
   add (warnOfPoses (context, text));
   add (warnOfUp (sample, planes, context, text));
   add (warnOfViewpoint (cloud, context, text));

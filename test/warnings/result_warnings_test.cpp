@@ -77,6 +77,24 @@ TEST (ResultWarnings, AreNoneOfAnOrdinaryRoom)
   EXPECT_EQ (roomOfTwoPlanes().codes(), "");
 }
 
+TEST (ResultWarnings, SayThatCoordinatesOfUtmStepInSinglePrecision)
+{
+  const auto codes = [] (double east) {
+    LabelledPlaneScene room;
+    room.add ({{east, 0, 0}, {4, 0, 0}, {0, 3, 0}}, 3000, 2_mm); // 6 cm apart
+    room.cloud[0].x = 0.0f; // a stray point tells nothing
+    return room.codes();
+  };
+  EXPECT_EQ (codes (-500000.0), "coarse-coordinates"); // steps of 3 cm
+  EXPECT_EQ (codes (100000.0), "");                    // of 8 mm
+  LabelledPlaneScene shifted = roomOfTwoPlanes();
+  ResultContext context;
+  context.shift = {500000.0, 5400000.0, 0.0};
+  for (PlaneSegment& plane : shifted.planes)
+    plane.moveBy (context.shift);
+  EXPECT_EQ (shifted.codes (context), "") << "the cloud itself is near its zero";
+}
+
 TEST (ResultWarnings, AreNoneOfNoPoints)
 {
   EXPECT_TRUE (resultWarnings ({}, {}).empty());
