@@ -69,11 +69,11 @@ struct Entry {
   }
 
   double
-  number (double least = -largest) const
+  number (double least = -largest, double most = largest) const
   {
     require (value.is_number() && std::isfinite (value.get<double>()), "is no number");
     const auto number = value.get<double>();
-    require (std::abs (number) <= largest, "is too large");
+    require (number <= most && number >= -largest, "is too large");
     require (number >= least, "is too small");
     return number;
   }
@@ -91,35 +91,39 @@ struct Entry {
   }
 };
 
-/** Moves a plane to the middle of its hull, with the moments of points spread evenly
- * inside; without a hull they reach without an end. */
+using Ring = std::vector<Vector3d>;
+
+/** Moves a plane to the middle of its outline, with the moments of points spread evenly
+ * inside. A plane without an outline counts as 1000 km wide.
+ * \param[in] rings counter-clockwise, holes clockwise */
 void
-setExtent (const std::vector<Vector3d>& hull,
+setExtent (const std::vector<Ring>& rings,
            double rms,
            double count,
            PlaneSegment& plane)
 {
-  constexpr double endless = 1e6;
+  constexpr double endless = 1e6; // [m]
   const Matrix3d along_normal = plane.normal * plane.normal.transpose();
   Matrix3d spread = endless * endless * (Matrix3d::Identity() - along_normal);
   double area = 0.0;
   Vector3d sum = Vector3d::Zero();
   Matrix3d products = Matrix3d::Zero();
-  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
-    Matrix3d corners;
-    corners << hull[0], hull[i], hull[i + 1];
-    corners.colwise() -= plane.centroid;
-    // Signed, so that the triangles of a hollow outline take away what they have too
-    // much.
-    const Vector3d edge = corners.col (1) - corners.col (0);
-    const Vector3d other = corners.col (2) - corners.col (0);
-    const Vector3d total = corners.rowwise().sum();
-    const double part = 0.5 * plane.normal.dot (edge.cross (other));
-    area += part;
-    sum += part / 3.0 * total;
-    products +=
-        part / 12.0 * (total * total.transpose() + corners * corners.transpose());
-  }
+  for (const Ring& ring : rings)
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      Matrix3d corners;
+      corners << ring[0], ring[i], ring[i + 1];
+      corners.colwise() -= plane.centroid;
+      // Signed, so that holes and the triangles outside a hollow outline are taken
+      // away.
+      const Vector3d edge = corners.col (1) - corners.col (0);
+      const Vector3d other = corners.col (2) - corners.col (0);
+      const Vector3d total = corners.rowwise().sum();
+      const double part = 0.5 * plane.normal.dot (edge.cross (other));
+      area += part;
+      sum += part / 3.0 * total;
+      products +=
+          part / 12.0 * (total * total.transpose() + corners * corners.transpose());
+    }
   if (area != 0.0) {
     const Vector3d mean = sum / area;
     spread = products / area - mean * mean.transpose();
@@ -129,11 +133,32 @@ setExtent (const std::vector<Vector3d>& hull,
   plane.moments = Moments::of (count, plane.centroid, spread);
 }
 
+Ring
+ringOf (const Entry& entry)
+{
+  Ring ring;
+  for (const Entry& corner : entry.list())
+    ring.push_back (corner.vector<3>());
+  return ring;
+}
+
+/** Adds the outline of a plane, or of one of its parts, and the holes of it. */
+void
+addRings (const Entry& entry, std::vector<Ring>& rings)
+{
+  if (entry.has ("hull"))
+    rings.push_back (ringOf (entry.at ("hull")));
+  if (entry.has ("holes"))
+    for (const Entry& hole : entry.at ("holes").list())
+      rings.push_back (ringOf (hole));
+}
+
 PlaneSegment
 planeOf (const Entry& entry)
 {
+  constexpr double most_points = 1e15; // has the digits of a whole number
   PlaneSegment plane;
-  const double count = entry.at ("points").number (1.0);
+  const double count = entry.at ("points").number (1.0, most_points);
   const double rms = entry.at ("rms").number (0.0);
   const Entry orientation = entry.at ("orientation");
   const auto known = orientationCalled (
@@ -145,11 +170,12 @@ planeOf (const Entry& entry)
   const Vector3d normal = coefficients.vector<4>().head<3>();
   coefficients.require (normal.norm() > 0.0, "has the normal 0 0 0");
   plane.normal = normal.normalized();
-  std::vector<Vector3d> hull;
-  if (entry.has ("hull"))
-    for (const Entry& corner : entry.at ("hull").list())
-      hull.push_back (corner.vector<3>());
-  setExtent (hull, rms, count, plane);
+  std::vector<Ring> rings;
+  addRings (entry, rings);
+  if (entry.has ("parts"))
+    for (const Entry& part : entry.at ("parts").list())
+      addRings (part, rings);
+  setExtent (rings, rms, count, plane);
   return plane;
 }
 
@@ -176,8 +202,8 @@ loadPlaneList (const std::string& file)
   return list;
 }
 
-/** About the middle of the first result, where the error of a rotation is about
- * zero. */
+/** Matches planes in a frame whose origin is the middle of the first result, as
+ * matchPlanes takes the error of a rotation to be about the origin. */
 PlaneMatches
 matchAboutMiddle (std::vector<PlaneSegment> first,
                   std::vector<PlaneSegment> second,
@@ -253,9 +279,9 @@ planesCommand (int argc, const char* const* argv)
   line.addArgument ("A", first, "planes, .json");
   line.addArgument ("B", second, "planes, .json");
   line.add ("rotation-error DEG", rotation_error, from (0).upTo (90))
-      .help ("how far one frame may be turned against the other (3)");
+      .help ("standard deviation of the rotation between both frames (3)");
   line.add ("translation-error M", matching.translation_error, from (0))
-      .help ("how far it may be moved (0.05)");
+      .help ("standard deviation of the shift between both (0.05)");
   line.add ("min-overlap X", matching.min_overlap, from (0).upTo (1))
       .help ("share of the smaller plane that has to lie over the other (0.3)");
   line.add ("json", json).help ("print JSON instead of text");

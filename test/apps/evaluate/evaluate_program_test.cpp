@@ -159,6 +159,7 @@ INSTANTIATE_TEST_SUITE_P (
         WrongValue{"NegativeId", "id", -1, "id is no whole number from 0"},
         WrongValue{"ZeroPoints", "points", 0, "points is too small"},
         WrongValue{"HugePoints", "points", 1e200, "points is too large"},
+        WrongValue{"MorePointsThanAreCounted", "points", 1e20, "points is too large"},
         WrongValue{"TextAsRms", "rms", "x", "rms is no number"},
         WrongValue{"HugeRms", "rms", 1e200, "rms is too large"},
         WrongValue{"TwoCoordinates", "centroid", {1, 2}, "centroid has not 3 numbers"},
