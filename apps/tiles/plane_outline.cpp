@@ -40,9 +40,9 @@ struct Site {
 };
 
 /** \brief The points sorted by squares as wide as a cell, each place once. They are
- * seen along the axis next to the normal, so that all tiles see the same places: with
- * weights by which roofs of 45 degrees and walls between two axes are not on the edge
- * between both views. */
+ * projected along the coordinate axis nearest to the normal, so that all tiles see the
+ * same places. Weights keep roofs of 45 degrees, and walls between two axes, from
+ * having one axis in a tile and another in the next. */
 std::vector<Site>
 sitesOf (const std::vector<OutlinePoint>& points,
          const Eigen::Vector3d& normal,
@@ -117,7 +117,8 @@ forSquaresAround (const Square& square,
 void
 markWhole (TakenSquares& squares)
 {
-  // A triangle reaches three cells, and the circle around it no farther.
+  // A triangle of a dense plane (radiusFor) reaches three cells, and the circle around
+  // it no farther. Planes of fewer points have hardly a square to thin.
   constexpr std::int64_t reach_of_triangles = 4;
   for (auto& [square, taken] : squares) {
     bool is_at_rim = false;
@@ -164,7 +165,8 @@ radiusFor (std::size_t sites, std::size_t squares)
 }
 
 /** \brief Whether the sites around a vertex of the diagram make a triangle, or a
- * polygon of sites on one circle, that is small enough and the tile's. */
+ * polygon of sites on one circle, that is small enough and whose first site is the
+ * tile's own. */
 bool
 isKept (const Vertex& vertex, const std::vector<Site>& sites, double radius)
 {
@@ -280,6 +282,11 @@ withoutSpikes (const PlanarPoints& ring, double unit)
     while (left.size() > 2 && (left[left.size() - 3] - left.back()).norm() < near)
       left.resize (left.size() - 2);
   }
+  // The ring is closed: its last or first corner may be the tip of one.
+  while (left.size() > 2 && (left[left.size() - 2] - left.front()).norm() < near)
+    left.resize (left.size() - 2);
+  while (left.size() > 2 && (left.back() - left[1]).norm() < near)
+    left.erase (left.begin(), left.begin() + 2);
   return left;
 }
 
@@ -301,7 +308,7 @@ movedOut (const PlanarPoints& ring, double distance)
 
 namespace geometry = boost::geometry;
 
-/** \brief A ring that goes round to the left, or a hole to the right. */
+/** \brief A part of the plane, counter-clockwise, or a hole, clockwise. */
 struct SignedRing {
   geometry::model::ring<Eigen::Vector2d, false, false> corners;
   geometry::model::box<Eigen::Vector2d> box;
@@ -384,8 +391,8 @@ outlineEdges (const std::vector<OutlinePoint>& points,
     const bool is_inside = begin != nullptr && begin->color() == kept;
     if (!is_inside || (end != nullptr && end->color() == kept))
       continue;
-    // Around its beginning, the diagram's edge is between the site to its right and,
-    // next to the left, the one to its left.
+    // Such an edge crosses an edge of the outline, which goes from the site to its
+    // right to the one to its left.
     edges.push_back ({sites[edge.twin()->cell()->source_index()].point.place,
                       sites[edge.cell()->source_index()].point.place});
   }
@@ -394,8 +401,9 @@ outlineEdges (const std::vector<OutlinePoint>& points,
 
 namespace {
 
-/** \brief The position of the smallest part around a hole, one after it; 0 if there is
- * none. Parts are by falling size: asking the largest one takes long. */
+/** \brief One more than the position of the smallest part around a hole; 0 if there are
+ * no parts. Parts are by falling size. The largest, which is slow to look at, is taken
+ * where no other is around the hole. */
 std::size_t
 partAround (const SignedRing& hole, const std::vector<SignedRing>& parts)
 {

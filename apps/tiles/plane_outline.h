@@ -16,7 +16,7 @@ namespace pcl_ops::apps {
 using LatticePlace = std::array<std::int64_t, 3>;
 
 struct OutlineEdge {
-  LatticePlace from{}, to{};
+  LatticePlace from{}, to{}; // the plane is to the left
 };
 
 /** \brief A point on a plane that a tile sees. */
@@ -48,8 +48,8 @@ outlineEdges (const std::vector<OutlinePoint>& points,
               double cell);
 
 /** \brief The parts of a plane, each with its holes, by falling area. The outermost
- * points are within the plane's edge by a third of their spacing in the mean; sides are
- * moved out by as much.
+ * points are within the plane's edge by a third of their spacing in the mean; corners
+ * are moved out by as much.
  * \param[in] edges of all tiles; of two that are opposite none is left
  * \param[in] frame in the plane, seen from where the edges go round to the left
  * \param[in] unit of the lattice [m]

@@ -151,6 +151,27 @@ TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
     EXPECT_NEAR (areaOf (part), 100.0, 1e-3);
 }
 
+TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
+{
+  // A square of 10 m whose outline goes to a place off it and back, to one that another
+  // tile has rounded differently. Rings begin at the least x, then y.
+  using Ring = std::vector<LatticePlace>;
+  for (const Ring& spike : {Ring{{0, 501, 0}, {-500, 500, 0}, {0, 500, 0}, {0, 0, 0}},
+                            Ring{{0, 1, 0}, {500, 500, 0}, {0, 0, 0}}}) {
+    Ring ring{{1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}};
+    ring.insert (ring.end(), spike.begin(), spike.end());
+    std::vector<OutlineEdge> edges;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      edges.push_back ({ring[i], ring[(i + 1) % ring.size()]});
+    const auto outline = outlineOf (edges, up, 1e12);
+    ASSERT_EQ (outline.size(), 1u);
+    const double from_zero_to_tip = 5.0 * std::sqrt (2.0);
+    for (const Eigen::Vector2d& corner : outline[0][0])
+      EXPECT_GT (std::abs (corner.norm() - from_zero_to_tip), 1.0) << corner.transpose();
+    EXPECT_NEAR (areaOf (outline[0]), 100.0, 0.1);
+  }
+}
+
 TEST (Outline, OfNoPointsOrALineIsEmpty)
 {
   EXPECT_TRUE (outlineEdges ({}, up, 100.0).empty());
