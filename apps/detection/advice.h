@@ -93,13 +93,20 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
                         held,
                         " points or fewer: raise it, or leave it out");
   const std::optional<double>& threshold = parameters.distance_threshold;
-  return concatenate ("lower --min-inliers (",
-                      parameters.min_samples,
-                      ") or raise --sampling-rate (",
-                      parameters.sampling_rate,
-                      ") if the planes are small, raise --threshold (",
-                      threshold ? std::to_string (*threshold) : "auto",
-                      ") if the points are noisy");
+  const std::string if_noisy =
+      concatenate (" if the planes are small, raise --threshold (",
+                   threshold ? concatenate (*threshold) : "auto",
+                   ") if the points are noisy");
+  // Fewer than usual find no more on neighborhoods: the evidence is against them.
+  const bool asks_for_more =
+      parameters.min_samples > OrientedPointSamplingParameters().min_samples;
+  const std::string min_inliers =
+      concatenate ("lower --min-inliers (", parameters.min_samples, ")");
+  const std::string sampling_rate =
+      concatenate ("raise --sampling-rate (", parameters.sampling_rate, ")");
+  if (parameters.sampling == Sampling::Points)
+    return min_inliers + " or " + sampling_rate + if_noisy;
+  return (size || asks_for_more ? min_inliers : sampling_rate) + if_noisy;
 }
 
 inline std::string
@@ -180,6 +187,9 @@ adviceFor (const Parameters& parameters,
     return "";
   if (readings == 0)
     return "every point is NaN or infinite";
+  constexpr int points_of_a_plane = 3;
+  if (readings <= points_of_a_plane)
+    return concatenate ("a plane through ", readings, " points is that of any noise");
   FinitePoints points;
   for (const pcl::PointXYZ& point : cloud)
     if (pcl::isFinite (point))

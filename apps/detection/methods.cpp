@@ -102,7 +102,9 @@ visitOwn (OpsParameters& p, const Visit& visit)
       {"sampling-rate R", above (0).upTo (1), "share of the points that get a normal"});
   visit (p.k, {"k K", from (2), "neighbors of a normal; others scale with it"});
   visit (p.min_samples,
-         {"min-inliers N", from (1), "a plane has more sampled points than this"});
+         {"min-inliers N",
+          from (1),
+          "smallest plane, in samples; --min-points counts points"});
   visit (p.paper_only.probability,
          {"probability P",
           above (0).below (1),
@@ -234,8 +236,14 @@ relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
 }
 
 void
-relate (const GivenNumbers&, std::size_t, const KhtParameters&)
-{}
+relate (const GivenNumbers& given, std::size_t, const KhtParameters& parameters)
+{
+  if (given.count ("merge-distance") > 0 && !parameters.merging.enabled)
+    throw UsageError (
+        "--merge-distance",
+        "has no meaning to --preset paper of kht, which merges no planes; "
+        "leave one of them out");
+}
 
 Eigen::Vector3d
 sensorOf (const XyzCloud& cloud)

@@ -181,14 +181,20 @@ withFewerCorners (Ring ring, double tolerance)
 
 /** \brief Leaves out corners that are near a straight line between others (Douglas &
  * Peucker), and moves those left to where lines fitted to the sides meet. Holes that
- * have no area then are left out. */
+ * have no area then are left out; an outline that has none gets the largest half,
+ * quarter, ... of the tolerance that leaves it one. */
 Rings
 simplified (const Rings& rings, double tolerance)
 {
   constexpr std::size_t corners_of_an_area = 3;
+  constexpr int most_halvings = 50;
   Rings simple;
   for (const Ring& ring : rings) {
     Ring fewer = withFewerCorners (ring, tolerance);
+    for (int i = 0;
+         simple.empty() && fewer.size() < corners_of_an_area && i < most_halvings;
+         ++i)
+      fewer = withFewerCorners (ring, tolerance = 0.5 * tolerance);
     if (fewer.size() >= corners_of_an_area)
       simple.push_back (std::move (fewer));
     else if (simple.empty())

@@ -141,8 +141,8 @@ struct Surroundings {
 std::optional<Surroundings>
 surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& search)
 {
-  const std::size_t most = 16 * fewest;
   // The rings of a lidar are up to some twenty times as far apart as their points.
+  const std::size_t most = 16 * fewest;
   constexpr double min_width = 1.0 / 3.0; // by length
   constexpr double floor_by_spacing = 0.1;
   constexpr double pi = 3.14159265358979323846;

@@ -15,11 +15,12 @@ namespace pcl_ops::apps {
 struct Thickness {
   /** \brief About the plane [m]; NaN where the points span none. */
   double rms = std::numeric_limits<double>::quiet_NaN();
-  /** \brief The median over some points of the rms of their nearest neighbors about the
-   * plane of these, corrected for its three degrees of freedom, and at least a tenth
-   * of the spacing: exact points, and those of quantized depth, have none [m]. */
+  /** \brief The median over some points of the rms of their nearest neighbors about
+   * the plane fitted to these, with n - 3 degrees of freedom [m]. At least a tenth of
+   * the spacing, because this rms is 0 for exact points and for quantized depth. */
   double noise = rms;
-  /** \brief Median distance between neighbors, were they even [m]. */
+  /** \brief Median distance between neighbors on a regular grid as dense as these [m].
+   */
   double spacing = rms;
 
   double
@@ -36,8 +37,8 @@ constexpr double thick_factor = 5.0;
 
 /** \brief By the nearest neighbors in the whole cloud, which may be on other planes or
  * on none: 80, in planes of fewer than 320 points a quarter of these, but 20 at least;
- * twice as many while they are as good as on a line, like those of one beam of a lidar.
- * Independent of the order of the points.
+ * twice as many, up to 16 times, while they are nearly on a line, like those of one
+ * beam of a lidar. Independent of the order of the points.
  * \param[in] planes with inliers and their moments
  * \param[in] probes how many points of each plane are looked at */
 std::vector<Thickness>

@@ -17,7 +17,7 @@ namespace pcl_ops::apps {
 namespace {
 
 double
-share (std::size_t part, std::size_t whole)
+percentage (std::size_t part, std::size_t whole)
 {
   constexpr double per_cent = 100.0;
   return per_cent * fraction (part, whole, 0.0);
@@ -47,14 +47,14 @@ printPlanes (const Report& report, std::ostream& stream)
     stream << boost::format (
                   "  %-10s  %-7s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
                   toString (planes[i].orientation) % toString (kinds[i]) % size %
-                  share (size, report.points) % planes[i].rms() % normal.x() %
+                  percentage (size, report.points) % planes[i].rms() % normal.x() %
                   normal.y() % normal.z() % offset;
   }
   if (planes.size() > max_rows)
     stream << "      and " << planes.size() - max_rows
            << " smaller ones: --planes FILE.json has them all\n";
   stream << boost::format ("      no plane            %9d %6.1f\n") % rest %
-                share (rest, report.points);
+                percentage (rest, report.points);
 }
 
 std::string
@@ -72,7 +72,8 @@ countsOf (const Report& report)
   return points + counted (planes, "piece") + " of " + counted (whole.size(), "plane");
 }
 
-/** \brief By the names of options; empty where the cloud told none. */
+/** \brief Voxel size and threshold that were used, by the names of the options; empty
+ * where there are none. */
 std::string
 lengthsOf (const UsedLengths& used)
 {
