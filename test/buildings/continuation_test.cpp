@@ -31,7 +31,7 @@ bool
 isSquareContinued (std::vector<PlaneFromAbove> others)
 {
   others.insert (others.begin(), rectangle (0, 0, 5, 10, 10));
-  return isContinued (others.front(), others);
+  return isPartOfGround (others.front(), others);
 }
 
 } // namespace
@@ -106,7 +106,7 @@ TEST (Continuation, IsNotBesideTheRidgeOfAnotherRoof)
   // Two sides of a gable: 4 m below it the ridge is 2.4 m higher.
   const std::vector<PlaneFromAbove> gable = {rectangle (0, 0, 5, 10, 10, 6),
                                              rectangle (0, 10, 11, 10, 10, -6)};
-  EXPECT_FALSE (isContinued (gable.front(), gable));
+  EXPECT_FALSE (isPartOfGround (gable.front(), gable));
 }
 
 TEST (Continuation, IsNotBelowWhatRisesByLessThanHeadroom)

@@ -75,6 +75,20 @@ TEST (WallFaces, OfFurnitureStandBeforeAWallThatIsSeenAboveThem)
   EXPECT_EQ (kept (0.4, 5.0, 1.0, 2.8), 2u) << "a wall of the next story";
 }
 
+TEST (WallFaces, OnOneLineAreOneOfAllTheirPlanes)
+{
+  PlanPoints left, right, across;
+  addUpright (0.0, 0.0, 2_m, left);
+  addUpright (0.0, 2.5, 4_m, right);
+  addUpright (1_m, 0.0, 2_m, across);
+  const std::vector<WallFace> joined = joinFaces ({faceOf ({0, 1, 0}, left, 7, 1.2),
+                                                   faceOf ({0, 1, 0}, across, 3, 1.2),
+                                                   faceOf ({0, 1, 0}, right, 5, 1.2)});
+  ASSERT_EQ (joined.size(), 2u);
+  EXPECT_EQ (joined[0].planes, (std::vector<std::size_t>{3}));
+  EXPECT_EQ (joined[1].planes, (std::vector<std::size_t>{5, 7}));
+}
+
 TEST (WallFaces, OfNoPointsAreNone)
 {
   PlanPoints points;

@@ -202,6 +202,22 @@ TEST (GridSearch, GivesTheNearestOfThoseWithinTheRadius)
   EXPECT_EQ (within (search, query, 5_cm, 1000000), within (search, query, 5_cm));
 }
 
+TEST (GridSearch, TakesTheLowestIndexOfEquallyNearPointsWhereverTheyAre)
+{
+  for (const float side : {-1.0f, 1.0f}) {
+    // A point 1 m from the query on either side of it, before many that are farther.
+    const auto cloud = randomCloud (300, [&] (auto& g) {
+      const PointXYZ drawn = drawInCube (g, 1_m);
+      return PointXYZ (drawn.x + (drawn.x < 0.0f ? -1.1f : 1.1f), drawn.y, drawn.z);
+    });
+    cloud->front() = {side, 0, 0};
+    cloud->back() = {-side, 0, 0};
+    Search search;
+    search.setInputCloud (cloud);
+    EXPECT_EQ (nearest (search, {0, 0, 0}, 1).indices, pcl::Indices{0}) << side;
+  }
+}
+
 TEST (GridSearch, UnsortedGivesTheSameNeighbors)
 {
   Search sorted (true), unsorted (true);

@@ -114,6 +114,19 @@ TEST (UpAxis, IsAcrossWallsWhereManyAreLargerThanTheFloor)
   expectUp (estimateUpAxis (planes, eye, parameters).value(), 1_deg);
 }
 
+TEST (UpAxis, IsThatOfTheLargestPlanesHoweverManyBoardsLeanAgainstThem)
+{
+  std::vector<PlaneSegment> planes;
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::AngleAxisd turn (i * 18_deg, Vector3d::UnitZ());
+    planes.push_back (seenFrom (
+        eye, {{3, 2, 0}, turn * Vector3d (0.5, 0, 0), turn * Vector3d (0, 0.3, 0.3)}));
+  }
+  for (const PlaneSegment& plane : furnishedRoom())
+    planes.push_back (plane);
+  expectUp (estimateUpAxis (planes, eye).value(), 0.1_deg);
+}
+
 TEST (UpAxis, NeedsAFloorAndAWall)
 {
   const PlaneSegment floor = seenFrom (eye, room_floor),
