@@ -208,6 +208,36 @@ def plot_comparison(rows, folder):
     save(figure, folder / "figure.png")
 
 
+CHANGES = ("moved", "turned", "thinned", "jittered", "rounded")  # columns of steadiness.csv
+
+
+def plot_steadiness(rows, folder):
+    """How right and how steady each method is: its number, and the share of points that stay on
+    their plane in the worst tenth of clouds, as a dot at the mean of all changes and a line from
+    the worst of these to the best. Of two settings the one with the higher number."""
+    best = {row["detector"].removesuffix(MEASURED): row
+            for row in sorted(rows, key=lambda row: float(row["number"]))}
+    figure, axes = plt.subplots(figsize=(8.3, 4.2), layout="constrained")
+    axes.set_xlabel("how right: number over real clouds", fontsize=13)
+    axes.set_ylabel("points that stay on their plane,\nworst tenth of clouds", fontsize=13)
+    axes.tick_params(labelsize=12)
+    axes.set(ylim=(0.3, 1.02))
+    axes.margins(x=0.35)
+    axes.grid(True, alpha=0.3)
+    labels = []
+    for method, row in best.items():
+        shares = [float(row[f"{change}_tenth"]) for change in CHANGES]
+        dot = (float(row["number"]), np.mean(shares))
+        color = "C3" if method in OURS else "C0"
+        axes.plot((dot[0], dot[0]), (min(shares), max(shares)), color=color, linewidth=1)
+        axes.scatter(*dot, s=45, color=color)
+        labels.append((NAMES.get(method, method), dot, color))
+    figure.canvas.draw()
+    figure.set_layout_engine("none")
+    label_dots(axes, labels)
+    save(figure, folder / "steadiness.png")
+
+
 def labeled_points(file):
     """Points, labels and the sensor's position and axes of a PCD of pcl_ops_evaluate."""
     header, _, data = file.read_bytes().partition(b"DATA binary\n")

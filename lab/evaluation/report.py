@@ -11,7 +11,7 @@ with versions of detectors.txt (pcl_ops_evaluate detectors); plots of the accura
 and over the sampling rate. Of comparison.csv figure.png: all methods on simulated and on real
 data sets or, where there is one kind, on rooms and streets or the first two. Of labels/ (pcl_ops_evaluate run --labels)
 strips of pictures. Of scaling.csv (pcl_ops_benchmark --scaling) throughput.png and plots of
-the time over what grows.
+the time over what grows. Of steadiness.csv (scripts/accuracy steadiness) steadiness.png.
 """
 import csv
 import math
@@ -245,14 +245,14 @@ def main():
         print(__doc__.strip(), file=sys.stdout if sys.argv[1:] == ["--help"] else sys.stderr)
         return 0 if sys.argv[1:] == ["--help"] else 2
     folder = pathlib.Path(sys.argv[1])
-    known = ("results.csv", "comparison.csv", "labels", "scaling.csv")
+    known = ("results.csv", "comparison.csv", "labels", "scaling.csv", "steadiness.csv")
     if not any((folder / name).exists() for name in known):
         print(f"report.py: {folder}: has no {' or '.join(known)}", file=sys.stderr)
         return 1
     if not figures:
         print("report.py: no plots: install matplotlib (python3-matplotlib)", file=sys.stderr)
     plots = [figures and figures.plot_comparison, figures and figures.plot_strips,
-             figures and figures.plot_scaling]
+             figures and figures.plot_scaling, figures and figures.plot_steadiness]
     for name, report in zip(known, [report_results, *plots]):
         if report and (folder / name).exists():
             report(rows_of(folder / name) if name.endswith(".csv") else None, folder)

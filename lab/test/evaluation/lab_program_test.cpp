@@ -328,6 +328,10 @@ protected:
     folder_.write ("scaling.csv",
                    "series,x,points,measure,cloud,detection_ms\nthreads,1,9,ops,a,2\n"
                    "threads,2,9,ops,a,1\npoints,9,9,ops,b,1\n");
+    folder_.write ("steadiness.csv",
+                   "detector,number,moved_tenth,turned_tenth,thinned_tenth,"
+                   "jittered_tenth,rounded_tenth\nops,.6,.9,.9,.8,.8,.9\n"
+                   "pcl-sac,.3,1,.8,.4,.5,.5\npcl-sac-measured,.2,1,.8,.4,.5,.5\n");
     expectSuccess ("pcl_ops_evaluate run strip simulated:3000 --detectors ops --labels "
                    "labels");
     expectSuccess ("pcl_ops_evaluate detectors >detectors.txt");
@@ -401,6 +405,7 @@ TEST_F (Report, DrawsPlotsWhereThereIsMatplotlib)
   for (const char* plot : {"simulated-exact/classification_accuracy_over_time",
                            "time_over_points",
                            "throughput",
+                           "steadiness",
                            "figure",
                            "strip-scan-3000"})
     EXPECT_GT (contentOf (folder_ / (plot + std::string (".png"))).size(), 1000u)
