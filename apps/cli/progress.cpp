@@ -49,8 +49,9 @@ Progress::draw()
     return;
   last_line_ = now;
   const std::size_t steps = std::max<std::size_t> (1, steps_);
+  const std::size_t done = std::min (done_, steps);
   if (style_ == ProgressStyle::Bar) {
-    const std::size_t filled = bar_width * done_ / steps;
+    const std::size_t filled = bar_width * done / steps;
     stream_ << erase_line << '[' << std::string (filled, '=')
             << std::string (bar_width - filled, ' ') << "] ";
   }
@@ -138,7 +139,7 @@ runInParallel (std::size_t count,
       others.push_back (std::async (std::launch::async, take_turns));
   }
   catch (const std::exception&) {
-    // Those there are do the work, this one at least.
+    // The threads that did start, and this one, do the work.
   }
   take_turns();
   for (std::future<void>& other : others)

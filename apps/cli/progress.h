@@ -17,7 +17,7 @@ namespace pcl_ops::apps {
 enum class ProgressStyle {
   /** \brief A bar with the time left, for terminals: it overwrites itself. */
   Bar,
-  /** \brief One in ten seconds at most and none where all is done before, for files. */
+  /** \brief A line every ten seconds, none if the run ends before; for files. */
   Lines,
   None
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Planes in points where they are: in the bytes of a PointCloud2 and in a scan of
-// KITTI. It links pcl_ops::core, and with that no library of PCL.
+// Finds planes without a copy of the points: in the bytes of a PointCloud2 and in a
+// scan of KITTI. It links pcl_ops::core, and with that no library of PCL.
 #include <pcl/PCLPointCloud2.h> // a header alone, for want of sensor_msgs here
 
 #include <pcl_ops/detect_planes.h>
@@ -42,7 +42,7 @@ main (int argc, char** argv)
   const pcl_ops::CloudView cloud = viewOf (message);
   const pcl_ops::OrientedPointSamplingParameters parameters;
   for (const pcl_ops::PlaneSegment& plane : pcl_ops::detectPlanes (cloud, parameters))
-    std::printf ("%zu points, %s, %.2f m^2, height %.2f\n",
+    std::printf ("%zu points, %s, %.2f m^2, height %.2f m\n",
                  plane.inliers.size(),
                  pcl_ops::toString (plane.orientation),
                  pcl_ops::planeExtent (cloud, plane).area,

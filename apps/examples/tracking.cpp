@@ -41,9 +41,10 @@ main (int argc, char** argv)
     const Eigen::AngleAxisd before (truth.linear().transpose() * odometry.linear());
     const Eigen::AngleAxisd after (truth.linear().transpose() *
                                    tracker.pose().linear());
-    std::printf ("\n  odometry is off by %.1f degrees, the planes say by %.1f\n",
-                 before.angle() * 180.0 / M_PI,
-                 after.angle() * 180.0 / M_PI);
+    std::printf (
+        "\n  the rotation is off by %.1f degrees by odometry, by %.1f by planes\n",
+        before.angle() * 180.0 / M_PI,
+        after.angle() * 180.0 / M_PI);
 
     // Forward and to the left; odometry misses a fifth of each turn.
     truth.translate (Eigen::Vector3d (0.05, 0.02, 0.0));

@@ -13,7 +13,8 @@
 namespace pcl_ops::apps {
 
 /** \brief The same numbers with every compiler: the standard fixes the output of
- * std::mt19937, but not that of the std:: distributions. */
+ * std::mt19937, but not that of the std:: distributions. Where
+ * logarithms and cosines enter, the last bit may differ. */
 class Random {
 public:
   explicit Random (std::uint32_t seed) : generator_ (seed) {}

@@ -24,7 +24,7 @@ struct MergingParameters {
   std::optional<double> distance_threshold;
   /** \brief Planes within the angle are one, too, if the rms distance of the smaller
    * one's points to the larger plane is below this many times the noise of the noisier
-   * one, and neither is more than 6 times as noisy as the other; the noise of a plane
+   * one, which counts as at most 6 times that of the cleaner one; the noise of a plane
    * is the rms distance of its points to it. Not in the paper. With
    * Sampling::Neighborhoods it is how many noises of their surroundings planes are
    * apart that are joined over a gap. Not given: 2 with Sampling::Neighborhoods, 1.5

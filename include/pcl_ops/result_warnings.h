@@ -53,16 +53,17 @@ struct PlanCounts {
 
 /** \brief How a survey was searched that is too large to be looked at as a whole. */
 struct TiledSearch {
-  /** \brief Edge of the voxels, all that a user can change. */
+  /** \brief Edge of the voxels [m], all that a user can change. */
   double voxel_size = 0.0;
-  /** \brief Of the survey's points, how many the cloud has, above 0. */
+  /** \brief Share of the survey's points that the cloud has: above 0, up to 1. */
   double sampled_share = 1.0;
-  /** \brief All points around some that are on no plane, of these only such. */
+  /** \brief Small clouds of all points of the survey, each around a point of the sample
+   * that is on no plane. */
   std::vector<CloudView> places_on_none;
 };
 
-/** \brief What is known beside a cloud and its planes. By default nothing is, and what
- * would need it is not looked at. */
+/** \brief What is known beside a cloud and its planes. What is not set is not looked
+ * at. */
 struct ResultContext {
   /** \brief Zero of the cloud's frame in that of the planes. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -80,14 +81,14 @@ struct ResultContext {
   /** \brief Whether kinds of planes or a floor plan were asked for: these need to know
    * which way is up. */
   bool uses_kinds = false;
-  /** \brief Whether poses are used as those of a lidar that look like those of KITTI's
-   * camera. */
+  /** \brief Whether the poses look like those of KITTI's camera, but are used as those
+   * of a lidar. */
   bool has_camera_poses = false;
   /** \brief Of the floor plan, where one was asked for. */
   std::optional<PlanCounts> plan;
   /** \brief How the planes were searched for, to try other values. */
   std::optional<OrientedPointSamplingParameters> search;
-  /** \brief In place of \ref search for a sample of a survey. */
+  /** \brief How they were searched for if the cloud is a sample of a survey. */
   std::optional<TiledSearch> tiles;
   ParameterNames names = ParameterNames::CommandLine;
   /** \brief Only the most important ones are told. */
@@ -95,8 +96,8 @@ struct ResultContext {
 };
 
 /** \brief What is doubtful about planes, the most important first
- * (src/doc/command_line.md has the list). They depend on cloud and planes, not on how
- * these were found, nor on the order of the points.
+ * (src/doc/command_line.md has the list). They depend on cloud, planes and context, not
+ * on the order of the points.
  * \param[in] cloud the input cloud the planes were found in
  * \param[in] planes as a detector gives them
  * \param[in] context what else is known

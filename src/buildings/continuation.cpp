@@ -100,7 +100,7 @@ risesAbove (const Vector3d& place, const PlaneFromAbove& plane)
 } // namespace
 
 bool
-isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
+isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all)
 {
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
   int at_steps = 0;

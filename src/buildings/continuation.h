@@ -17,15 +17,16 @@ struct PlaneFromAbove {
   double area;
 };
 
-/** \brief Whether a plane is a part of the ground: others go on where it ends, at its
- * height and nearly its slope, along much of its outline, or rise from it there, as the
- * slope above a terrace does. A roof ends at steps: along its outline something is far
- * below it. */
+/** \brief Whether a plane is a part of the ground. Along the outline of a roof
+ * something is far below it; beside a part of the ground others go on at its height and
+ * nearly its slope, or are far above it, as the slope over a terrace. It is one if at
+ * least half as many places along the outline are of the second kind as of the first.
+ * \param[in] plane one of \p all */
 bool
-isContinued (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
+isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
 
 /** \brief Whether no other plane lies below most of a plane, as below the ground.
- * \param[in] min_drop what is less far below does not count, as the next field of a
+ * \param[in] min_drop planes less far below do not count, as the next field of a
  * slope [m] */
 bool
 isLowest (const PlaneFromAbove& plane,

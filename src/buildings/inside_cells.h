@@ -23,11 +23,12 @@ struct CellBorder {
   double open;
 };
 
-/** \brief Which cells are in rooms: those that leave the least area that is covered
- * outside and uncovered inside, plus max_unseen times the length of what borders rooms
- * without a wall. So rooms go on to a wall over a floor that was not seen, and end
- * where there is none though much was. After Ochmann et al. 2016, without their walls.
- */
+/** \brief Which cells are in rooms: for each 1 if it is, else 0. A minimum graph cut,
+ * after Ochmann et al. 2016 without their walls, of the cost
+ *   covered area outside + uncovered area inside
+ *     + max_unseen * length of the border of rooms that has no wall.
+ * So a room goes on to a wall over a floor that was not seen, and ends at a wall though
+ * a floor was seen beyond it. */
 std::vector<char>
 cellsInside (const std::vector<CellEvidence>& cells,
              const std::vector<CellBorder>& borders);

@@ -432,7 +432,7 @@ denyHills (const std::vector<PlaneSegment>& planes,
 {
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (kinds[i] == PlaneKind::Roof &&
-        (hasRelief (planes[i], meter) || isContinued (from_above[i], from_above)))
+        (hasRelief (planes[i], meter) || isPartOfGround (from_above[i], from_above)))
       kinds[i] = PlaneKind::Other;
 }
 

@@ -185,9 +185,9 @@ PointTree::find (std::size_t position, NearestPoints& nearest) const
 }
 
 std::vector<PointTree::Leaf>
-PointTree::leaves (std::size_t points) const
+PointTree::leaves (std::size_t wanted) const
 {
-  // What is left out by rounding is left out for no point.
+  // So that rounding leaves out no neighbor.
   constexpr float rounding = 1.0F + 1e-5F;
   std::vector<Leaf> leaves;
   std::vector<std::pair<std::uint32_t, float>> open;
@@ -197,7 +197,7 @@ PointTree::leaves (std::size_t points) const
     auto [number, reach] = open.back();
     open.pop_back();
     const Node& node = nodes_[number];
-    if (node.end - node.begin >= points)
+    if (node.end - node.begin >= wanted)
       reach = std::sqrt (squaredDiagonal (node)) * rounding;
     if (node.second_child == 0) {
       leaves.push_back ({&node, reach});

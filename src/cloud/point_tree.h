@@ -19,7 +19,7 @@ class NearestPoints {
 public:
   static constexpr std::size_t max_size = 128;
 
-  /** \param[in] wanted up to \ref max_size */
+  /** \param[in] wanted 1 to \ref max_size */
   void
   start (std::size_t wanted)
   {
@@ -113,16 +113,17 @@ public:
     std::uint32_t second_child; // 0: a leaf; the first child follows its parent
   };
 
-  /** \brief A leaf, and how far away its points have a number of others at most. */
+  /** \brief A leaf, and a radius [m] within which each of its points has as many points
+   * as were wanted, itself included; infinite if the tree has fewer. */
   struct Leaf {
     const Node* node;
     float reach;
   };
 
   /** \brief The leaves in their order.
-   * \param[in] points within the reach of each, as far as there are so many */
+   * \param[in] wanted points within the reach of each */
   std::vector<Leaf>
-  leaves (std::size_t points) const;
+  leaves (std::size_t wanted) const;
 
   /** \brief Pairs of begin and end of positions, ascending. */
   using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;

@@ -107,7 +107,7 @@ addCopies (const Points& points, LabelledPlanes& found)
       moments.add (place.x(), place.y(), place.z());
     }
   for (std::size_t p = 0; p < planes.fits.size(); ++p) {
-    // The centroid of all points, put onto the plane of the places.
+    // The centroid of all points, copies included, moved onto the plane.
     PlaneFit& fit = planes.fits[p];
     fit.centroid = planes.moments[p].centroid();
     fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;

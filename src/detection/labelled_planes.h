@@ -22,8 +22,8 @@ struct LabelledPlanes {
   /** \brief The noise of the surroundings of each plane [m], \ref PlaneSegment::noise;
    * empty where the detector does not measure it. */
   std::vector<std::optional<double>> noises = {};
-  /** \brief Lengths that followed the cloud. A distance threshold that parameters give
-   * may be left out: \ref detectInFinitePoints adds it. */
+  /** \brief Lengths that were found from the cloud. A distance threshold that
+   * parameters give may be left out: \ref detectInFinitePoints adds it. */
   UsedLengths used = {};
 };
 
@@ -53,7 +53,7 @@ mergePlanesOf (AssignedPoints assigned,
 void
 addCopies (const Points& points, LabelledPlanes& found);
 
-/** \brief The planes in the frame of the input cloud, by falling size, their normals
+/** \brief The planes in the frame of the input cloud, in the same order, their normals
  * towards the viewpoint. */
 std::vector<PlaneSegment>
 toSegments (const Points& points,

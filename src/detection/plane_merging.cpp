@@ -63,7 +63,8 @@ areWithinAngle (const PlaneFit& first, const PlaneFit& second, double angle_thre
   return std::acos (std::min (1.0, cosine)) < angle_threshold;
 }
 
-// Adds a group to a larger one; does nothing and returns false if both have no plane.
+// Adds a group to a larger one; does nothing and returns false if the points of both
+// span no plane.
 bool
 absorb (Group& larger, const Group& smaller)
 {
@@ -139,7 +140,7 @@ MergedPlanes
 mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parameters)
 {
   std::vector<Group> groups = groupsWithAPlane (planes);
-  constexpr double usual_theta_h = 0.05;
+  constexpr double usual_theta_h = 0.05; // [m]
   while (parameters.enabled &&
          mergeOnce (groups,
                     parameters.angle_threshold,

@@ -7,10 +7,11 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The default: planes from the neighborhoods of points. It divides no space, so
- * that its planes stay the same where the cloud is moved or turned, and nearly the same
- * where points are left out. OrientedPointSamplingParameters::on_stage gets the results
- * of all stages but the last, with a value for each of \p points. */
+/** \brief The default: planes from the neighborhoods of places, which are the distinct
+ * points. It uses no grid of voxels, so that planes stay the same where the cloud is
+ * moved or turned, and nearly the same where points are left out.
+ * OrientedPointSamplingParameters::on_stage gets the results of all stages but the
+ * last, with a value for each of \p points. */
 LabelledPlanes
 detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,

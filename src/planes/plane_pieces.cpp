@@ -111,8 +111,8 @@ private:
   std::vector<std::size_t> sizes_;
 };
 
-/** \brief The second shortest of the lengths in the four directions that there are
- * neighbors in, each that of the nearer of both sides. Along a line of places only one
+/** \brief The second shortest of the distances to neighbors in four directions, in each
+ * that of the nearer side. Along a line of places only one
  * is short, at the corner of an area at least two are; at its border the other side
  * tells. */
 double
@@ -133,8 +133,8 @@ spacingAt (const OctantNeighbors& neighbors)
   return std::sqrt (secondShortest (neighbors.squared_distances));
 }
 
-/** \brief How far it is from a group to the next places. Where noise makes lines of
- * places as wide as these are apart along it, this is how far the lines are apart. */
+/** \brief The gap between a group of places and those next to it. Where noise has
+ * widened the scan lines of a lidar, it is the distance between two lines. */
 double
 distanceAround (const OctantTree::Group& group, const PlanarPoints& places)
 {
@@ -154,7 +154,8 @@ distanceAround (const OctantTree::Group& group, const PlanarPoints& places)
 }
 
 /** \brief The links of places to their nearest neighbors in all directions, among them
- * those of the shortest tree over all places (Yao, 1982), and the spacing around each.
+ * those of the minimum spanning tree of all places (Yao, 1982), and the spacing around
+ * each.
  */
 struct PlaceGraph {
   std::vector<OctantNeighbors> neighbors;
@@ -186,10 +187,10 @@ graphOf (const PlanarPoints& places, unsigned threads)
 
 /** \brief For each place the number of its piece: the first place of it. */
 std::vector<std::uint32_t>
-piecesOf (const PlanarPoints& places,
-          const std::vector<std::size_t>& points_at,
-          const PlanePiecesParameters& parameters,
-          unsigned threads)
+pieceOfEachPlace (const PlanarPoints& places,
+                  const std::vector<std::size_t>& points_at,
+                  const PlanePiecesParameters& parameters,
+                  unsigned threads)
 {
   const PlaceGraph graph = graphOf (places, threads);
   DisjointSets pieces (points_at);
@@ -250,7 +251,7 @@ piecesOf (const CloudView& cloud,
   for (const std::uint32_t place : inliers.place_of)
     ++points_at[place];
   const std::vector<std::uint32_t> numbers =
-      piecesOf (inliers.places, points_at, parameters, threads);
+      pieceOfEachPlace (inliers.places, points_at, parameters, threads);
   std::vector<pcl::Indices> indices (inliers.places.size());
   for (std::size_t i = 0; i < inliers.indices.size(); ++i)
     indices[numbers[inliers.place_of[i]]].push_back (inliers.indices[i]);

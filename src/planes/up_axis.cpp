@@ -101,7 +101,8 @@ Vector3d
 fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
 {
   for (const double widening : {3.0, 2.0, 1.0, 1.0, 1.0}) {
-    const double limit = std::sin (std::min (widening * tolerance, 0.5));
+    constexpr double widest = 0.5; // [rad]
+    const double limit = std::sin (std::min (widening * tolerance, widest));
     Matrix3d scatter = Matrix3d::Zero();
     for (const Face& face : faces.each)
       scatter += face.weight *
@@ -145,23 +146,28 @@ axesToTry (const Faces& faces)
   return axes;
 }
 
-/** \brief An axis that may be the one up is along. */
-struct Candidate {
-  /** \brief Of either sign at first; then once for each sign. */
+/** \brief An axis that up may be along, in one direction or the other. */
+struct AxisCandidate {
   Vector3d axis;
-  /** \brief At first the share of the planes along and across the axis; then the
-   * evidence for its direction. */
-  double support;
+  /** \brief Of the planes, by weight: how much is along the axis or across it. */
+  double share;
+};
+
+/** \brief A direction that may be up. */
+struct UpCandidate {
+  Vector3d up;
+  /** \brief \ref evidenceFor it. */
+  double evidence;
 };
 
 /** \brief The axes floor and walls can agree on, each once. */
-std::vector<Candidate>
+std::vector<AxisCandidate>
 candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
 {
   constexpr double same_axis = 0.978; // cosine of 12 degrees
   const double limit = std::sin (parameters.angle_tolerance);
-  std::vector<Candidate> all;
-  std::vector<Candidate> distinct;
+  std::vector<AxisCandidate> all;
+  std::vector<AxisCandidate> distinct;
   for (const Vector3d& start : axesToTry (faces)) {
     const Vector3d axis = fittedAxis (faces, start, parameters.angle_tolerance);
     double horizontal = 0.0;
@@ -173,10 +179,11 @@ candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
     if (std::min (horizontal, vertical) >= parameters.min_share)
       all.push_back ({axis, horizontal + vertical});
   }
-  for (const Candidate& candidate : sorted (std::move (all), &Candidate::support))
-    if (std::none_of (distinct.begin(), distinct.end(), [&] (const Candidate& other) {
-          return std::abs (other.axis.dot (candidate.axis)) > same_axis;
-        }))
+  for (const AxisCandidate& candidate : sorted (std::move (all), &AxisCandidate::share))
+    if (std::none_of (
+            distinct.begin(), distinct.end(), [&] (const AxisCandidate& other) {
+              return std::abs (other.axis.dot (candidate.axis)) > same_axis;
+            }))
       distinct.push_back (candidate);
   return distinct;
 }
@@ -261,8 +268,8 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
   const Faces faces = facesOf (planes);
   if (faces.each.empty() || !viewpoint.allFinite() || !validate (parameters).empty())
     return std::nullopt;
-  std::vector<Candidate> directions;
-  for (const Candidate& candidate : candidatesOf (faces, parameters))
+  std::vector<UpCandidate> directions;
+  for (const AxisCandidate& candidate : candidatesOf (faces, parameters))
     for (const double sign : {1.0, -1.0}) {
       const Vector3d up = sign * candidate.axis;
       directions.push_back (
@@ -270,18 +277,18 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
     }
   if (directions.empty())
     return std::nullopt;
-  const Candidate best = *std::max_element (
+  const UpCandidate best = *std::max_element (
       directions.begin(), directions.end(), [] (const auto& first, const auto& second) {
-        return first.support < second.support;
+        return first.evidence < second.evidence;
       });
   double likelihoods = 0.0;
-  for (const Candidate& direction : directions)
-    likelihoods += std::exp (direction.support - best.support);
-  const UpAxis found{best.axis.normalized(), 1.0 / likelihoods};
+  for (const UpCandidate& direction : directions)
+    likelihoods += std::exp (direction.evidence - best.evidence);
+  const UpAxis found{best.up.normalized(), 1.0 / likelihoods};
   if (!(found.confidence >= parameters.min_confidence))
     return std::nullopt;
   if (parameters.min_confidence > 0.0 &&
-      seesFloorAndCeiling (best.axis, faces, viewpoint, parameters.angle_tolerance))
+      seesFloorAndCeiling (best.up, faces, viewpoint, parameters.angle_tolerance))
     return std::nullopt;
   return found;
 }

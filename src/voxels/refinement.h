@@ -18,9 +18,9 @@ struct Refinement {
   BoundedPlanes planes;
 };
 
-/** \brief Takes coarse voxels without a plane, and those next to them, to voxels of
- * half the edge. A voxel there keeps the plane of the coarse one that holds it if its
- * points lie on it.
+/** \brief Divides coarse voxels of 8 points and more that have no plane, and those next
+ * to them, into voxels of half the edge. A voxel there keeps the plane of the coarse
+ * one that holds it if its points lie on it.
  * \param[in] planes those found in coarse voxels, with their noise */
 Refinement
 refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads);

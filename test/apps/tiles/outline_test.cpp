@@ -167,7 +167,8 @@ TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
     ASSERT_EQ (outline.size(), 1u);
     const double from_zero_to_tip = 5.0 * std::sqrt (2.0);
     for (const Eigen::Vector2d& corner : outline[0][0])
-      EXPECT_GT (std::abs (corner.norm() - from_zero_to_tip), 1.0) << corner.transpose();
+      EXPECT_GT (std::abs (corner.norm() - from_zero_to_tip), 1.0)
+          << corner.transpose();
     EXPECT_NEAR (areaOf (outline[0]), 100.0, 0.1);
   }
 }
