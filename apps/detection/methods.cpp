@@ -526,7 +526,7 @@ hintOnOverlap (const Method& method,
                Detected& detected)
 {
   constexpr const char* name = "merge-distance";
-  if (options.numbers.count (name) > 0)
+  if (options.numbers.count (name) > 0 || !detected.settings.value ("merging", true))
     return;
   const auto pair = findOverlapping (*cloud, detected.planes);
   if (!pair)
