@@ -70,6 +70,25 @@ TEST (ShareOfCommonSteps, IsNoneOfPointsTooFewToTell)
   EXPECT_EQ (shareOfCommonSteps (Coordinates(), place_of_lidar), 0.0);
 }
 
+TEST (ShareOfCommonSteps, IsNoneOfMoreThanFourPointsBehindEachOther)
+{
+  const auto share = [] (int layers) {
+    const Coordinates room = roomSeenInSteps (0.2, 0.2);
+    Coordinates points;
+    for (int layer = 1; layer <= layers; ++layer)
+      for (std::size_t i = 0; i < room.size(); ++i) {
+        const Eigen::Vector3d point =
+            place_of_lidar + layer * (room[i] - place_of_lidar);
+        points.add (static_cast<float> (point.x()),
+                    static_cast<float> (point.y()),
+                    static_cast<float> (point.z()));
+      }
+    return shareOfCommonSteps (points, place_of_lidar);
+  };
+  EXPECT_GT (share (3), 90_percent);
+  EXPECT_EQ (share (6), 0.0);
+}
+
 TEST (SeenByItsSteps, IsALidarAtItsPlaceAloneAndNothingAnywhere)
 {
   const Coordinates room = roomSeenInSteps (0.2, 0.2);
