@@ -31,6 +31,18 @@ squaredDiagonal (const PointTree::Node& node)
 }
 
 float
+squaredDistanceToBox (const std::array<float, 3>& place, const PointTree::Node& node)
+{
+  float sum = 0.0F;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float outside =
+        std::max ({node.low[axis] - place[axis], place[axis] - node.high[axis], 0.0F});
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+float
 squaredDistanceOfBoxes (const PointTree::Node& first, const PointTree::Node& second)
 {
   float sum = 0.0F;
@@ -152,15 +164,8 @@ PointTree::find (std::size_t position, NearestPoints& nearest) const
   };
   const std::array<float, 3> query{
       sorted_.x[position], sorted_.y[position], sorted_.z[position]};
-  const auto distanceOf = [&] (std::uint32_t number) {
-    const Node& node = nodes_[number];
-    float sum = 0.0F;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float outside = std::max (
-          {node.low[axis] - query[axis], query[axis] - node.high[axis], 0.0F});
-      sum += outside * outside;
-    }
-    return sum;
+  const auto opened = [&] (std::uint32_t number) {
+    return Open{squaredDistanceToBox (query, nodes_[number]), number};
   };
   std::array<Open, max_depth> open;
   std::size_t number_open = 0;
@@ -175,8 +180,8 @@ PointTree::find (std::size_t position, NearestPoints& nearest) const
         nearest.offer (squaredDistance (i, position), order_[i]);
       continue;
     }
-    Open near{distanceOf (next.node + 1), next.node + 1};
-    Open far{distanceOf (node.second_child), node.second_child};
+    Open near = opened (next.node + 1);
+    Open far = opened (node.second_child);
     if (far.squared_distance < near.squared_distance)
       std::swap (near, far);
     open[number_open++] = far;

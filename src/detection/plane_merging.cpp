@@ -80,6 +80,16 @@ absorb (Group& larger, const Group& smaller)
   return true;
 }
 
+// Thousands of planes have millions of pairs: the cosine of their normals leaves most
+// out before anything else is compared.
+double
+minCosineWithin (double angle_threshold)
+{
+  constexpr double rounding = 1e-9;
+  const double right_angle = std::acos (0.0);
+  return std::cos (std::min (angle_threshold, right_angle)) - rounding;
+}
+
 // One sweep over all pairs; true if any was merged.
 bool
 mergeOnce (std::vector<Group>& groups,
@@ -87,12 +97,7 @@ mergeOnce (std::vector<Group>& groups,
            double distance_threshold,
            double noise_factor)
 {
-  // Thousands of planes have millions of pairs: the cosine of their normals leaves most
-  // out before anything else is compared.
-  constexpr double rounding = 1e-9;
-  const double right_angle = std::acos (0.0);
-  const double min_cosine =
-      std::cos (std::min (angle_threshold, right_angle)) - rounding;
+  const double min_cosine = minCosineWithin (angle_threshold);
   std::vector<Eigen::Vector3d> normals;
   normals.reserve (groups.size());
   for (const Group& group : groups)
