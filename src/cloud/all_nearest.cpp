@@ -91,7 +91,11 @@ public:
     // The last leaf's reach is right for most points of the next one.
     constexpr float spare = 1.15F;
     constexpr float growth = 1.5F;
-    float reach = std::min (leaf.reach, spare * usual_reach_);
+    float reach = spare * usual_reach_;
+    // Of equal points, or such as are apart by less than single precision can square.
+    if (!(reach * reach > 0.0F))
+      reach = leaf.reach;
+    reach = std::min (leaf.reach, reach);
     float sum = 0.0F;
     for (; !open_.empty(); reach *= growth) {
       const std::size_t candidates =

@@ -30,7 +30,7 @@ addCell (const Coordinates& positions, Indices& of_cell, DistinctPlaces& places)
   }
 }
 
-// An edge with which all cells of the curve are apart: it only orders the points.
+// Edge of the cells of the Morton order, with which no coordinate is clipped.
 double
 cellOf (const Coordinates& positions)
 {

@@ -62,9 +62,9 @@ forHashes (const Coordinates& points, Visit&& visit)
   }
 }
 
-// The sum of c^2 over all points with c points at each place: 1 where all are alone,
-// 1 + q where a share q is in pairs. Estimated by how many share some bits of their
-// hash, with a standard deviation of sqrt (2 / buckets) = 0.022.
+// The mean over all points of how many points are at their place: 1 where all are
+// alone, 1 + q where a share q is in pairs. Estimated by how many share some bits of
+// their hash, with a standard deviation of sqrt (2 / buckets) = 0.022.
 double
 estimatedPointsOfAPlace (const Coordinates& points)
 {
@@ -142,14 +142,14 @@ struct SortedByPlace {
 };
 
 /** \brief What holds for all points, and for those that are readings. */
-struct Equality {
+struct ReadingStatistics {
   FirstAtPlace first;
   double readings = 0.0;
   /** \brief Of the numbers of points at each place. */
   double squares = 0.0;
 };
 
-Equality
+ReadingStatistics
 equalityOf (const SortedByPlace& sorted)
 {
   // Where a place has so many times more points than places have on average, and adds
@@ -161,7 +161,7 @@ equalityOf (const SortedByPlace& sorted)
   for (std::size_t begin = 0; begin < size; begin = sorted.endOfPlace (begin))
     ++places;
   const auto all = static_cast<double> (size);
-  Equality equality{FirstAtPlace (sorted.points.size(), no_reading)};
+  ReadingStatistics equality{FirstAtPlace (sorted.points.size(), no_reading)};
   for (std::size_t begin = 0, end = 0; begin < size; begin = end) {
     end = sorted.endOfPlace (begin);
     const auto count = static_cast<double> (end - begin);
@@ -186,7 +186,7 @@ firstAtPlace (const Coordinates& points, unsigned threads)
   if (estimatedPointsOfAPlace (points) < may_be_equal)
     return {};
   const SortedByPlace sorted (points, threads);
-  Equality equality = equalityOf (sorted);
+  ReadingStatistics equality = equalityOf (sorted);
   if (equality.squares >= are_equal * equality.readings)
     return equality.first;
   if (equality.readings == static_cast<double> (sorted.keys.size()))

@@ -78,8 +78,8 @@ struct Points : Coordinates {
   }
 };
 
-/** \brief Which of a stage's own items, points, voxels or samples: ascending numbers.
- * Of the input cloud's points pcl::Indices speak. */
+/** \brief Numbers of a stage's own items: points, voxels or samples. Of the input
+ * cloud's points pcl::Indices speak. */
 using Indices = std::vector<std::uint32_t>;
 
 /** \brief Some of the points, in the order of their numbers. */
@@ -112,9 +112,10 @@ finitePoints (const CloudView& cloud,
               const pcl::Indices* indices = nullptr,
               double step = 0.0);
 
-/** \brief The same without points that decide more than their place does, as nothing
- * later counts places: many equal points would set the sizes that follow from how dense
- * a cloud is, the zero of the frame and where a cloud ends.
+/** \brief The same without points that decide more than their place does, as the
+ * engines of voxels and of the paper count points, not places: many equal points would
+ * set the sizes that follow from how dense a cloud is, the zero of the frame and where
+ * a cloud ends.
  *
  * Where a good share of all points have equals the first one stands for the others at
  * its place, \ref Points::copies. A place with so many that they are no readings but

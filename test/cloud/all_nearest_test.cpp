@@ -116,6 +116,24 @@ TEST (AllNearest, OfPointsAtOnePlaceAreTheLowestNumbers)
   expectAllNearest (points, 5);
 }
 
+TEST (AllNearest, AreFoundBesideManyEqualPoints)
+{
+  Coordinates points;
+  for (int i = 0; i < 40; ++i)
+    points.add (0.0f, 0.0f, 0.0f);
+  addDrawn (100, 1.0f, 2.0f, points);
+  expectAllNearest (points, 5);
+}
+
+TEST (AllNearest, AreFoundBesidePointsThatAreApartByLessThanTheRootOfTheLeastNumber)
+{
+  Coordinates points;
+  for (int i = 0; i < 64; ++i)
+    points.add (1e-30f * static_cast<float> (i), 0.0f, 0.0f);
+  addDrawn (100, 1.0f, 2.0f, points);
+  expectAllNearest (points, 5);
+}
+
 TEST (AllNearest, AreTheSameForAnyNumberOfThreads)
 {
   Coordinates points;
