@@ -9,6 +9,9 @@
 #ifdef __linux__
 #include <sched.h>
 #endif
+#ifdef __unix__
+#include <pthread.h>
+#endif
 
 #include <algorithm>
 #include <atomic>
@@ -129,17 +132,34 @@ availableProcessors ()
   return std::max (1u, std::thread::hardware_concurrency());
 }
 
+namespace {
+
+/** \brief Those of this process. They are never destroyed: the threads end with the
+ * process. A process that is forked off has none of the threads, and maybe a lock that
+ * one of them held: it begins with others. */
+Workers&
+workersOfThisProcess ()
+{
+  static Workers* workers = new Workers;
+#ifdef __unix__
+  static const int registered =
+      ::pthread_atfork (nullptr, nullptr, [] { workers = new Workers; });
+  static_cast<void> (registered);
+#endif
+  return *workers;
+}
+
+} // namespace
+
 void
 callOnWorkers (std::size_t number, const std::function<void()>& task)
 {
-  // Never destroyed: the threads end with the process. The copy of a process has none
-  // of them to wait for.
-  static Workers& workers = *new Workers;
+  Workers& workers = workersOfThisProcess();
   {
     const std::lock_guard<std::mutex> lock (workers.guard);
     try {
       for (; workers.started < number; ++workers.started)
-        std::thread ([] { workers.serve(); }).detach();
+        std::thread ([&workers] { workers.serve(); }).detach();
     }
     catch (const std::system_error&) {
       // As many as there are will do.

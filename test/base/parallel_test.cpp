@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel.h"
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -55,6 +57,28 @@ TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
     met_all += arrived == threads;
   });
   EXPECT_EQ (met_all, threads);
+}
+
+TEST (ParallelFor, HasThreadsOfItsOwnInAProcessThatIsForkedOff)
+{
+  parallelFor (2, 2, 1, [] (std::size_t, std::size_t) {});
+  const pid_t child = fork();
+  if (child == 0) {
+    std::atomic<int> arrived{0};
+    std::promise<void> both;
+    std::shared_future<void> met = both.get_future().share();
+    parallelFor (2, 2, 1, [&] (std::size_t, std::size_t) {
+      if (++arrived == 2)
+        both.set_value();
+      met.wait_for (std::chrono::seconds (20));
+    });
+    const bool have_met =
+        met.wait_for (std::chrono::seconds (0)) == std::future_status::ready;
+    _exit (have_met && arrived == 2 ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ (waitpid (child, &status, 0), child);
+  EXPECT_EQ (status, 0);
 }
 
 TEST (ParallelFor, TakesAnyNumberOfThreads)
