@@ -61,8 +61,8 @@ partOf (const Vector3d& offset)
   return number * 2654435761u >> 16;
 }
 
-/** \brief Those of points of some parts of the view, each once, by their cells; none
- * where most points are at places of others. */
+/** \brief Unit directions to the points in a sample of parts of the view, each once,
+ * sorted by cell; none where more than three quarters repeat others. */
 std::vector<Direction>
 directionsOf (const Coordinates& points, const Vector3d& place)
 {

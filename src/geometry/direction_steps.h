@@ -15,7 +15,8 @@ namespace pcl_ops::internal {
  * sensor it is 0.7 to 1 (two steps, as some lidars have beams of two kinds; 0.3 for
  * those whose lines cross), from 3 m beside it below 0.5. It is below 0.2 where points
  * are thinned evenly in space, from anywhere.
- * \return 0 where next to no point has a neighbor near enough to tell */
+ * \return 0 where fewer than half of the points, or than 100, have a neighbor near
+ * enough to tell */
 double
 shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& place);
 

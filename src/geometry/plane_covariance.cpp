@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /** \brief Sums of (s, t, 1) h over the inliers in each square block of the plane. */
 using Blocks = std::map<std::pair<int, int>, Vector3d>;
 
-/** \brief Blocks as long as an eighth of the square of the plane's area: far larger
+/** \brief Blocks have a side of an eighth of the root of the plane's area: far larger
  * than a sensor correlates the errors of neighbors, and still 64 of them. */
 constexpr double blocks_per_side = 8.0;
 
@@ -74,7 +74,9 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   const Eigen::Matrix2d spread =
       covariance->axes.transpose() * plane.moments.covariance() * covariance->axes;
   // The rectangle with these moments has the area 12 sqrt (det).
-  const double area = 12.0 * std::sqrt (spread.determinant());
+  const double area = 12.0 * std::sqrt (std::max (0.0, spread.determinant()));
+  if (!(area > 0.0))
+    return std::nullopt;
   const Blocks blocks =
       blocksOf (cloud, plane, covariance->axes, std::sqrt (area) / blocks_per_side);
   const auto number = static_cast<double> (blocks.size());

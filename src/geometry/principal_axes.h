@@ -19,9 +19,10 @@ struct PrincipalAxes {
 
 /** \brief Principal axes of many matrices, several at a time.
  *
- * Closed form but for the smallest eigenvalue, which Newton's method finds from below:
- * the characteristic polynomial is concave there, so that it cannot overshoot, and for
- * the flat sets of interest two or three steps suffice.
+ * Closed form but for the smallest eigenvalue, which Newton's method finds from a
+ * start near it: the characteristic polynomial is concave there, so that from the
+ * second step on it comes from below and cannot overshoot. For the flat sets of
+ * interest two or three steps suffice.
  * \param[out] axes zero for a matrix without a positive trace */
 void
 principalAxes (const Eigen::Matrix3d* matrices,

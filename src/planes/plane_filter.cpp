@@ -118,6 +118,7 @@ keptPlanes (const std::vector<PlaneSegment>& planes,
             DroppedPlanes& dropped)
 {
   detail::throwOn (validate (filter));
+  dropped = {};
   PlaneFilter unit = filter;
   unit.up_axis.stableNormalize();
   if (unit.direction)

@@ -41,8 +41,9 @@ placedInliersOf (const CloudView& cloud, const PlaneSegment& plane)
   for (const pcl::index_t index : plane.inliers) {
     const Eigen::Vector3d point =
         Eigen::Map<const Eigen::Vector3f> (cloud[index]).cast<double>();
-    all.push_back (
-        {frame.toPlane (point), plane.normal.dot (point - plane.centroid), index});
+    if (point.allFinite()) // others cannot be sorted
+      all.push_back (
+          {frame.toPlane (point), plane.normal.dot (point - plane.centroid), index});
   }
   std::sort (all.begin(), all.end(), [] (const Placed& a, const Placed& b) {
     return std::make_tuple (a.place.x(), a.place.y(), a.height) <

@@ -132,6 +132,8 @@ isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
 {
   constexpr double next_to_none = 0.01;
   constexpr double largest_share = 0.05;
+  if (!viewpoint.allFinite())
+    return false;
   const double hidden = detail::occludedFraction (cloud, viewpoint);
   if (hidden <= next_to_none)
     return true;

@@ -119,9 +119,11 @@ warnOfUnassignedPoints (const CloudView& cloud,
   if (sample.shareOnNone() < warning_constants.none_share ||
       sample.finite > warning_constants.max_searched_again)
     return std::nullopt;
-  std::vector<OtherSearch> searches = searchesWithDefaults (search, text);
+  OpsParameters unobserved = search;
+  unobserved.on_stage = {};
+  std::vector<OtherSearch> searches = searchesWithDefaults (unobserved, text);
   if (search.sampling_rate < warning_constants.high_sampling_rate) {
-    OtherSearch finer{search, "give " + text.of ("sampling-rate", "0.3")};
+    OtherSearch finer{unobserved, "give " + text.of ("sampling-rate", "0.3")};
     finer.parameters.sampling_rate = warning_constants.high_sampling_rate;
     if (areFlatPlaces (cloud, planes, finer.parameters))
       searches.push_back (finer);

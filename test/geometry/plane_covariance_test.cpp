@@ -110,6 +110,17 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
       << "but for the measured factor";
 }
 
+TEST (PlaneCovariance, IsNoneOfANormalWithinTheSurface)
+{
+  RandomGenerator generator (seedOfTest());
+  Cloud cloud;
+  for (int i = 0; i < 100; ++i)
+    cloud.push_back (toPoint ({drawUnit (generator), drawUnit (generator), 0.0}));
+  PlaneSegment plane = fittedTo (cloud);
+  plane.normal = Eigen::Vector3d::UnitX();
+  EXPECT_FALSE (planeCovariance (cloud, plane));
+}
+
 TEST (PlaneCovariance, RefusesInliersOutsideTheCloud)
 {
   const Cloud cloud = *Scene().floor (1, 2).build().cloud;

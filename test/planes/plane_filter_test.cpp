@@ -130,6 +130,18 @@ TEST (PlaneFilter, KeepsAllByDefaultAndAsksForNoExtentItCanDoWithout)
   EXPECT_EQ (filterPlanes (planes, filter, neverAsked).by_points, 3u);
 }
 
+TEST (PlaneFilter, CountsWhatItDropsAnewEachTime)
+{
+  PlaneFilter filter;
+  filter.orientation = Orientation::Vertical;
+  DroppedPlanes dropped;
+  for (int i = 0; i < 2; ++i) {
+    const auto kept = keptPlanes (house(), filter, neverAsked, dropped);
+    EXPECT_EQ (kept, std::vector<std::size_t>{1});
+    EXPECT_EQ (dropped.by_orientation, 2u);
+  }
+}
+
 TEST (PlaneFilter, TakesExtentsOfTheCloud)
 {
   const auto cloud = Scene().floor (1, 2).build().cloud;

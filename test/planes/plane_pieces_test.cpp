@@ -231,6 +231,19 @@ TEST (PlanePieces, EqualPointsCountButLeaveTheSpacingAsItIs)
   EXPECT_EQ (found.pieces[0].inliers.size(), 36u * 21u);
 }
 
+TEST (PlanePieces, LeaveOutInliersWithoutCoordinates)
+{
+  Cloud cloud = checkerboard (10);
+  for (std::size_t i = 0; i < cloud.size(); i += 50)
+    cloud[i].x = NAN;
+  PlaneSegment plane = planeOf (checkerboard (10));
+  const PlanePieces found = findPlanePieces (cloud, {plane});
+  EXPECT_EQ (found.pieces.size(), 64u);
+  for (const PlaneSegment& piece : found.pieces)
+    for (const pcl::index_t index : piece.inliers)
+      EXPECT_NE (index % 50, 0);
+}
+
 TEST (PlanePieces, AreTheSameForAnyOrderOfThePoints)
 {
   Cloud cloud = rings (3, 2_cm);

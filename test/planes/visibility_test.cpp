@@ -207,6 +207,12 @@ TEST (Visibility, CountsAPlaceWithVeryManyPointsAsOneWithSome)
   EXPECT_EQ (hidden (4000), hidden (300));
 }
 
+TEST (Visibility, IsNotGivenFromAPlaceThatIsNotFinite)
+{
+  const pcl::PointCloud<pcl::PointXYZ> cloud;
+  EXPECT_FALSE (isSeenFrom ({NAN, 0.0, 0.0}, CloudView (cloud)));
+}
+
 TEST (Visibility, LeavesOutWhatIsNotFinite)
 {
   Cloud cloud = wallBehindABoard();

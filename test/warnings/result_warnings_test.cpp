@@ -296,6 +296,16 @@ TEST (ResultWarnings, SayWhichSamplingRatePutsPointsOnPlanes)
   EXPECT_NE (text.find (" give --sampling-rate 0.3"), std::string::npos) << text;
 }
 
+TEST (ResultWarnings, DoNotCallTheObserverOfTheSearch)
+{
+  ResultContext context;
+  context.search = OrientedPointSamplingParameters();
+  int calls = 0;
+  context.search->on_stage = [&calls] (const StageResult&) { ++calls; };
+  ASSERT_EQ (roomWithThinWall().codes (context), "unassigned-points");
+  EXPECT_EQ (calls, 0);
+}
+
 TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
 {
   LabelledPlaneScene room = roomOfTwoPlanes();
