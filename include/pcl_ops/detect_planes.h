@@ -24,12 +24,12 @@ detectPlanesInDetail (const CloudView& cloud,
   return detail::detectChecked ({cloud, nullptr, viewpoint, nullptr}, parameters);
 }
 
-/** \brief Finds planes in positions of any origin, by the detector that the parameters
- * are of: what its class does, without a pcl::PointCloud.
+/** \brief Finds planes in any buffer of positions, without a pcl::PointCloud; the type
+ * of the parameters chooses the detector.
  * \param[in] cloud finite points or not
  * \param[in] parameters ones \ref validate finds nothing wrong with
  * \param[in] viewpoint origin of the sensor in the frame of the cloud [m]; normals
- * point to its side
+ * point to it; where it is 0 0 0, as \ref PlaneSegment::normal says
  * \return planes by falling size
  * \throw std::invalid_argument if the cloud is empty or the parameters are wrong */
 template <typename Parameters>

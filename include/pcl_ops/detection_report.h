@@ -26,19 +26,21 @@ struct StageDurations {
 /** \brief Lengths that a detection worked with, whether they were given or followed the
  * cloud [m]. */
 struct UsedLengths {
-  /** \brief Edge of the voxels, as parameters have it; of voxels of several sizes, of
-   * the smallest that planes begin in. None: the detector has no voxels. */
+  /** \brief Edge of the voxels of Sampling::Surfels, some of which are divided into
+   * halves of it. None: of all others. */
   std::optional<double> voxel_size;
-  /** \brief Farthest a point may be from its plane; where this follows the noise of
-   * each plane, the median over the planes. None: no plane was found to tell it. */
+  /** \brief Largest distance of a point to its plane, as it was given; where it follows
+   * the noise, 3 times the median noise of the planes. None: no plane was found to tell
+   * it. */
   std::optional<double> distance_threshold;
 };
 
 /** \brief What OPS on neighborhoods finds out from all points of a cloud before it
- * looks at single places. Each part of a cloud that is given that of the whole has the
- * planes of the whole; by itself it would have those that its own points tell. */
+ * looks at single places. A part of a cloud that is given that of the whole cloud has
+ * the planes of the whole. */
 struct CloudNoise {
-  /** \brief Distinct points of the cloud: of more, a plane needs more. */
+  /** \brief Number of distinct points of the cloud; the more there are, the more a
+   * plane needs. */
   double points = 0.0;
   /** \brief By how much neighborhoods of each size scatter more until they hold many
    * independent errors; 1 and more, from the smallest on. */

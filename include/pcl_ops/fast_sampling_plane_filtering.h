@@ -28,7 +28,8 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
     double inner_radius = 0.1;
     /** \brief r2: a hypothesis is tested on the points this near to p_r0 [m]. */
     double outer_radius = 0.2;
-    /** \brief N_loc: how many of these it is tested on, drawn with repetition. */
+    /** \brief N_loc: how many of these it is tested on, drawn with repetition;
+     * spheres with fewer points have no plane. */
     unsigned local_samples = 80;
     /** \brief alpha_min: it needs more than this share of inliers among them. */
     double min_inlier_fraction = 0.8;

@@ -28,9 +28,7 @@ enum class Sampling {
   Automatic
 };
 
-/** \brief What Sampling::Points, the paper's algorithm, alone reads; those of
- * neighborhoods and voxels are not drawn, divided or weighted, and are always refitted.
- */
+/** \brief Parameters of Sampling::Points, the paper's algorithm; others ignore them. */
 struct PaperParameters {
   /** \brief When planes are divided by orientation (paper, "Detecting planes in
    * multiple orientations"). */
@@ -107,12 +105,13 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
 
   Sampling sampling = Sampling::Automatic;
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. On
-   * surfels it decides how many voxels the cloud is divided into, on neighborhoods how
-   * many points they have: four times the rate, half of the points. */
+   * surfels it decides how many voxels the cloud is divided into. On neighborhoods all
+   * points get a normal, from fewer neighbors the larger it is: half of them at 16
+   * times the rate. */
   double sampling_rate = 0.03;
   /** \brief k: the neighbors of each sample that its normal comes from, 2 or more. The
-   * smallest neighborhoods have at most 1.2 k points (10 to 36 at the default), the
-   * normal of a voxel comes from at least k / 2. */
+   * smallest neighborhoods have k / 3 to 1.2 k points at the default rate, 10 to 36,
+   * and 6 to 128 at any; the normal of a voxel comes from at least k / 2. */
   int k = 30;
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
    * in any case; of surfels at least as many. On neighborhoods 20 stand for 6
@@ -128,7 +127,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   /** \brief Gets what each stage made of the points, to look at it or to draw it.
    * Empty: nothing is computed or copied for it. Only Sampling::Neighborhoods has such
    * stages; voxels and the paper's algorithm never call it. Its time counts as that of
-   * the stage, and nothing of the result depends on it. */
+   * the stage, but for Stage::Labels, and nothing of the result depends on it. */
   StageObserver on_stage;
 
   /** \brief The algorithm of the paper with its best row (Table III): 3 %, 30
@@ -162,8 +161,10 @@ detect (const DetectorInput& input, const OrientedPointSamplingParameters& param
 
 } // namespace detail
 
-/** \brief OPS: finds all planes of an unorganized point cloud from the normals of a few
- * per cent of its points, each of which is a hypothesis by itself.
+/** \brief OPS: finds all planes of an unorganized point cloud. By default regions grow
+ * over the normals of all points, by their noise. With Sampling::Points, the paper's
+ * algorithm, a few per cent of the points have normals, and each of them is a
+ * hypothesis of RANSAC by itself.
  *
  * Sun & Mordohai, "Oriented Point Sampling for Plane Detection in Unorganized Point
  * Clouds", ICRA 2019.
@@ -195,9 +196,8 @@ public:
     return this->parameters_.sampling_rate;
   }
 
-  /** \brief k: the neighbors of each sample that its normal comes from, 2 or more. The
-   * smallest neighborhoods have at most 1.2 k points (10 to 36 at the default), the
-   * normal of a voxel comes from at least k / 2. */
+  /** \brief k: the neighbors of each sample that its normal comes from, 2 or more
+   * (\ref OrientedPointSamplingParameters::k). */
   void
   setKSearch (int k)
   {

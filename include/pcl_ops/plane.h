@@ -57,7 +57,8 @@ struct PCL_OPS_EXPORT Moments {
       products[i] += other.products[i];
   }
 
-  /** \brief Adds another set; its sums are shifted if its origin differs. */
+  /** \brief Adds another set; its sums are shifted if its origin differs. A set without
+   * points becomes the other one, with its origin. */
   Moments&
   operator+= (const Moments& other);
 
@@ -161,7 +162,8 @@ struct PCL_OPS_EXPORT PlaneSegment {
   /** \brief Mean of the inliers; of a plane that is not fitted to them, as of 3D-KHT's
    * paper preset or where equal points counted once, taken onto it along the normal. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  /** \brief Unit normal towards the sensor's origin. */
+  /** \brief Unit normal towards the sensor's origin. Where a cloud says 0 0 0 and was
+   * not seen from there, normals point up, but for vertical planes (turnUnseenUp). */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   Orientation orientation = Orientation::Other;
   /** \brief Moments of the inliers, taken about \ref centroid. */
@@ -187,7 +189,7 @@ struct PCL_OPS_EXPORT PlaneSegment {
   double
   rms () const;
 
-  /** \brief Adds a shift to the points of its cloud. */
+  /** \brief Moves the plane by a shift, as its cloud was or will be moved. */
   void
   moveBy (const Eigen::Vector3d& shift)
   {
@@ -240,6 +242,7 @@ independentPlaneCovariance (const PlaneSegment& plane);
  * differently, and errors as long as the plane are fitted. The normalized errors |z| of
  * planes matched over exact poses then have a median of 0.53 to 0.75 (0.67 for a normal
  * distribution).
+ * \param[in] cloud the one the plane was found in, in the frame of the plane
  * \return nothing where the moments alone give none, or the inliers lie in fewer than
  * four blocks
  * \throw std::invalid_argument if an inlier lies outside the cloud */

@@ -73,7 +73,7 @@ public:
   using SearchPtr = typename Search::Ptr;
   using PlanarRegions = detail::PlanarRegions<PointT>;
 
-  /** \brief Finds the planes of the input cloud.
+  /** \brief Finds the planes of the input cloud. Use one detector for each thread.
    * \param[out] planes by falling size; cleared first
    * \return false for misuse (no input, empty input, wrong indices or parameters), said
    * by PCL_ERROR. No plane found is success with empty output. */
@@ -98,7 +98,8 @@ public:
 
   /** \brief As above, in the order of pcl::OrganizedMultiPlaneSegmentation.
    * \param[out] coefficients a b c d of a x + b y + c z + d = 0 with a unit normal
-   * towards the sensor's origin, in the frame of the input cloud
+   * as \ref PlaneSegment::normal, in the frame of the input cloud; single precision,
+   * so that far from zero the overload above is better
    * \param[out] inliers ascending, disjoint indices into the input cloud */
   bool
   segment (std::vector<pcl::ModelCoefficients>& coefficients,
@@ -171,7 +172,7 @@ public:
   }
 
   /** \brief theta_h: largest distance of a point to its plane [m]. 0: it follows the
-   * noise of the cloud, which only OPS on surfels, its default, allows. */
+   * noise of the cloud, which OPS alone allows, but for Sampling::Points. */
   void
   setDistanceThreshold (double threshold)
   {
@@ -228,8 +229,8 @@ public:
     return parameters_.angle_tolerance;
   }
 
-  /** \brief Same seed, same result, whatever the number of threads. OPS on surfels, its
-   * default, and 3D-KHT draw nothing. */
+  /** \brief Same seed, same result, whatever the number of threads. Only FSPF and
+   * OPS with Sampling::Points draw at random. */
   void
   setSeed (std::uint32_t seed)
   {
@@ -266,7 +267,7 @@ public:
   }
 
   /** \brief Any neighbor search, in place of the library's own; its input cloud is set
-   * by the detector. OPS on surfels, its default, and 3D-KHT need none and ask none. */
+   * by the detector. Only FSPF and OPS with Sampling::Points ask it. */
   void
   setSearchMethod (const SearchPtr& search)
   {
@@ -285,7 +286,8 @@ public:
     return last_.durations;
   }
 
-  /** \brief How many planes the last call had before any of them were merged. */
+  /** \brief How many planes the last call had before any of them were merged; on
+   * neighborhoods all regions that grew, also those that became no plane. */
   std::size_t
   getNumberOfPlanesBeforeMerging () const
   {

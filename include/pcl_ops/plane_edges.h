@@ -20,13 +20,14 @@ namespace pcl_ops {
 /** \brief When two planes meet. */
 struct PlaneEdgeParameters {
   /** \brief Both planes must have points this near to the line that they have in common
-   * [m]. Automatic: three times their noise, over the sine of the angle between them,
+   * [m]. Automatic: three times their rms, over the sine of the angle between them,
    * and four times the mean distance between neighboring points. */
   std::optional<double> reach;
   /** \brief Gaps between points along the line are bridged up to this length, and ends
    * up to this far from a corner are drawn to it [m]. Automatic: twice the reach. */
   std::optional<double> max_gap;
-  /** \brief Shorter edges are left out [m]. Automatic: three times the reach. */
+  /** \brief Shorter edges are left out, before ends are drawn to corners [m].
+   * Automatic: three times the reach. */
   std::optional<double> min_length;
   /** \brief Two planes at a smaller angle have no edge, because noise moves their line
    * far [rad]. Three planes have no corner if one of them is at a smaller angle to the
@@ -76,14 +77,15 @@ struct PlaneEdges {
 /** \brief Where planes meet: edges of two, corners of three.
  *
  * Two planes n . x + d = 0 have the line along n1 x n2 through p, the point nearest to
- * the middle of their centroids: p = a n1 + b n2 with [1 c; c 1] [a b]^T = -[d1 d2]^T,
- * c = n1 . n2 (Goldman, Intersection of two lines in three-space and of three planes,
- * Graphics Gems, 1990). An edge is an interval of it along which each of the two has
- * inliers within reach, so that a wall with a door has two on the floor, and a plane
- * may end on the middle of another. Three planes meet where [n1 n2 n3]^T x = -[d1 d2
- * d3]^T. That is a corner where each two of them have an edge that comes so near that
- * the gap is bridged; ends of edges there are drawn to it. Places are exact 10^6 m from
- * zero, too, whatever the order of the inliers.
+ * the middle m of their centroids: p = m + a n1 + b n2 with [1 c; c 1] [a b]^T = -[h1
+ * h2]^T, c = n1 . n2, and h1, h2 the distances of m to both planes (Goldman,
+ * Intersection of two lines in three-space and of three planes, Graphics Gems, 1990).
+ * An edge is an interval of it along which each of the two has inliers within reach, so
+ * that a wall with a door has two on the floor, and a plane may end on the middle of
+ * another. Three planes meet where [n1 n2 n3]^T x = -[d1 d2 d3]^T. That is a corner
+ * where each two of them have an edge that comes so near that the gap is bridged; ends
+ * of edges there are drawn to it. Places are exact 10^6 m from zero, too, whatever the
+ * order of the inliers.
  * \param[in] cloud the input cloud the planes were found in
  * \param[in] planes as a detector gives them; those that are not finite meet none
  * \param[in] parameters ones \ref validate finds nothing wrong with

@@ -90,7 +90,8 @@ struct PlaneExtent {
  * the edge of a surface, blurred by noise, is where the density has fallen to one half.
  * Sharp edges keep every point.
  * \param[in] points in any order; those with a NaN or infinite coordinate are left out
- * \param[in] max_outside largest share of the points that is left outside; 0: none
+ * \param[in] max_outside largest share of the points that is left outside, 0 to 1; 0:
+ * none
  * \return counter-clockwise, the first corner not repeated; empty where the points span
  * no area */
 PCL_OPS_EXPORT PlanarPoints
@@ -106,7 +107,8 @@ extentOf (const PlanarRings& rings,
           const PlanarPoints& points,
           const PlaneFrame& frame);
 
-/** \brief The inliers of a plane in a cloud, projected onto a frame.
+/** \brief The inliers of a plane in a cloud, projected onto a frame; cloud, plane and
+ * frame are in one frame of coordinates.
  * \throw std::invalid_argument if an inlier lies outside the cloud */
 PCL_OPS_EXPORT PlanarPoints
 pointsOnPlane (const CloudView& cloud,
@@ -114,7 +116,7 @@ pointsOnPlane (const CloudView& cloud,
                const PlaneFrame& frame);
 
 /** \brief Extent, area and convex hull of a plane in its input cloud; at least 99 % of
- * its inliers lie inside (\ref convexHull).
+ * its inliers lie inside (\ref convexHull). The plane is as it was found: not moved.
  * \throw std::invalid_argument if an inlier lies outside the cloud */
 PCL_OPS_EXPORT PlaneExtent
 planeExtent (const CloudView& cloud, const PlaneSegment& plane);

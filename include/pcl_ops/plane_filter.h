@@ -23,8 +23,8 @@ namespace pcl_ops {
 /** \brief Which planes to keep; by default all. */
 struct PlaneFilter {
   std::optional<Orientation> orientation;
-  /** \brief Where normals of planes point to, or away from: a vector of any length but
-   * 0, in the frame of the planes. */
+  /** \brief Planes whose normals are parallel to it, of either sign, are kept: a vector
+   * of any length but 0, in the frame of the planes. */
   std::optional<Eigen::Vector3d> direction;
   /** \brief Largest angle between a normal and \ref direction [rad]; default 10
    * degrees. */
@@ -46,8 +46,8 @@ struct PlaneFilter {
   std::optional<double> max_area;
   /** \brief Largest width of the rectangle around the outline [m]. Not given: any. */
   std::optional<double> max_width;
-  /** \brief The sides of the rectangle around the outline, in any order, and by how
-   * much each may differ [m]: a board of known size. Not given: any. */
+  /** \brief {side, side, tolerance} of the rectangle around the outline [m], the sides
+   * in any order: a board of known size. Not given: any. */
   std::optional<std::array<double, 3>> size;
   /** \brief Of the planes that are left, the first so many are kept. */
   std::optional<std::size_t> max_planes;

@@ -17,7 +17,8 @@ namespace pcl_ops {
  * given pose between the frames is. */
 struct PlaneMatchingParameters {
   /** \brief How far the rotation of the pose is off about any axis, one standard
-   * deviation [rad]; default 3 degrees. Errors of up to 20 degrees are corrected. */
+   * deviation [rad]; default 3 degrees. Errors of three of these, up to 20 degrees in
+   * all, are corrected. */
   double rotation_error = 3.0 * (M_PI / 180.0);
   /** \brief The same of its translation along any axis [m]. */
   double translation_error = 0.05;

@@ -14,7 +14,8 @@ namespace pcl_ops {
  * detector fills in what is not given; where \ref mergePlanes is called alone, each
  * member says what stands in. */
 struct MergingParameters {
-  /** \brief Off: planes are left as they were found. */
+  /** \brief Off: planes are left as they were found. Neighborhoods and surfels still
+   * join pieces that touch. */
   bool enabled = true;
   /** \brief Largest angle between the normals [rad]. */
   double angle_threshold = paper_angle_tolerance;
@@ -27,8 +28,9 @@ struct MergingParameters {
    * one, which counts as at most 6 times that of the cleaner one; the noise of a plane
    * is the rms distance of its points to it. Not in the paper. With
    * Sampling::Neighborhoods it is how many noises of their surroundings planes are
-   * apart that are joined over a gap. Not given: 2 with Sampling::Neighborhoods, 1.5
-   * with Sampling::Surfels, whose surfaces, as real walls, are not flat; 0 elsewhere.
+   * apart that are joined over a gap, too. Not given: 2 with
+   * Sampling::Neighborhoods, 1.5 with Sampling::Surfels, whose surfaces, as real walls,
+   * are not flat; 0 elsewhere.
    */
   std::optional<double> noise_factor;
 };

@@ -38,9 +38,9 @@ struct PlanePieces {
 };
 
 /** \brief Divides planes where their points leave gaps: windows of a facade, two tables
- * of one height. Each inlier is in one piece; a plane without a gap is its only piece,
- * as it is.
- * \param[in] cloud the one the planes were found in
+ * of one height. Each inlier is in one piece, but for those that are not finite; a
+ * plane without a gap is its only piece, as it is.
+ * \param[in] cloud the one the planes were found in, in their frame
  * \param[in] planes as a detector gives them
  * \param[in] parameters ones \ref validate finds nothing wrong with
  * \param[in] threads 0: all; the result stays the same

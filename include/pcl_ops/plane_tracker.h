@@ -20,8 +20,9 @@ namespace pcl_ops {
 struct TrackedPlane {
   /** \brief From 1, in the order of appearance. */
   std::uint32_t number = 0;
-  /** \brief In the common frame, without inliers; its moments are those of the last
-   * frames it was seen in. */
+  /** \brief In the common frame, without inliers; its orientation is that by the up
+   * axis of the last frame. Its moments are a sum over the frames it was seen in, in
+   * which the last ones count most: their count is no number of points. */
   PlaneSegment plane;
   /** \brief Where it was seen in any frame: the convex outline around the rectangles
    * that have the moments of each frame; nothing is known of holes. */

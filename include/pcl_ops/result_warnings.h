@@ -86,7 +86,8 @@ struct ResultContext {
   bool has_camera_poses = false;
   /** \brief Of the floor plan, where one was asked for. */
   std::optional<PlanCounts> plan;
-  /** \brief How the planes were searched for, to try other values. */
+  /** \brief How the planes were searched for. In clouds of up to 100,000 points other
+   * values are tried, by more searches. */
   std::optional<OrientedPointSamplingParameters> search;
   /** \brief How they were searched for if the cloud is a sample of a survey. */
   std::optional<TiledSearch> tiles;

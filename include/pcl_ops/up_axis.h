@@ -25,9 +25,12 @@ struct UpAxisParameters {
    * degrees. */
   double angle_tolerance = paper_angle_tolerance;
   /** \brief Share of the planes that must be horizontal, and share that must be
-   * vertical, for a direction to be looked at. */
+   * vertical, for a direction to be looked at; planes count by the root of their
+   * points.
+   */
   double min_share = 0.02;
-  /** \brief Below this confidence there is no answer; 0: always the likeliest one. */
+  /** \brief Below this confidence there is no answer; 0: the likeliest one, if any
+   * direction has the shares. */
   double min_confidence = 0.7;
 };
 

@@ -48,7 +48,8 @@ isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
  * \param[in] cloud the one the planes were found in
  * \param[in] viewpoint what normals point to, in the frame of cloud and planes
  * \param[in] up against gravity, of any length but 0
- * \param[in,out] planes only their normals change */
+ * \param[in,out] planes their orientations are those for \p up; only their normals
+ * change */
 PCL_OPS_EXPORT void
 turnUnseenUp (const CloudView& cloud,
               const Eigen::Vector3d& viewpoint,

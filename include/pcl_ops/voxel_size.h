@@ -7,11 +7,11 @@
 
 namespace pcl_ops {
 
-/** \brief A voxel_size for tiles of a cloud: the edge at which all its points fill
- * about \p wanted_voxels voxels, from their density where they are.
+/** \brief The voxel size at which a cloud has about \p wanted_voxels voxels with
+ * points, a round number, for tiles of the cloud.
  * \param[in] points some thousand finite ones or more, spread evenly over the cloud;
- * zero is near most of them
- * \param[in] wanted_voxels of the whole cloud
+ * shifted so that zero is among them
+ * \param[in] wanted_voxels of the whole cloud, above 0
  * \return [m]; 0 for fewer than two different points */
 PCL_OPS_EXPORT double
 voxelSizeFor (const CloudView& points, double wanted_voxels);

@@ -19,8 +19,9 @@
 namespace pcl_ops {
 
 struct FloorPlanParameters {
-  /** \brief Where walls are cut, over the floor [m]: above most furniture, below the
-   * heads of doors and windows, as architects cut plans. */
+  /** \brief Where walls are cut, over the lowest floor [m]; for another story add its
+   * height. It is above most furniture, below the
+   * heads of doors and windows, as in architects' plans. */
   double cut_height = 1.2;
   /** \brief The narrowest gap of a wall that is an opening [m]. */
   double min_opening = 0.4;
@@ -95,8 +96,8 @@ struct PlanRoom {
   PlanarRings rings;
   /** \brief Of the outline less the holes [m^2]. */
   double area = 0.0;
-  /** \brief How much of the outline is walls and their openings, 0 to 1: elsewhere the
-   * room goes on, or its walls were not seen. */
+  /** \brief How much of the outline is walls and their openings, 0.5 to 1: elsewhere
+   * the room goes on, or its walls were not seen. What has less is no room. */
   double enclosed = 0.0;
   /** \brief These other parts of the outline that are 5 cm or longer, two ends each, in
    * the frame of the plan [m]. */
@@ -119,7 +120,7 @@ struct FloorPlan {
   double floor = 0.0;
   double height = 0.0;
   std::vector<PlanWall> walls;
-  /** \brief By falling area. */
+  /** \brief By falling area; none where there are more than 1000 walls. */
   std::vector<PlanRoom> rooms;
 
   /** \brief The rooms that doors lead to from a room, ascending, each once: the graph

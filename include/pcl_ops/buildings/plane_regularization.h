@@ -20,12 +20,13 @@ struct PlaneRegularizationParameters {
    * default 3 degrees. */
   double max_angle = 3.0 * (M_PI / 180.0);
   /** \brief Parallel planes this near are meant to be one [m]; automatic: three times
-   * their noise. */
+   * their rms. */
   std::optional<double> max_offset;
   /** \brief How far the points of a plane may be from where they were beside it, as a
    * root mean square in multiples of their rms distance to it: a plane that would be
-   * moved farther stays. As the covariance of a plane is rms^2 (A^T A)^-1 (\ref
-   * planeCovariance), a move of 1 is sqrt (n) of its standard deviations, n points. */
+   * moved farther stays, as one of rms 0 does. As the covariance of a plane is rms^2
+   * (A^T A)^-1 (\ref independentPlaneCovariance), a move of 1 is sqrt (n) of its
+   * standard deviations, n points. */
   double max_displacement = 1.0;
 };
 

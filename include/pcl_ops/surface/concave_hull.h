@@ -6,10 +6,10 @@
 
 namespace pcl_ops {
 
-/** \brief The concave outline of points in a plane and its holes: the edges of the
- * triangles between neighboring points that have a circumscribed circle of radius alpha
- * at most (alpha shape of Edelsbrunner, Kirkpatrick & Seidel, On the shape of a set of
- * points in the plane, 1983).
+/** \brief The concave outline of points in a plane and its holes: the border of the
+ * triangles of the Delaunay triangulation that have a circumscribed circle of radius
+ * alpha at most (alpha shape of Edelsbrunner, Kirkpatrick & Seidel, On the shape of a
+ * set of points in the plane, 1983).
  *
  * The radius grows until the outline is a single one with at least 99 % of the points
  * inside; the convex hull is what it ends in. Holes are places without points wide
