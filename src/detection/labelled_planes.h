@@ -78,7 +78,8 @@ detectInFinitePoints (const DetectorInput& input,
 {
   Detection found;
   const StageClock clock;
-  // Nothing later looks for NaN, infinite coordinates or copies again.
+  // Nothing later looks for NaN or infinite coordinates again; distinctPlaces alone
+  // looks for equal points.
   const Points points =
       distinctPoints (input.cloud, parameters.threads, input.indices, step);
   LabelledPlanes planes =

@@ -37,8 +37,8 @@ countLabels (const Labels& labels, std::size_t planes)
   return counts;
 }
 
-// Signed distances of some 500 points of each plane, or of all it has, spread evenly
-// over their order [m].
+// Signed distances of 250 to 500 points of each plane, of all it has if they are fewer,
+// spread evenly over their order [m].
 std::vector<std::vector<double>>
 sampleDistances (const Coordinates& points,
                  const std::vector<Plane>& planes,

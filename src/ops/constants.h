@@ -6,9 +6,10 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Every number that the engine on neighborhoods was tuned with, on two clouds
- * of each set of scripts/accuracy; src/doc/decisions.md says what was tried, and
- * src/doc/places.csv what each is for: the sets with it halved and doubled. */
+/** \brief The numbers that scripts/ablate varies of the engine on neighborhoods, tuned
+ * on two clouds of each set of scripts/accuracy; src/doc/decisions.md says what was
+ * tried, and src/doc/places.csv what each is for: the sets with it halved and doubled.
+ */
 struct PlaceConstants {
   // The neighborhoods of places.
   /** \brief A neighborhood has min_neighbors * (points / neighbors_cloud) ^
@@ -25,7 +26,7 @@ struct PlaceConstants {
   int max_levels = 6;
   double points_per_level = 3.4;
   static constexpr int arms = 8;
-  /** \brief The largest support has at most this share of the points. */
+  /** \brief Supports from the third level on have at most this share of the points. */
   double max_share_of_points = 0.1;
   /** \brief Where depth is quantized: distances along the direction of depth count as
    * this share of themselves while nearest points are looked for. */
@@ -44,8 +45,8 @@ struct PlaceConstants {
   double max_thickening = 1.25;
   double max_thickening_of_all = 1.35;
   /** \brief How much the scatter of supports grows until they are settled: this
-   * quantile over the level places, those with a settled support. It counts in full
-   * where these are at least this share of all places. */
+   * quantile over the places with a settled support. It counts in full where these are
+   * at least this share of all places. */
   double share_of_level_places = 0.1;
   double growth_quantile = 0.25;
   /** \brief Largest scatter over width of what is exact, as CAD models are. */
@@ -73,10 +74,13 @@ struct PlaceConstants {
   double max_rest_of_layers = 0.05;
 
   // Regions.
-  /** \brief Largest distance of a place to the plane of its region in units of the
-   * noise, or of the rms of the region, which counts as at most this many noises. */
+  /** \brief Largest distance of a place to the plane of its region, in units of the
+   * larger of noise and rms of the region. */
   double noises_of_region = 2.5;
+  /** \brief The rms counts as at most this many noises. */
   double max_rms_over_noise = 2.0;
+  /** \brief The noise of a place counts as at most this many times that of its region.
+   */
   double max_noise_over_region = 2.0;
   /** \brief What surfaces may bend by beside their noise, in units of the width of the
    * region. */
@@ -110,7 +114,7 @@ struct PlaceConstants {
   double max_noises_of_plane = 12.0;
   double evidence = -1.94;
   double evidence_of_size = 4.62;  // for each decade of points above the root of all
-  double evidence_of_bend = -2.42; // times the logarithm of the bend
+  double evidence_of_bend = -2.42; // times the natural logarithm of the bend
   double max_bend = 5.0;
   double evidence_of_smooth_border = -3.24;
   double evidence_of_open_border = 6.08;
@@ -129,7 +133,8 @@ inline constexpr PlaceConstants place_constants;
 /** \brief A uniform distribution over a width has a variance of width^2 / 12. */
 inline constexpr double squared_width_of_variance = 12.0;
 
-/** \brief Logarithms of exact places are finite. */
+/** \brief [m], so that logarithms of exact places, and what is divided by their noise,
+ * are finite. */
 inline constexpr float least_noise = 1e-12F;
 
 } // namespace pcl_ops::internal

@@ -19,8 +19,8 @@ detectOnPlaces (const Points& points,
 
 /** \brief Measures the noise of a cloud. Where it cannot tell, as of few points,
  * CloudNoise::points of the result is 0.
- * \param[in] points all of the cloud, or a sample of them
- * \param[in] points_of_whole how many the cloud has, if they are a sample; else 0 */
+ * \param[in] points all of the cloud, or all of some of its parts
+ * \param[in] points_of_whole how many the cloud has, if they are of parts; else 0 */
 CloudNoise
 noiseOfCloud (const Points& points,
               const OrientedPointSamplingParameters& parameters,

@@ -99,7 +99,7 @@ commonErrors (const Places& places, const std::vector<double>& growth)
 }
 
 // The least noise that any support of a place speaks for: its scatter, times what that
-// grows by until supports are settled. What bends speaks for too much.
+// grows by until supports are settled. Of what bends larger supports say too much.
 std::vector<float>
 leastScatter (const Places& places,
               const std::vector<int>& settled_level,
@@ -120,7 +120,7 @@ leastScatter (const Places& places,
 }
 
 // The geometric mean over a place and eight of its neighbors, spread over their
-// distances.
+// distances; of fewer than eight some count twice.
 std::vector<float>
 smoothed (const Places& places, const std::vector<float>& noise, unsigned threads)
 {

@@ -31,7 +31,7 @@ struct Places {
    * many of the first place, then of the second one, and so on. */
   Indices nearest;
   std::size_t neighbors = 0;
-  /** \brief Points per area around each [1/m^2]. */
+  /** \brief Points around each over the square of their width [1/m^2]. */
   std::vector<float> density;
   /** \brief supports[level][place], of growing size. */
   std::vector<std::vector<Support>> supports;
@@ -65,7 +65,7 @@ neighborsOfCloud (double points, double factor);
  * supports of the level before of the place and of eight places, its arms, which from
  * level to level are about twice as far away: a level costs the same however many
  * points it has.
- * \param[in] points four or more, no two at one place, in an order that depends on their
+ * \param[in] points least_places or more, no two at one place, in an order that depends on their
  * coordinates alone
  * \param[in] neighbors see \ref neighborsOfCloud */
 Places

@@ -41,8 +41,20 @@ splitThinWalls (const Coordinates& places,
   splitLayers (places, planes, min_apart, labels, is_plane);
 }
 
+// The noise at all items of each label.
+template <typename NoiseOf>
+std::vector<std::vector<float>>
+noisesOfLabels (const Labels& labels, std::size_t planes, const NoiseOf& noise_of)
+{
+  std::vector<std::vector<float>> noises (planes);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != no_plane)
+      noises[labels[i]].push_back (noise_of (i));
+  return noises;
+}
+
 // Drops planes that are much thicker than their noise, as hills that were joined from
-// thin pieces. Thick planes of points without noise are dropped by their width.
+// thin pieces. For points without noise the limit is a share of the width, max_exact.
 void
 dropThickPlanes (const Coordinates& places,
                  const PlaceNoise& noise,
@@ -52,10 +64,10 @@ dropThickPlanes (const Coordinates& places,
 {
   const std::vector<Moments> moments =
       momentsOfLabels (places, labels, is_plane.size(), threads);
-  std::vector<std::vector<float>> noises (is_plane.size());
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] != no_plane)
-      noises[labels[i]].push_back (noise.of_place[i]);
+  std::vector<std::vector<float>> noises =
+      noisesOfLabels (labels, is_plane.size(), [&] (std::size_t place) {
+        return noise.of_place[place];
+      });
   for (std::size_t p = 0; p < is_plane.size(); ++p) {
     const std::optional<PlaneFit> fit =
         is_plane[p] != 0 && moments[p].count >= least_places ? fitPlane (moments[p])
@@ -101,6 +113,7 @@ LabelledPlanes
 mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
 {
   MergingParameters given = parameters.merging;
+  given.noise_factor.reset(); // it is that of joins over gaps
   given.enabled = given.enabled && given.distance_threshold.has_value();
   return mergePlanesOf (std::move (assigned), given, parameters.threads);
 }
@@ -112,10 +125,10 @@ setNoises (const DistinctPlaces& distinct,
            const PlaceNoise& noise,
            LabelledPlanes& found)
 {
-  std::vector<std::vector<float>> noises (found.planes.fits.size());
-  for (std::size_t i = 0; i < found.labels.size(); ++i)
-    if (found.labels[i] != no_plane)
-      noises[found.labels[i]].push_back (noise.of_place[distinct.of_input[i]]);
+  std::vector<std::vector<float>> noises =
+      noisesOfLabels (found.labels, found.planes.fits.size(), [&] (std::size_t point) {
+        return noise.of_place[distinct.of_input[point]];
+      });
   std::vector<float> medians;
   for (std::vector<float>& of_plane : noises) {
     const double median = medianOf (of_plane);

@@ -19,8 +19,8 @@ struct Likeliest {
   std::int32_t region = no_plane;
 };
 
-// Has the plane of a region be the likeliest one of a place, if it is near enough and
-// likelier than the one so far. Of equally likely ones the first is taken.
+// Takes the plane of a region for the best one of a place, if it is near enough and
+// likelier than the best so far. Of equally likely ones the first is taken.
 void
 offer (const Region& region,
        std::int32_t number,
