@@ -10,7 +10,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief How many bytes a character has that begins with this one; 0: none does. */
+/** \brief Bytes of the UTF-8 character that this byte begins; 0: it begins none. */
 std::size_t
 lengthOfCharacter (unsigned char first)
 {

@@ -32,7 +32,8 @@ adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
       std::is_same_v<Parameters, FastSamplingPlaneFilteringParameters>;
   // On surfels the noise sets the distance unless the user does.
   const std::optional<double>& threshold = parameters.distance_threshold;
-  // A room of 10 m in millimeters; no scene in meters is that large for 5 cm.
+  // With the usual 5 cm a room of 10 m in millimeters has 200,000 of them across; in
+  // meters a scene of 40,000 were 2 km wide.
   constexpr double max_extent_in_thresholds = 40000.0;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& point : points)
@@ -97,7 +98,8 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
       concatenate (" if the planes are small, raise --threshold (",
                    threshold ? concatenate (*threshold) : "auto",
                    ") if the points are noisy");
-  // Fewer than usual find no more on neighborhoods: the evidence is against them.
+  // On neighborhoods fewer samples than usual find no more planes: the evidence is
+  // against them.
   const bool asks_for_more =
       parameters.min_samples > OrientedPointSamplingParameters().min_samples;
   const std::string min_inliers =
@@ -154,7 +156,8 @@ adviceOn (const KernelHoughTransformParameters& parameters,
                       ") for more of them");
 }
 
-/** \brief The share of points on planes below which a parameter does not fit. */
+/** \brief Least share of the points on planes: below it a parameter does not fit, and
+ * advice is given. */
 inline double
 minShareOf (const OrientedPointSamplingParameters& parameters)
 {
@@ -189,7 +192,8 @@ adviceFor (const Parameters& parameters,
     return "every point is NaN or infinite";
   constexpr int points_of_a_plane = 3;
   if (readings <= points_of_a_plane)
-    return concatenate ("a plane through ", readings, " points is that of any noise");
+    return concatenate (
+        "the cloud has ", points_of_a_plane, " points or fewer, which tell no plane");
   FinitePoints points;
   for (const pcl::PointXYZ& point : cloud)
     if (pcl::isFinite (point))
@@ -198,8 +202,8 @@ adviceFor (const Parameters& parameters,
   return on_unit.empty() ? adviceOn (parameters, points, planes.empty()) : on_unit;
 }
 
-/** \brief Whether the rms of a plane is larger than how far its points would be apart,
- * were they even: no voxel follows less. */
+/** \brief Whether the rms of a plane is larger than the mean distance between its
+ * points: voxels cannot tell what is thinner. */
 inline bool
 isThickerThanSpacing (const PlaneSegment& plane)
 {

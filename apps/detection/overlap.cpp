@@ -36,7 +36,8 @@ onto (const PlaneFrame& frame, const PlaneExtent& extent)
   return polygon;
 }
 
-/** \brief What stays of a pair of planes after tests that need no outline. */
+/** \brief The distance of two planes that pass all tests but that of their outlines;
+ * else nothing. */
 std::optional<double>
 distanceOfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
 {

@@ -19,9 +19,9 @@ struct OverlappingPlanes {
 };
 
 /** \brief Finds two planes that may be one surface: parallel within 7 degrees, no
- * farther apart than three times the noise of the noisier one, with outlines that
- * overlap or are a few spacings of their points apart. Of several such pairs it takes
- * the one whose smaller plane has most points.
+ * farther apart than three times the larger rms, the smaller with 2 % of the points of
+ * the larger or more, with outlines that overlap or are a few spacings of their points
+ * apart. Of several such pairs it takes the one whose smaller plane has most points.
  * \param[in] planes by falling size */
 std::optional<OverlappingPlanes>
 findOverlapping (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);

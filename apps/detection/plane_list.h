@@ -65,7 +65,7 @@ orientationCalled (const std::string& name);
 std::optional<PlaneKind>
 kindCalled (const std::string& name);
 
-/** \brief Turns the normals of planes up that are not vertical: in a survey, which no
+/** \brief Turns normals up, but for those of vertical planes: for surveys, which no
  * single sensor has seen. */
 void
 turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up);
@@ -80,10 +80,10 @@ turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scan
  * The slope is the angle to the horizontal [degree], 0 to 90; the aspect where the
  * plane goes down, clockwise from north, which is y [degree], 0 to 360, or null for a
  * level plane, and where z is not up; the height that of the centroid along the up axis
- * [m].
+ * [unit of the cloud].
  * \param[in] kind among all planes of the cloud
  * \param[in] up unit vector against gravity, in the frame of the plane
- * \param[in] parts those beside that of the extent's hull */
+ * \param[in] parts further outlines, beside the extent's hull */
 nlohmann::ordered_json
 planeObject (std::size_t id,
              const PlaneSegment& segment,
@@ -100,7 +100,8 @@ polygonsIn (const nlohmann::ordered_json& plane);
 struct MapOptions {
   /** \brief "EPSG:N", the reference system of the coordinates; empty: not named. */
   std::string crs;
-  /** \brief How near to a straight line corners are left out [m]. */
+  /** \brief How near to a straight line corners are left out [unit of
+   * the cloud]. */
   double simplify = 0.0;
 };
 

@@ -13,8 +13,8 @@ using Answer = nlohmann::ordered_json;
 std::string
 decimal (double number, int decimals);
 
-/** Objects of the same keys in Markdown with aligned columns, so that it reads as well
- * in a terminal: - for null, four decimals of numbers that are not whole.
+/** Objects of the same keys in Markdown with aligned columns, to be read
+ * in a terminal, too: - for null, four decimals for floating-point numbers.
  * \param[in] list one object at least */
 std::string
 tableOf (const std::string& title, const Answer& list);

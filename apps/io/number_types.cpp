@@ -33,7 +33,8 @@ readFloat (std::string_view text, Float& number)
   const auto [rest, error] = std::from_chars (text.data(), end, number);
   if (error != std::errc::result_out_of_range)
     return error == std::errc() && rest == end;
-  // from_chars leaves the number as it is; these give zero or infinity.
+  // from_chars leaves a number that is too large or too small as it is; strtof and
+  // strtod give infinity, or what is nearest to zero.
   number = static_cast<Float> (std::is_same_v<Float, float>
                                    ? std::strtof (text.data(), nullptr)
                                    : std::strtod (text.data(), nullptr));

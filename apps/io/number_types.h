@@ -23,7 +23,8 @@ struct NumberType {
   std::string_view ply_name, ply_name_with_bits;
   NumberReader read;
   /** \brief Puts a number into bytes: also `nan`, `inf` and `infinity`, but none that
-   * is too large for double precision. An integer ends at its decimals, as in PCL.
+   * is too large for double precision. Of an integer field decimals
+   * are cut off, as in PCL, and what is beyond its type is taken modulo its range.
    * \param[in] text is followed by a character that is no part of it
    * \return false for anything else */
   bool (*parse) (std::string_view text, void* bytes);

@@ -124,11 +124,12 @@ savePage (const std::string& file,
           const std::vector<PointGroup>& groups,
           const Eigen::Vector3d& shift)
 {
-  // In JSON only strings have it, and a page would end its script at one's "</script>".
+  // In JSON only strings have a <; the page would end its script at a "</script>" in
+  // one.
   const std::string safe = boost::replace_all_copy (description, "<", "\\u003c");
   const std::string page = viewer_html;
   writeFile (file, [&] (std::ostream& stream) {
-    // Before all else: streams whose file is full throw at it.
+    // Before anything is written: imbue throws where the file is full.
     stream.imbue (std::locale::classic());
     stream.precision (std::numeric_limits<double>::max_digits10);
     std::size_t written = 0;

@@ -20,8 +20,8 @@ std::string
 nameOfInput (const Task& task);
 
 /** \brief Reads a cloud, finds its planes and writes its outputs.
- * \param[in] given the options; where they say nothing of maps and the unit, the
- * reference system of the file does
+ * \param[in] given the options; a reference system and a unit that they leave out are
+ * those of the file
  * \param[in] give_ids empty: planes are numbered by falling size
  * \param[in] lines prints each stage as it begins; nullptr for none
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be

@@ -24,13 +24,13 @@ struct TileGrid {
   static constexpr std::int64_t cells_of_coarsest = 4;
   /** \brief How far around a tile points are looked at: normals come from the nearest
    * three of the coarsest voxels, and planes grow and are joined voxel by voxel. */
-  static constexpr std::int64_t halo = 12;
-  static constexpr std::int64_t max_cells = 1'000'000'000;
+  static constexpr std::int64_t halo = 12;                 // [cells]
+  static constexpr std::int64_t max_cells = 1'000'000'000; // from zero
 
   /** \brief Edge of a cell [m]. */
   double edge = 0.0;
-  /** \brief Along an edge of a tile: a multiple of \ref cells_of_coarsest and at least
-   * \ref halo. */
+  /** \brief Cells along an edge of a tile: a multiple of \ref cells_of_coarsest and at
+   * least \ref halo. */
   std::int64_t cells_of_tile = 0;
   /** \brief A cell near the points, the same for all tiles, from which frames are
    * counted: a whole number of coarsest voxels along each axis. */
@@ -76,7 +76,7 @@ struct TileGrid {
     return {along (cell[0]), along (cell[1])};
   }
 
-  /** \brief Whether a cell is a tile's and no other looks at it. */
+  /** \brief Whether a cell is a tile's and in the halo of no other. */
   bool
   isInside (const TileKey& tile, const CellKey& cell) const
   {
@@ -87,8 +87,8 @@ struct TileGrid {
     return along (0) && along (1);
   }
 
-  /** \brief The cell at the zero of a tile's frame: \ref place, or if that is outside
-   * the tile the cell of the tile that is nearest to it, in whole coarsest voxels. */
+  /** \brief The cell at the zero of a tile's frame: \ref place, along x and y moved to
+   * the nearest edge of the tile where it is outside, in whole coarsest voxels. */
   CellKey
   frameOf (const TileKey& tile) const
   {

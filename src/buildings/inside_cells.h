@@ -12,7 +12,7 @@ struct CellEvidence {
   /** \brief Of its area, what is under ceilings or over floors, and the rest [m^2]. */
   double covered = 0.0;
   double uncovered = 0.0;
-  /** \brief Length of its border to where nothing is [m]. */
+  /** \brief Length of its border to outside of all cells [m]. */
   double rim = 0.0;
 };
 
@@ -26,7 +26,7 @@ struct CellBorder {
 /** \brief Which cells are in rooms: for each 1 if it is, else 0. A minimum graph cut,
  * after Ochmann et al. 2016 without their walls, of the cost
  *   covered area outside + uncovered area inside
- *     + max_unseen * length of the border of rooms that has no wall.
+ *     + max_unseen [m] of constants.h * length of the border of rooms without a wall.
  * So a room goes on to a wall over a floor that was not seen, and ends at a wall though
  * a floor was seen beyond it. */
 std::vector<char>

@@ -6,9 +6,10 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief The rotation that turns up to z the shortest way: x and y stay where up is z.
+/** \brief The smallest rotation that takes up, any length but 0, to z: x and y stay
+ * where up is z.
  *
- * With up = (a, b, c), as the axis of the turn is across up and z:
+ * With up = (a, b, c), as the axis of the rotation is perpendicular to up and z:
  *
  *     | 1 - a^2 / (1 + c)    -a b / (1 + c)    -a |
  *     |   -a b / (1 + c)   1 - b^2 / (1 + c)   -b |

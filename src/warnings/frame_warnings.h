@@ -15,7 +15,8 @@ namespace pcl_ops::internal {
 // What is doubtful about the frame and the unit of a result: each function says one
 // thing, or nothing.
 
-/** \brief Why a floor plan has no wall. */
+/** \brief Why a floor plan has no wall.
+ * \param[in] on_unit what is said of the unit, which is the reason if there is any */
 std::optional<ResultWarning>
 warnOfEmptyPlan (const ResultContext& context,
                  const std::optional<ResultWarning>& on_unit,
@@ -42,7 +43,8 @@ warnOfViewpoint (const CloudView& cloud,
                  const ResultContext& context,
                  const ParameterText& text);
 
-/** \brief That kinds of planes were asked for, and nothing says which way is up. */
+/** \brief That kinds of planes were asked for, and up is not known: planes cannot tell
+ * it, or the default is doubtful. */
 std::optional<ResultWarning>
 warnOfUp (const LabelledSample& sample,
           const std::vector<PlaneSegment>& planes,

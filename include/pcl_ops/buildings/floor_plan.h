@@ -43,15 +43,16 @@ validate (const FloorPlanParameters& parameters);
 
 /** \brief A gap of a wall at the height of the cut. */
 struct PlanOpening {
+  /** \brief Its ends in the frame of the plan [m]. */
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
   /** \brief Heights over the floor of what is seen of the wall below and above it [m];
    * nothing where the wall has no points there. */
   std::optional<double> sill;
   std::optional<double> head;
-  /** \brief The rooms before and behind the wall, positions in FloorPlan::rooms: the
-   * first one within 0.3 m of its side, or within 0.7 m behind it where its other side
-   * was not seen; nothing where there is none. */
+  /** \brief Positions in FloorPlan::rooms of the rooms before and behind the wall:
+   * within 0.3 m of either side, or within 0.7 m behind it where its other side was not
+   * seen; nothing where there is none. */
   std::optional<std::size_t> room_before;
   std::optional<std::size_t> room_behind;
 
@@ -68,9 +69,10 @@ struct PlanOpening {
   isDoor () const;
 };
 
-/** \brief One side of a wall, from corner to corner; what is before it is to the left
- * of the way from its first end to its second. */
+/** \brief One side of a wall, from corner to corner. The room before it is on the left
+ * on the way from its first end to its second. */
 struct PlanWall {
+  /** \brief Its ends in the frame of the plan [m]. */
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
   /** \brief To the other side, where that was seen, too [m]. */
@@ -99,8 +101,8 @@ struct PlanRoom {
   /** \brief How much of the outline is walls and their openings, 0.5 to 1: elsewhere
    * the room goes on, or its walls were not seen. What has less is no room. */
   double enclosed = 0.0;
-  /** \brief These other parts of the outline that are 5 cm or longer, two ends each, in
-   * the frame of the plan [m]. */
+  /** \brief The parts of the outline without a wall that are 5 cm or longer, two ends
+   * each, in the frame of the plan [m]. */
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> unseen;
   /** \brief Along up, from zero of the planes' frame [m]; nothing where it was not
    * seen. */
@@ -125,7 +127,8 @@ struct FloorPlan {
 
   /** \brief The rooms that doors lead to from a room, ascending, each once: the graph
    * of the rooms.
-   * \param[in] room its position in \ref rooms; of another number there are none */
+   * \param[in] room its position in \ref rooms
+   * \return empty for a position that is none */
   PCL_OPS_EXPORT std::vector<std::size_t>
   roomsBehindDoorsOf (std::size_t room) const;
 };
@@ -136,16 +139,15 @@ struct FloorPlan {
  * the cut say where they are and where their openings are, unless something stands
  * before the gap. Ends are drawn to the walls next to them. The lines of all walls
  * divide the plan into cells. Those under a ceiling or over a floor are in rooms, and
- * those beside them up to a wall: a minimum cut tells it for all cells at once (after
- * Ochmann, Vock, Wessel & Klein, *Automatic reconstruction of parametric building
- * models from indoor point clouds*, Computers & Graphics 54, 2016).
+ * rooms go on over other cells up to a wall: a minimum cut tells it for all at once
+ * (after Ochmann, Vock, Wessel & Klein, *Automatic reconstruction of parametric
+ * building models from indoor point clouds*, Computers & Graphics 54, 2016).
  * \param[in] cloud the input cloud the planes were found in
  * \param[in] planes as a detector gives them
- * \param[in] kinds what they are, as \ref planeKinds says; walls, floors, ceilings and
- * roofs make the plan
+ * \param[in] kinds what they are, as \ref planeKinds says
  * \param[in] up against gravity, any length but 0
  * \param[in] parameters ones \ref validate finds nothing wrong with
- * \param[in] shift zero of the cloud's frame in that of the planes
+ * \param[in] shift zero of the cloud's frame in that of the planes [unit of the cloud]
  * \throw std::invalid_argument if there is a problem, an inlier that is no point of the
  * cloud, or not one kind for each plane */
 PCL_OPS_EXPORT FloorPlan
