@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t help_width = 80;
 
-/** \brief Adds words to a line. Where it is full, further lines begin with as many
- * blanks as the column says. */
+/** \brief Adds words to a line and breaks it at \p width. Further lines are indented to
+ * \p column. */
 std::string
 wrapped (std::string line,
          const std::string& words,
@@ -38,8 +38,8 @@ wrapped (std::string line,
   return text + line + "\n";
 }
 
-/** \brief The lines of the help on one option or argument: its name, and from a column
- * on its meaning. */
+/** \brief Returns the help on one option or argument: its name, and its meaning from a
+ * column on. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
@@ -54,7 +54,7 @@ entry (const std::string& name, const std::string& meaning, std::size_t column)
   return before + wrapped (line, meaning, column, help_width - 1);
 }
 
-/** \brief Columns that the names of options and their placeholders take. */
+/** \brief Returns the largest width of a name with its placeholder in a group. */
 std::size_t
 widthOf (const OptionGroup& group)
 {
@@ -64,7 +64,7 @@ widthOf (const OptionGroup& group)
   return width;
 }
 
-/** \brief The title of a group and the lines of the help on each of its options. */
+/** \brief Returns the help on a group: its title and an entry for each option. */
 std::string
 explained (const OptionGroup& group, std::size_t width)
 {
@@ -78,8 +78,7 @@ explained (const OptionGroup& group, std::size_t width)
   return text;
 }
 
-/** \brief Refuses an empty text, which a variable of the shell that is not set gives.
- */
+/** \brief Refuses an empty text, such as an unset shell variable gives. */
 void
 requireText (const std::string& subject, const std::string& text)
 {
@@ -87,8 +86,8 @@ requireText (const std::string& subject, const std::string& text)
     throw UsageError (subject, "is empty; give a value or leave it out");
 }
 
-/** \brief Whether a dash and a letter, or two dashes, begin an option. A dash and a
- * digit begin a number, so that `--up -1,0,0` has a value. */
+/** \brief Whether a token begins like an option: two dashes, or a dash and a letter. A
+ * dash and a digit begin a number, so that `--up -1,0,0` has a value. */
 bool
 looksLikeOption (const std::string& token)
 {
@@ -96,7 +95,7 @@ looksLikeOption (const std::string& token)
          (token[1] == '-' || std::isalpha (static_cast<unsigned char> (token[1])) != 0);
 }
 
-/** \brief The name of an option without dashes and value. */
+/** \brief Returns the name of an option without its dashes and value; -h is help. */
 std::string
 nameIn (const std::string& token)
 {
@@ -104,8 +103,8 @@ nameIn (const std::string& token)
   return token == "-h" ? "help" : token.substr (begin, token.find ('=') - begin);
 }
 
-/** \brief Refuses the name of a file that begins as an option: no option has a point or
- * a slash in its name. */
+/** \brief Refuses a file name that begins like an option with one dash: no option has a
+ * point or a slash in its name. */
 void
 refuseFileName (const std::string& token)
 {
@@ -115,7 +114,8 @@ refuseFileName (const std::string& token)
                       "is no option of this program; if it is a file give ./" + token);
 }
 
-/** \brief The value of an option, if it has one; goes on to the token that has it. */
+/** \brief Returns the value of an option, or empty if it takes none. Advances \p token
+ * if the value is the next one. */
 std::string
 takeValue (const Option& option, const char* const*& token, const char* const* end)
 {
@@ -158,7 +158,7 @@ refuseUnknown (const std::string& name, const std::vector<OptionGroup>& groups)
           (similar.empty() ? "see --help" : "did you mean --" + similar + "?"));
 }
 
-/** \brief The option with a name, or the only one whose name begins with it. */
+/** \brief Returns the option with a name, or the only one whose name begins with it. */
 const Option&
 find (const std::vector<OptionGroup>& groups, const std::string& start)
 {
@@ -177,7 +177,8 @@ find (const std::vector<OptionGroup>& groups, const std::string& start)
   return *candidates.front();
 }
 
-/** \brief Gives each argument as many values as it takes, in the order of both. */
+/** \brief Stores the given values into the arguments in order; each argument takes as
+ * many as it can. */
 void
 store (const std::vector<Argument>& arguments, const std::vector<std::string>& given)
 {

@@ -23,12 +23,12 @@ struct Argument {
   StoreText store;
 };
 
-/** \brief An option; without a placeholder it has no value. */
+/** \brief An option. If the placeholder is empty, it takes no value. */
 struct Option {
   std::string name, placeholder;
   StoreText store;
   std::string meaning = {};
-  /** \brief Another name that is taken, which the help leaves out; empty for none. */
+  /** \brief Another name that is accepted but not shown in the help; empty for none. */
   std::string old_name = {};
   bool may_be_repeated = false;
 
@@ -46,7 +46,7 @@ struct Option {
     return *this;
   }
 
-  /** \brief It may be given several times, each of which is stored. */
+  /** \brief Lets the option be given several times; each value is stored. */
   Option&
   repeated ()
   {
@@ -55,7 +55,7 @@ struct Option {
   }
 };
 
-/** \brief The name in "name PLACEHOLDER". */
+/** \brief Returns "name" of "name PLACEHOLDER". */
 inline std::string
 nameOf (const std::string& usage)
 {
@@ -67,12 +67,13 @@ struct OptionGroup {
   std::vector<Option> options = {};
 };
 
-/** \brief The command line of a program: `--long x`, `--long=x` and PCL's `-long x`,
- * each also by the start of its name, positional arguments, --help and --version.
- * Declare arguments and options with where to store them, then parse. */
+/** \brief The command line of a program: options `--long x`, `--long=x` or PCL's `-long
+ * x`, positional arguments, --help and --version. An option may be shortened to any
+ * unique start of its name. Declare arguments and options with their targets, then call
+ * \ref parse. */
 class CommandLine {
 public:
-  /** \param[in] program the name, with the subcommand where there is one */
+  /** \param[in] program its name, followed by the subcommand if there is one */
   CommandLine (const std::string& program,
                const std::string& summary,
                const std::string& version);
@@ -84,7 +85,7 @@ public:
     arguments_.push_back ({name, help, 1, store});
   }
 
-  /** \brief One or more. */
+  /** \brief Declares an argument that takes one or more values. */
   void
   addArguments (const std::string& name,
                 std::vector<std::string>& targets,
@@ -94,8 +95,10 @@ public:
     arguments_.push_back ({name, help, std::numeric_limits<std::size_t>::max(), store});
   }
 
-  /** \brief Replaces what --help derives from the arguments after "Usage: program"; the
-   * explanation goes below the summary. */
+  /** \brief Replaces the text that --help derives from the arguments after "Usage:
+   * program".
+   * \param[in] ways one line of usage each
+   * \param[in] explanation goes below the summary */
   void
   setUsage (const std::vector<std::string>& ways, const std::string& explanation)
   {
@@ -103,8 +106,8 @@ public:
     explanation_ = explanation;
   }
 
-  /** \brief Begins a group of options, of which --help lists the names and --help-all
-   * the rest. */
+  /** \brief Begins a group of options. --help lists only their names; --help-all
+   * explains them. */
   void
   beginGroup (const std::string& title);
 
@@ -120,17 +123,18 @@ public:
     return add (usage, [&target] (const std::string&) { target = true; });
   }
 
-  /** \brief Any text but an empty one. */
+  /** \brief Declares an option that takes any text but an empty one. */
   Option&
   add (const std::string& usage, std::string& target);
 
-  /** \brief One of \p choices, which are the placeholder where \p usage has none. */
+  /** \brief Declares an option that takes one of \p choices, which are its placeholder
+   * if \p usage has none. */
   Option&
   add (const std::string& usage,
        std::string& target,
        const std::vector<std::string>& choices);
 
-  /** \param[out] target a number, or a std::optional of one */
+  /** \param[out] target a number, or a std::optional of a number */
   template <typename Target>
   Option&
   add (const std::string& usage, Target& target, const Range& range)
@@ -141,7 +145,7 @@ public:
     });
   }
 
-  /** \brief Declares --up, a direction or "camera". */
+  /** \brief Declares --up, which takes a direction or "camera". */
   template <typename Target>
   Option&
   addUpAxis (Target& target)
@@ -151,9 +155,10 @@ public:
     });
   }
 
-  /** \brief Stores what the command line says, or prints the help or the version.
-   * \return false if it printed and the program is done
-   * \throws UsageError on anything undeclared, missing, ambiguous, given twice, wrong */
+  /** \brief Stores the values of the command line, or prints the help or the version.
+   * \return false if it printed and the program should end
+   * \throws UsageError on anything undeclared, missing, ambiguous, given twice or wrong
+   */
   bool
   parse (int argc, const char* const* argv);
 
@@ -189,14 +194,14 @@ private:
     using type = T;
   };
 
-  /** \brief What is in front of the options in the help. */
+  /** \brief Returns the part of the help before the options. */
   std::string
   usage () const;
 
   std::string program_, summary_, version_, explanation_;
   std::vector<std::string> ways_;
   std::vector<Argument> arguments_;
-  /** \brief New options go to the last. */
+  /** \brief The groups in the order of the help; \ref add appends to the last one. */
   std::vector<OptionGroup> groups_;
   std::set<std::string> given_;
 };

@@ -9,8 +9,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What a program ends with where it cannot go on: "option or file: what is
- * wrong; what to do". */
+/** \brief An error that ends a program. Its message is "option or file: what is wrong;
+ * what to do". */
 struct ProgramError : std::runtime_error {
   ProgramError (const std::string& subject, std::string what_and_fix)
   : std::runtime_error (subject + ": " + what_and_fix)
@@ -24,18 +24,19 @@ struct UsageError : ProgramError {
   using ProgramError::ProgramError;
 };
 
-/** \brief The program was called rightly but could not do its work: exit code 1. */
+/** \brief The call was right, but the program could not do its work: exit code 1. */
 struct WorkError : ProgramError {
   using ProgramError::ProgramError;
 };
 
-/** \brief An output could not be written: there is no use in going on with others. */
+/** \brief An output could not be written, so that it is useless to go on with others.
+ */
 struct OutputError : WorkError {
   using WorkError::WorkError;
 };
 
-/** \brief What \p work returns.
- * \throws WorkError with this fix where the memory runs out */
+/** \brief Returns the result of \p work.
+ * \throws WorkError with \p fix if memory runs out */
 template <typename Work>
 auto
 inMemory (const std::string& subject, const std::string& fix, Work&& work)

@@ -15,7 +15,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The numbers an option takes; "above 0 and up to 1" in errors. */
+/** \brief The range of numbers that an option takes; "above 0 and up to 1" in errors.
+ */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   bool lowest_included = false;
@@ -58,8 +59,9 @@ from (double bound)
   return {bound, true};
 }
 
-/** \param[in] of_type what the type can be; whole numbers only, where it is such a one
- * \throws UsageError about the option if the text is no number in both ranges */
+/** \param[in] of_type range of the number type
+ * \param[in] is_whole whether the number must be whole
+ * \throws UsageError about the option if \p text is no number in both ranges */
 double
 parseNumber (const std::string& option,
              const std::string& text,
@@ -73,7 +75,7 @@ parseNumber (const std::string& option, const std::string& text, const Range& ra
 {
   using Limits = std::numeric_limits<Number>;
   const Range from_lowest = from (static_cast<double> (Limits::lowest()));
-  // The largest integer may be no double, the one behind it always is.
+  // The largest integer may be no double; 2^digits, the one after it, always is.
   const Range of_type = Limits::is_integer
                             ? from_lowest.below (std::ldexp (1.0, Limits::digits))
                             : from_lowest.upTo (static_cast<double> (Limits::max()));
@@ -81,9 +83,9 @@ parseNumber (const std::string& option, const std::string& text, const Range& ra
       parseNumber (option, text, range, of_type, Limits::is_integer));
 }
 
-/** \brief The numbers of a text such as "1,2,3".
- * \param[in] problem said of a text with more or fewer, and the fix
- * \throws UsageError of it, or as \ref parseNumber */
+/** \brief Returns the numbers of a text such as "1,2,3".
+ * \param[in] problem message and fix if \p text has more or fewer than \p count numbers
+ * \throws UsageError with \p problem, or as \ref parseNumber */
 template <typename Number, std::size_t count>
 std::array<Number, count>
 parseNumbers (const std::string& option,
@@ -102,11 +104,13 @@ parseNumbers (const std::string& option,
   return numbers;
 }
 
-/** \brief A vector "x,y,z" other than zero; else a UsageError. */
+/** \brief Returns the vector of a text "x,y,z", not normalized.
+ * \throws UsageError if \p text is anything else or the vector is zero */
 Eigen::Vector3f
 parseDirection (const std::string& option, const std::string& text);
 
-/** \brief The same, or "camera" for up in the optical frame of a level camera. */
+/** \brief As \ref parseDirection, but "camera" gives (0, -1, 0): up in the optical
+ * frame of a level camera. */
 Eigen::Vector3f
 parseUpAxis (const std::string& option, const std::string& text);
 

@@ -20,14 +20,15 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Read by all threads; lock-free, as a signal handler needs it. */
+/** \brief The signal that was noted, 0 for none. All threads read it; it is lock-free,
+ * as a signal handler needs. */
 std::atomic<int> noted_signal{0};
 static_assert (std::atomic<int>::is_always_lock_free);
 
 std::atomic<std::int64_t> noted_at{0};
 static_assert (std::atomic<std::int64_t>::is_always_lock_free);
 
-/** \brief [ms]; of the clocks that signal handlers may ask. */
+/** \brief Returns the time [ms] of a monotonic clock that a signal handler may read. */
 std::int64_t
 milliseconds ()
 {
@@ -39,7 +40,7 @@ milliseconds ()
 void
 noteSignal (int signal)
 {
-  // What ends programs often signals twice: timeout the program and its group.
+  // timeout and others signal twice: the program, then its process group.
   constexpr std::int64_t same_wish = 500;
   if (noted_signal == 0) {
     noted_at = milliseconds();
@@ -53,16 +54,18 @@ noteSignal (int signal)
 
 std::string running_program;
 
-/** \brief Keeps the numbers of standard streams that are closed from the files that a
- * program opens: what it prints would go into one of them.
- * \return whether there is a standard output */
+/** \brief Opens /dev/null for each standard stream that is closed. Otherwise a file
+ * that the program opens would get the stream's number, and printed text would go into
+ * it.
+ * \return whether the standard output was open */
 bool
 holdClosedStreams ()
 {
   bool has_output = true;
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl (stream, F_GETFD) == -1) {
-      // It gets the lowest number that is free, and is opened the wrong way around.
+      // open() returns the lowest free number, that of this stream. The wrong access
+      // mode makes its use fail as before.
       static_cast<void> (
           ::open ("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
       has_output = has_output && stream != STDOUT_FILENO;
@@ -116,7 +119,7 @@ runProgram (const std::string& name, const std::function<int()>& body)
   }
   catch (const std::exception& error) {
     const std::string reason = error.what();
-    // Of libstdc++, where the user's locale finds no room or does not exist.
+    // libstdc++ says so if the user's locale does not exist or memory is short.
     const bool is_about_language =
         reason.find ("_S_create_c_locale") != std::string::npos;
     return fail (is_about_language ? "LANG cannot be set up: not enough memory, or it "
@@ -134,7 +137,7 @@ noteInterruptions ()
     if (sigaction (signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN)
       continue;
     action.sa_handler = noteSignal;
-    // Without SA_RESTART: a read that waits for input returns.
+    // Without SA_RESTART a signal ends a read that waits for input.
     action.sa_flags = 0;
     sigaction (signal, &action, nullptr);
   }

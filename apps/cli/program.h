@@ -10,18 +10,19 @@ namespace pcl_ops::apps {
 
 enum ExitCode : int { done = 0, work_failed = 1, wrong_usage = 2 };
 
-/** \brief What \ref runProgram says about a problem: one line, without its end. */
+/** \brief Returns the line that \ref runProgram prints about a problem, "program:
+ * message", without a line break. */
 std::string
 errorLine (std::string message);
 
-/** \brief Puts such a line on stderr, in one piece; the program goes on. */
+/** \brief Prints \ref errorLine on stderr in one piece; the program goes on. */
 void
 warn (const std::string& message);
 
-/** \brief Runs the body of a program, which returns the exit code, and turns what it
- * throws, or that the standard output cannot be written, into one line on stderr and an
- * exit code. Silences PCL's console, and lets a file that outgrows the user's limit be
- * one that cannot be written instead of the program's end. */
+/** \brief Runs the body of a program, which returns the exit code. Exceptions, and a
+ * standard output that cannot be written, become one line on stderr and an exit code.
+ * Silences PCL's console. A file that exceeds the user's size limit (SIGXFSZ) makes
+ * writing fail and does not end the program. */
 int
 runProgram (const std::string& name, const std::function<int()>& body);
 
@@ -30,25 +31,26 @@ struct Interrupted : std::runtime_error {
   {}
 };
 
-/** \brief From now on the first Ctrl-C, termination or closed terminal is noted for
- * \ref isInterrupted, and one more than half a second later ends the program as ever.
- * Signals that are ignored stay so. */
+/** \brief Installs signal handlers: the first Ctrl-C, termination or closed terminal is
+ * noted for \ref isInterrupted. A further signal more than half a second later ends the
+ * program as by default. Signals that are ignored stay ignored. */
 void
 noteInterruptions ();
 
-/** \brief Lets the program go on where nobody reads what it prints any longer. */
+/** \brief Lets the program go on after the reader of its output has closed the pipe
+ * (SIGPIPE). */
 void
 ignoreClosedPipes ();
 
 bool
 isInterrupted ();
 
-/** \throws Interrupted if it is */
+/** \throws Interrupted if \ref isInterrupted returns true */
 void
 stopIfInterrupted ();
 
-/** \brief Ends the program by the signal that was noted, if one was, so that a loop of
- * a shell stops, too. */
+/** \brief Ends the program by the signal that was noted, if any, so that a shell loop
+ * around it stops, too. */
 void
 endAsInterrupted ();
 

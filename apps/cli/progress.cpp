@@ -88,7 +88,7 @@ StageLines::StageLines (std::ostream& stream, std::chrono::milliseconds between)
     thread_ = std::thread ([this] { writeLines(); });
   }
   catch (const std::system_error&) {
-    // The work itself can be done without.
+    // The work needs no progress lines.
   }
 }
 
@@ -133,13 +133,13 @@ runInParallel (std::size_t count,
     }
   };
   const unsigned wanted = jobs == 0 ? std::thread::hardware_concurrency() : jobs;
-  std::vector<std::future<void>> others; // each waits for its thread at its end
+  std::vector<std::future<void>> others; // their destructors wait for the threads
   try {
     for (std::size_t i = 1; i < std::min<std::size_t> (wanted, count); ++i)
       others.push_back (std::async (std::launch::async, take_turns));
   }
   catch (const std::exception&) {
-    // The threads that did start, and this one, do the work.
+    // This thread and those that did start do the work.
   }
   take_turns();
   for (std::future<void>& other : others)

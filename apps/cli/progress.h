@@ -15,9 +15,10 @@
 namespace pcl_ops::apps {
 
 enum class ProgressStyle {
-  /** \brief A bar with the time left, for terminals: it overwrites itself. */
+  /** \brief A bar with the time left that overwrites itself, for terminals. */
   Bar,
-  /** \brief A line every ten seconds, none if the run ends before; for files. */
+  /** \brief A line at most every ten seconds, for files; no line if the run ends
+   * before. */
   Lines,
   None
 };
@@ -28,11 +29,11 @@ progressStyleOf (bool is_terminal)
   return is_terminal ? ProgressStyle::Bar : ProgressStyle::Lines;
 }
 
-/** \brief Tells how far a long run is. May be used by several threads. */
+/** \brief Shows the progress of a long run. Several threads may use it. */
 class Progress {
 public:
-  /** \param[in] noun what a step is about, in the plural
-   * \param[in] between time from one line to the next */
+  /** \param[in] noun name of the steps, in the plural
+   * \param[in] between shortest time from one line to the next */
   Progress (std::size_t steps,
             std::ostream& stream,
             ProgressStyle style,
@@ -54,7 +55,8 @@ public:
     draw();
   }
 
-  /** \brief Writes a line to a stream that may be the same terminal, above a bar. */
+  /** \brief Writes a line above the bar. \p stream may be the same terminal as that of
+   * the bar. */
   void
   note (const std::string& line, std::ostream& stream);
   void
@@ -63,7 +65,7 @@ public:
     note (line, stream_);
   }
 
-  /** \brief Takes the bar away. */
+  /** \brief Erases the bar. */
   void
   erase ();
 
@@ -84,15 +86,16 @@ private:
   std::mutex mutex_;
 };
 
-/** \brief "42 s", "3 min 07 s", "2 h 05 min". */
+/** \brief Returns a duration as text: "42 s", "3 min 07 s", "2 h 05 min". */
 std::string
 durationText (double seconds);
 
-/** \brief Tells the stage of a long work of few steps: a line each ten seconds, and
- * none where all is done before. Without room for one more thread it is silent. */
+/** \brief Writes the current stage of a long task with few steps: a line every ten
+ * seconds, and no line if the task ends before. If no further thread can start, it
+ * writes nothing. */
 class StageLines {
 public:
-  /** \param[in] stream used by a thread of its own until \ref end */
+  /** \param[in] stream written by a further thread until \ref end */
   explicit StageLines (std::ostream& stream,
                        std::chrono::milliseconds between = std::chrono::seconds (10));
   ~StageLines() { end(); }
@@ -122,9 +125,10 @@ private:
   std::thread thread_;
 };
 
-/** \brief Calls \p work with 0, 1, ... \p count - 1, begun in this order. What it
- * throws ends the run once the calls under way have returned, and is thrown again.
- * \param[in] jobs calls at a time, fewer where the system starts no more threads; 0: as
+/** \brief Calls \p work with 0, 1, ... \p count - 1; the calls begin in this order.
+ * After an exception no further call begins; it is rethrown once the running calls have
+ * returned.
+ * \param[in] jobs calls at a time, fewer if the system starts no more threads; 0: as
  * many as there are processors */
 void
 runInParallel (std::size_t count,

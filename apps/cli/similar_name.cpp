@@ -9,8 +9,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief How many letters are put in, left out, changed or swapped with the next
- * (optimal string alignment). */
+/** \brief Returns the edit distance: letters inserted, deleted, changed or swapped with
+ * the next (optimal string alignment). */
 std::size_t
 editsBetween (const std::string& a, const std::string& b)
 {
@@ -35,7 +35,7 @@ editsBetween (const std::string& a, const std::string& b)
 std::string
 similarName (const std::string& mistyped, const std::vector<std::string>& names)
 {
-  constexpr std::size_t longest = 64; // of a name; other words are none
+  constexpr std::size_t longest = 64; // a longer word is no mistyped name
   if (mistyped.size() > longest)
     return "";
   std::string similar;

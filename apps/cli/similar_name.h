@@ -7,9 +7,9 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The name that a mistyped one most likely means: the first of those that the
- * fewest letters lead to, which are put in, left out, changed or swapped with the next.
- * Empty where more than a third of its letters would be wrong. */
+/** \brief Returns the name that a mistyped one most likely means: the first of those
+ * with the fewest edits, where a letter is inserted, deleted, changed or swapped with
+ * the next. Empty if this takes more edits than a third of the mistyped letters. */
 std::string
 similarName (const std::string& mistyped, const std::vector<std::string>& names);
 

@@ -10,7 +10,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Bytes of the UTF-8 character that this byte begins; 0: it begins none. */
+/** \brief Returns the number of bytes of the UTF-8 character that this byte begins; 0
+ * if it begins none. */
 std::size_t
 lengthOfCharacter (unsigned char first)
 {
@@ -21,8 +22,8 @@ lengthOfCharacter (unsigned char first)
   return first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
 }
 
-/** \brief Whether these bytes are one character in its shortest form, and no half of a
- * pair of UTF-16. */
+/** \brief Whether the bytes are one UTF-8 character in its shortest form, and no UTF-16
+ * surrogate. */
 bool
 isCharacter (const std::string& bytes)
 {

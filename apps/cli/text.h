@@ -7,8 +7,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Values one after the other, as a stream writes them: words as they are,
- * numbers with up to six digits. */
+/** \brief Returns the values one after the other as a stream writes them: words
+ * unchanged, numbers with up to six significant digits. */
 template <typename... Values>
 std::string
 concatenate (const Values&... values)
@@ -18,7 +18,8 @@ concatenate (const Values&... values)
   return text.str();
 }
 
-/** \brief With a blank in place of each line break, which names of files may have. */
+/** \brief Returns the text with a blank in place of each line break, which file names
+ * may have. */
 inline std::string
 oneLine (std::string text)
 {
@@ -27,8 +28,8 @@ oneLine (std::string text)
   return text;
 }
 
-/** \brief With U+FFFD in place of each byte that is no part of a character of UTF-8, as
- * names of files may have. */
+/** \brief Returns the text with U+FFFD in place of each byte that is not part of a
+ * valid UTF-8 character. File names may have such bytes. */
 std::string
 validUtf8 (const std::string& text);
 

@@ -23,17 +23,18 @@ namespace pcl_ops::apps {
 
 using FinitePoints = std::vector<Eigen::Vector3f>;
 
-/** \brief Says that the unit may be the millimeter; empty if nothing tells so. */
+/** \brief Returns a hint that the unit of the cloud may be the millimeter; empty unless
+ * the bounding box is far too wide for the threshold. */
 template <typename Parameters>
 std::string
 adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
 {
   constexpr bool is_fspf =
       std::is_same_v<Parameters, FastSamplingPlaneFilteringParameters>;
-  // On surfels the noise sets the distance unless the user does.
+  // By default OPS has no threshold: it follows the noise of the cloud.
   const std::optional<double>& threshold = parameters.distance_threshold;
-  // With the usual 5 cm a room of 10 m in millimeters has 200,000 of them across; in
-  // meters a scene of 40,000 were 2 km wide.
+  // In millimeters a room of 10 m is 200,000 times as wide as the usual threshold of
+  // 0.05. In meters a scene of 40,000 thresholds would be 2 km wide.
   constexpr double max_extent_in_thresholds = 40000.0;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& point : points)
@@ -51,7 +52,8 @@ adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
                       ")");
 }
 
-/** \brief How many points there typically are in the spheres around points. */
+/** \brief Returns the median number of points within a radius of a point, by 101
+ * points of the cloud. */
 inline double
 medianSphereSize (const FinitePoints& points, double radius)
 {
@@ -84,7 +86,7 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
         ": raise --sampling-rate (",
         parameters.sampling_rate,
         ") or lower --min-inliers");
-  constexpr double few = 8.0; // a plane through fewer is that of any noise
+  constexpr double few = 8.0; // fewer points fit a plane even if they are noise
   const std::optional<double>& size = parameters.surfels.voxel_size;
   const double held = size ? medianSphereSize (points, *size) : few;
   if (held < few)
@@ -98,8 +100,8 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
       concatenate (" if the planes are small, raise --threshold (",
                    threshold ? concatenate (*threshold) : "auto",
                    ") if the points are noisy");
-  // On neighborhoods fewer samples than usual find no more planes: the evidence is
-  // against them.
+  // With neighborhoods a --min-inliers below the default finds no more planes: the
+  // evidence is against them.
   const bool asks_for_more =
       parameters.min_samples > OrientedPointSamplingParameters().min_samples;
   const std::string min_inliers =
@@ -156,12 +158,12 @@ adviceOn (const KernelHoughTransformParameters& parameters,
                       ") for more of them");
 }
 
-/** \brief Least share of the points on planes: below it a parameter does not fit, and
- * advice is given. */
+/** \brief Returns the share of the points that should be on planes. If fewer are, a
+ * parameter is taken not to fit the cloud, and advice is given. */
 inline double
 minShareOf (const OrientedPointSamplingParameters& parameters)
 {
-  // Voxels that hold few points find planes here and there.
+  // Even voxels that hold few points give some planes by chance.
   return parameters.surfels.voxel_size ? 0.1 : 0.05;
 }
 
@@ -172,8 +174,8 @@ minShareOf (const Parameters&)
   return 0.05;
 }
 
-/** \brief Which parameter to change where so few of the points with coordinates are on
- * planes that most likely one does not fit the cloud: the end of a sentence. */
+/** \brief Returns which parameter to change, as the end of a sentence, if fewer of the
+ * finite points than \ref minShareOf are on planes; else an empty string. */
 template <typename Parameters>
 std::string
 adviceFor (const Parameters& parameters,
@@ -202,8 +204,8 @@ adviceFor (const Parameters& parameters,
   return on_unit.empty() ? adviceOn (parameters, points, planes.empty()) : on_unit;
 }
 
-/** \brief Whether the rms of a plane is larger than the mean distance between its
- * points: voxels cannot tell what is thinner. */
+/** \brief Whether the rms distance of a plane is larger than the spacing of its points:
+ * voxels cannot resolve thinner planes. */
 inline bool
 isThickerThanSpacing (const PlaneSegment& plane)
 {
@@ -211,15 +213,15 @@ isThickerThanSpacing (const PlaneSegment& plane)
   const std::optional<PlaneFit> fit = fitPlane (plane.moments);
   if (!fit)
     return false;
-  // Even points fill an ellipse of area 4 pi sqrt (v1 v2).
+  // Points spread evenly over an ellipse: its area is 4 pi sqrt (v1 v2).
   const Eigen::Vector3d& variances = fit->variances;
   const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]);
   return variances[0] * plane.moments.count > area;
 }
 
-/** \brief Says that most points are on planes that are far thicker than what is around
- * their points, and which voxels follow these; empty where it is not so. Looks at some
- * points of the largest planes alone, and at none where these are thin.
+/** \brief Returns a hint to give --voxel-size if most points on planes are on thick
+ * planes (\ref thick_factor); else an empty string. Measures only the four largest
+ * planes for which \ref isThickerThanSpacing is true, by 8 points each.
  * \param[in] planes by falling size */
 inline std::string
 hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
@@ -241,7 +243,7 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
     return "";
   const std::vector<Thickness> all = thicknessOf (cloud, candidates, probes);
   std::size_t thick = 0;
-  std::optional<double> spacing; // of the largest thick plane
+  std::optional<double> spacing; // of the points of the largest thick plane
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (all[i].factor() > thick_factor) {
       thick += candidates[i].inliers.size();
@@ -250,7 +252,7 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
   const double share = fraction (thick, found, 0.0);
   if (share < min_share)
     return "";
-  // Surfels need some points, and more of them than of empty voxels around.
+  // A surfel needs several points, and more points than empty voxels around it.
   constexpr double size_by_spacing = 2.0;
   const double size = size_by_spacing * *spacing;
   const double digit = std::pow (10.0, std::floor (std::log10 (size)));

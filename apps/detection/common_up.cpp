@@ -11,7 +11,7 @@ namespace pcl_ops::apps {
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& answers)
 {
-  // Each answer may be off by half of this.
+  // Two answers agree up to here: each may be off by half of it.
   constexpr double max_degrees_apart = 15.0;
   const double min_cosine = std::cos (toRadians (max_degrees_apart));
   CommonUp best{{Eigen::Vector3d::Zero(), 0.0}, 0};

@@ -10,19 +10,18 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Which way is up in a sequence of clouds. */
+/** \brief The up axis of a sequence of clouds. */
 struct CommonUp {
-  /** \brief Its confidence is the share of all answers' confidence that agrees with it.
-   */
+  /** \brief The confidence is that of the agreeing answers divided by that of all. */
   UpAxis axis;
-  /** \brief How many of the answers agree with it. */
+  /** \brief Number of answers that agree with the axis. */
   std::size_t answers;
 };
 
-/** \brief The mean of the answers of single clouds that agree with each other, weighted
- * by their confidence.
- * \param[in] answers in one frame
- * \return nothing if those that agree have no more than half of the confidence of all */
+/** \brief Returns the mean up axis of the single clouds that agree with each other,
+ * weighted by confidence.
+ * \param[in] answers up axes of single clouds, in one common frame
+ * \return nothing if the agreeing answers have half of the total confidence or less */
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& answers);
 

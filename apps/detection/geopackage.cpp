@@ -27,7 +27,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief All in memory: what fails there is short of memory. */
+/** \brief The database is in memory, so each error of SQLite is taken for a lack of it.
+ * \throws std::bad_alloc if the code is not the expected one */
 void
 checkMemory (int code, int expected = SQLITE_OK)
 {
@@ -65,7 +66,7 @@ public:
   sqlite3* handle = nullptr;
 };
 
-/** \brief A row to insert, again and again. */
+/** \brief A prepared INSERT statement that is run once per row. */
 class Insertion {
 public:
   Insertion (Database& database, const std::string& sql)
@@ -136,8 +137,8 @@ append (double number, std::string& bytes)
   append (bits, bytes);
 }
 
-/** \brief A geometry of GeoJSON as well-known binary (ISO 13249-3), and the box around
- * it. */
+/** \brief A geometry of GeoJSON as well-known binary (ISO 13249-3), and its bounding
+ * box in x and y. */
 class Wkb {
 public:
   explicit Wkb (const Json& geometry)
@@ -199,7 +200,9 @@ private:
   }
 };
 
-/** \brief As a GeoPackage has it: with its system and its box before it. */
+/** \brief Returns a geometry as a GeoPackage blob: a header with reference system and
+ * bounding box, then the well-known binary. Empty for null.
+ * \param[in,out] around extended by the bounding box */
 std::string
 blobOf (const Json& geometry, int system, Eigen::AlignedBox2d& around)
 {
@@ -217,7 +220,8 @@ blobOf (const Json& geometry, int system, Eigen::AlignedBox2d& around)
   return blob + wkb.bytes;
 }
 
-/** \brief The names of all properties, with their types in SQL. */
+/** \brief Returns the names of all properties with their SQL types; "" for a property
+ * that is null or a list in all features. */
 std::vector<std::pair<std::string, std::string>>
 columnTypesOf (const Json& features)
 {
@@ -238,7 +242,7 @@ columnTypesOf (const Json& features)
   return columns;
 }
 
-/** \brief Of "EPSG:N"; that of places in a plane, which no system is known of. */
+/** \brief Returns the EPSG code that a map names, else -1 (undefined Cartesian). */
 int
 systemOf (const Json& map)
 {
@@ -249,7 +253,7 @@ systemOf (const Json& map)
   return std::stoi (name.substr (name.rfind (':') + 1));
 }
 
-/** \brief Inserts the features. \return the box around them */
+/** \brief Inserts the features. \return their bounding box in x and y */
 Eigen::AlignedBox2d
 addFeatures (const Json& features,
              const std::string& layer,
@@ -278,14 +282,14 @@ addFeatures (const Json& features,
   return box;
 }
 
-/** \brief Tells the layer to readers. */
+/** \brief Registers the layer, so that readers find it. */
 void
 addContents (const std::string& layer,
              int system,
              const Eigen::AlignedBox2d& box,
              Database& database)
 {
-  // No time of writing: the same map has the same bytes.
+  // A fixed date instead of the time of writing: the same map gives the same bytes.
   Insertion contents (database,
                       "INSERT INTO gpkg_contents VALUES (?, 'features', ?, '', "
                       "'1970-01-01T00:00:00.000Z', ?, ?, ?, ?, ?)");
@@ -301,7 +305,7 @@ addContents (const std::string& layer,
   Insertion column (
       database,
       "INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'GEOMETRY', ?, "
-      "2, 0)"); // 2: with or without heights
+      "2, 0)"); // 2: geometries may have z
   column.add (layer);
   column.add (system);
   column.run();
@@ -322,7 +326,7 @@ geoPackageOf (const std::string& geo_json, const std::string& layer)
   const int system = systemOf (map);
   Database database;
   database.run (geopackage_tables);
-  // Readers know the system by its number, better than by words of ours.
+  // The definition stays undefined: readers know a reference system by its EPSG code.
   if (system > 0)
     database.run (
         str (boost::format ("INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES "

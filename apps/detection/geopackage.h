@@ -6,15 +6,14 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Whether SQLite was there when this was built. */
+/** \brief Whether this program was built with SQLite. */
 bool
 hasSqlite ();
 
-/** \brief The bytes of a GeoPackage (OGC 12-128r18) with one layer, which has the
- * features of a map in GeoJSON: geometry, properties, and the EPSG code of its
- * reference system. The same bytes for the same map. Without SQLite it throws a
- * std::logic_error.
- */
+/** \brief Returns the bytes of a GeoPackage (OGC 12-128r18) with one layer. The layer
+ * has the features of a GeoJSON map: geometry, properties, and the EPSG code of its
+ * reference system. The same map always gives the same bytes.
+ * \throws std::logic_error in a build without SQLite */
 std::string
 geoPackageOf (const std::string& geo_json, const std::string& layer);
 

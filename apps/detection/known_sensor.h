@@ -10,10 +10,11 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Where the one sensor of a cloud was, in the file's frame: what \ref
- * planeKinds asks for. Nothing for clouds of several scans, and where the cloud cannot
- * have been seen from where it says; of a survey, which says nothing, it is zero if
- * that is amid the points. Looking through a cloud takes some milliseconds. */
+/** \brief Returns the position of the sensor in the file's frame, as the viewpoint for
+ * \ref planeKinds. Returns nothing for a cloud of several scans, and for a position
+ * that the cloud cannot have been seen from (isSeenFromItsOrigin). A survey has no
+ * pose: its sensor is at zero if zero lies inside the bounding box of the points. The
+ * test takes some milliseconds. */
 std::optional<Eigen::Vector3d>
 knownSensor (const FileCloud& cloud, const ShiftedCloud& shifted);
 

@@ -29,7 +29,8 @@ using OpsParameters = OrientedPointSamplingParameters;
 using FspfParameters = FastSamplingPlaneFilteringParameters;
 using KhtParameters = KernelHoughTransformParameters;
 
-/** \brief How users write a number, where it is not as parameters hold it. */
+/** \brief How users write a number on the command line: as the parameters hold it, in
+ * degrees instead of radians, or as 0 for an automatic value. */
 enum class Written { AsItIs, InDegrees, ZeroForAutomatic };
 
 struct NumberOption {
@@ -40,7 +41,7 @@ struct NumberOption {
   const char* old_name = "";
 };
 
-/** \brief What users write for a number of parameters. */
+/** \brief Converts a number from the parameters to the form that users write. */
 template <typename Number>
 Number
 toWritten (Number number, const NumberOption& option)
@@ -70,7 +71,7 @@ fromWritten (Number number, const NumberOption& option)
 
 constexpr double points_of_a_plane = 3;
 
-/** \brief Calls \p visit (number, option) for what all detectors have. */
+/** \brief Calls \p visit (number, option) for each parameter of all detectors. */
 template <typename Visit>
 void
 visitOwn (PlaneDetectorParameters& p, const Visit& visit)
@@ -92,7 +93,8 @@ visitOwn (PlaneDetectorParameters& p, const Visit& visit)
       {"threads T", from (0).upTo (1024), "0 for all; the result stays the same (1)"});
 }
 
-/** \brief For what one detector has; the help goes on with the presets' values. */
+/** \brief The same for the parameters of one detector. The values of its presets follow
+ * in the help. */
 template <typename Visit>
 void
 visitOwn (OpsParameters& p, const Visit& visit)
@@ -178,8 +180,8 @@ apply (const GivenNumbers& given, Parameters& parameters)
   });
 }
 
-/** \brief Declares the options of what these parameters have alone.
- * \param[in] notes what follows the help of an option, by its name */
+/** \brief Declares the options of the parameters that visitOwn visits for this type.
+ * \param[in] notes text to append to the help of an option, by its name */
 template <typename Parameters>
 void
 declare (Parameters parameters,
@@ -200,14 +202,14 @@ declare (Parameters parameters,
   });
 }
 
-// What follows from options that were given, and what is refused.
+// relate: sets parameters that follow from given options, and refuses contradictions.
 
 void
 relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters)
 {
   if (given.count ("voxel-size") > 0 && parameters.sampling == Sampling::Points)
     throw UsageError ("--voxel-size", "has no meaning to --preset paper; leave it out");
-  // Too many take as long as if there were so many points.
+  // A k above the number of points would cost the time of a cloud of k points.
   const int k = parameters.k;
   if (k > OpsParameters().k && std::size_t (k) > points)
     throw UsageError ("--k",
@@ -217,8 +219,8 @@ relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters
                                    "; give a smaller number"));
 }
 
-/** \brief Where one radius is given the other follows: r2 = 2 r1, where the paper finds
- * FSPF most accurate (Table I). */
+/** \brief If only one radius is given, sets the other by r2 = 2 r1, the ratio for which
+ * the paper finds FSPF most accurate (Table I). */
 void
 relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
 {
@@ -251,15 +253,16 @@ sensorOf (const XyzCloud& cloud)
   return cloud.sensor_origin_.head<3>().cast<double>();
 }
 
-/** \brief Says that samples are counted where more than the default were asked for, as
- * if they were points, and hardly a plane is left. */
+/** \brief Adds a hint that --min-inliers counts samples, not points, if a value above
+ * the default leaves hardly a plane. */
 void
 hintOnMinInliers (const GivenNumbers& given,
                   OpsParameters parameters,
                   const XyzCloud& cloud,
                   Detected& detected)
 {
-  // What is few to a room, and what share of its planes: others need no second run.
+  // More planes than `few` are enough for a room: no second search. The default has to
+  // find min_ratio times as many.
   constexpr std::size_t few = 5;
   constexpr std::size_t min_ratio = 4;
   const unsigned usual = OpsParameters().min_samples;
@@ -297,7 +300,7 @@ samplingName (Sampling sampling)
   return "automatic";
 }
 
-/** \brief By the names of options, and what no option changes. */
+/** \brief Returns all parameters by option name, and some that no option changes. */
 template <typename Parameters>
 Settings
 reportOf (const std::string& preset, Parameters parameters)
@@ -319,7 +322,7 @@ reportOf (const std::string& preset, Parameters parameters)
     else if (written)
       setting = *written;
     else
-      setting = "auto"; // it follows the cloud
+      setting = "auto"; // the value follows the cloud
   });
   return settings;
 }
@@ -330,7 +333,7 @@ numberOrNull (const std::optional<double>& number)
   return number ? Settings (*number) : Settings();
 }
 
-/** \brief Those that parameters may leave to the cloud, beside them. */
+/** \brief Adds the lengths that were used, as parameters may be automatic. */
 void
 reportUsed (const UsedLengths& used, Settings& settings)
 {
@@ -339,7 +342,7 @@ reportUsed (const UsedLengths& used, Settings& settings)
     settings["voxel_size_used"] = numberOrNull (used.voxel_size);
 }
 
-/** \brief Says so where the size of voxels is given, which a rate would choose. */
+/** \brief Adds a hint if --sampling-rate has no effect beside --voxel-size. */
 void
 hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
 {
@@ -359,8 +362,8 @@ millisecondsOf (clockid_t clock)
          1e-6 * static_cast<double> (time.tv_nsec);
 }
 
-/** \brief What planes are searched for with: parameters with an observer where stages
- * are asked for. Hints search a second time without. */
+/** \brief Returns the parameters, with an observer that stores the stages if they are
+ * asked for. The second searches for hints have no observer. */
 template <typename Parameters>
 Parameters
 observed (Parameters parameters, bool keeps_stages, std::vector<StageResult>& stages)
@@ -415,7 +418,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   return detected;
 }
 
-/** \brief Of both presets, by the name of an option. */
+/** \brief Returns the values of both presets as text for the help, by option name. */
 template <typename Parameters>
 std::map<std::string, std::string>
 presetNotes ()
@@ -470,15 +473,16 @@ noteOn (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f&
          axis + " is used; give --up x,y,z";
 }
 
-/** \brief Names another axis than the one used where the planes are sure of it. Costs
- * no second search: the planes have to be those of the default preset. */
+/** \brief Suggests a different up axis if the planes are sure of it.
+ * \param[in,out] detected planes of the default preset, so that no second search is
+ * needed */
 void
 hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
 {
   const auto found = estimateUpAxis (detected.planes, sensorOf (cloud));
   if (!found)
     return;
-  // Planes have the same names upside down.
+  // The sign does not matter: upside down, planes have the same orientations.
   const double cosine =
       std::abs (found->direction.dot (detected.up.cast<double>().normalized()));
   if (cosine >= std::cos (defaultWith (options.numbers).angle_tolerance) ||
@@ -493,7 +497,8 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
            rounded.x() % rounded.y() % rounded.z()));
 }
 
-/** \brief The position of the plane that has most points of another list's plane. */
+/** \brief Returns the most frequent label among the inliers of a plane.
+ * \param[in] labels of all points, as \ref labelsOf gives them: 0 for no plane */
 std::size_t
 planeWithMostOf (const PlaneSegment& plane, const std::vector<std::uint32_t>& labels)
 {
@@ -507,7 +512,8 @@ planeWithMostOf (const PlaneSegment& plane, const std::vector<std::uint32_t>& la
       ->first;
 }
 
-/** \brief The number above a length with one digit. */
+/** \brief Returns the next larger number with one significant digit; 0.002 for a length
+ * up to 0.001. */
 double
 roundedUp (double length)
 {
@@ -517,8 +523,8 @@ roundedUp (double length)
   return digit * std::floor (std::max (length, smallest) / digit + 1.0);
 }
 
-/** \brief Names the distance that makes one of two planes that lie over or beside each
- * other, where it does so: a second search tells. */
+/** \brief If two planes may be one surface (\ref findOverlapping), adds a hint with the
+ * --merge-distance that merges them. A second search checks that it does. */
 void
 hintOnOverlap (const Method& method,
                const DetectorOptions& options,
@@ -605,7 +611,7 @@ runMethod (const Method& method,
 {
   if (!options.finds_up) {
     Detected detected = method.detect (options, cloud);
-    // Of other planes estimates are less sure than they say.
+    // For planes of other methods or presets the confidence would be too high.
     if (!options.up && method.name == allMethods().front().name &&
         options.preset == "default")
       hintOnUp (options, *cloud, detected);

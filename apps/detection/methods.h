@@ -25,67 +25,72 @@ class CommandLine;
 
 using Settings = nlohmann::ordered_json;
 
-/** \brief By the names of their options. */
+/** \brief Numbers given on the command line, by option name without "--". */
 using GivenNumbers = std::map<std::string, double>;
 
 struct DetectorOptions {
   std::string preset = "default";
   std::optional<Eigen::Vector3f> up;
-  /** \brief --up auto */
+  /** \brief Whether the up axis is to be estimated: --up auto. */
   bool finds_up = false;
-  /** \brief --up camera */
+  /** \brief Whether the up axis is that of a level camera: --up camera. */
   bool up_is_camera = false;
-  /** \brief Whether a sequence was asked for \ref up, and how sure it is, if it is. */
+  /** \brief Whether \ref up was estimated from a sequence of clouds, and with which
+   * confidence, 0 to 1, if the estimate found an axis. */
   bool sequence_has_up = false;
   std::optional<double> up_confidence;
   GivenNumbers numbers;
-  /** \brief Whether \ref Detected::stages are asked for. */
+  /** \brief Whether to fill \ref Detected::stages. */
   bool keeps_stages = false;
 };
 
 struct Detected {
-  /** \brief By falling size, in the frame of the cloud. */
+  /** \brief By falling size, in the frame of the searched cloud. pcl_ops_segment moves
+   * them to the frame of the file. */
   std::vector<PlaneSegment> planes;
-  /** \brief What each is among all that were found; empty where nobody asked. */
+  /** \brief Kind of each plane, found among all planes; empty if not asked for. */
   std::vector<PlaneKind> kinds;
-  /** \brief Their convex outlines, in the frame of the cloud's file; empty where nobody
-   * asked. */
+  /** \brief Convex outline of each plane, in the frame of the file; empty if not asked
+   * for. */
   std::vector<PlaneExtent> extents;
-  /** \brief How each was moved by regularizePlanes; empty where none was. */
+  /** \brief How regularizePlanes moved each plane; empty if it was not called. */
   std::vector<PlaneMove> moves;
-  /** \brief What each stage of the engine on neighborhoods made of the points; empty
-   * where nobody asked, and of other engines. */
+  /** \brief Result of each stage of OPS on neighborhoods for all points; empty if not
+   * asked for, and for other detectors. */
   std::vector<StageResult> stages;
-  /** \brief Where \ref planes are pieces: for each the position of the plane it lies on
-   * in \ref whole_planes, which have no inliers; else empty. */
+  /** \brief If \ref planes are connected pieces of planes: for each piece the index of
+   * its plane in \ref whole_planes, which have no inliers. Else both are empty. */
   std::vector<std::size_t> lies_on;
   std::vector<PlaneSegment> whole_planes;
   StageDurations timing;
-  /** \brief Processor time of all threads that worked on it [ms]. */
+  /** \brief Processor time of the detection [ms]. With --threads other than 1 it is
+   * that of the whole process. */
   double processor_time = 0.0;
   UsedLengths used;
-  /** \brief Under the names of their options. */
+  /** \brief All parameters by option name, for reports (\ref keyOf). */
   Settings settings;
-  /** \brief What they were searched for with, of the engine on neighborhoods. */
+  /** \brief Parameters of the search, if it was OPS on neighborhoods without
+   * --voxel-size. */
   std::optional<OrientedPointSamplingParameters> search;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::string up_note;
-  /** \brief Another one that the planes are sure of, where none was given. */
+  /** \brief A different up axis that the planes are sure of, if none was given. */
   std::optional<Eigen::Vector3d> suggested_up;
-  /** \brief On options that most likely serve the user better. */
+  /** \brief Sentences that suggest options likely to give a better result. */
   std::vector<std::string> hints;
   std::string advice;
 };
 
-/** \brief The key of an option in reports. */
+/** \brief Returns the key of an option in reports: min_points for min-points. */
 inline std::string
 keyOf (const std::string& option)
 {
   return boost::replace_all_copy (option, "-", "_");
 }
 
-/** \brief For each point the id of its plane, 0 for none.
- * \param[in] ids of the planes; empty: 1, 2, ... */
+/** \brief Returns the id of its plane for each point; 0 for a point on no plane.
+ * \param[in] points number of points of the cloud
+ * \param[in] ids one for each plane; empty: 1, 2, ... */
 std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes,
           std::size_t points,
@@ -93,22 +98,22 @@ labelsOf (const std::vector<PlaneSegment>& planes,
 
 struct Method {
   std::string name;
-  /** \brief Over its options in the help. */
+  /** \brief Heading of its options in the help. */
   std::string title;
-  /** \brief Those no other method has. */
+  /** \brief Declares the options that no other method has. */
   std::function<void (CommandLine&, GivenNumbers&)> declare_options;
   /** \throws UsageError if options contradict each other, std::bad_alloc */
   std::function<Detected (const DetectorOptions&, const XyzCloud::ConstPtr&)> detect;
 };
 
-/** \brief Every method of --method; the first is the default. */
+/** \brief Returns all values of --method; the first one, OPS, is the default. */
 const std::vector<Method>&
 allMethods ();
 
 const Method&
 methodCalled (const std::string& name);
 
-/** \brief The last is that of them all. */
+/** \brief Names of the durations in reports; the last one is the whole detection. */
 constexpr std::pair<const char*, double StageDurations::*> detection_stages[] = {
     {"search", &StageDurations::search},
     {"normals", &StageDurations::normals},
@@ -117,14 +122,15 @@ constexpr std::pair<const char*, double StageDurations::*> detection_stages[] = 
     {"merging", &StageDurations::merging},
     {"detection", &StageDurations::detection}};
 
-/** \brief The up axis of the planes of the default preset; nothing where they cannot
- * tell or the cloud was not seen from its origin. */
+/** \brief Estimates the up axis from the planes that the default preset of OPS finds.
+ * Returns nothing if the planes cannot tell or the cloud was not seen from its sensor
+ * origin. Of the options only seed and threads are used. */
 std::optional<UpAxis>
 findUpAxis (const DetectorOptions& options, const XyzCloud& cloud);
 
-/** \brief The planes a method finds; by `--up auto` with the up axis of the planes of
- * the default preset, on which the confidence was measured, or the default axis where
- * they cannot tell. A hint names another one where none was asked for. */
+/** \brief Finds the planes of a cloud by a method. For `--up auto` it first calls \ref
+ * findUpAxis, as the confidence was measured with those planes; if they cannot tell,
+ * the default axis is used. Without --up a hint may name a different axis. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
@@ -137,11 +143,13 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
 void
 checkMethodOptions (const CommandLine& line, const Method& chosen);
 
-/** \brief Whether they ask for the engine on neighborhoods, which alone has stages. */
+/** \brief Whether the options choose OPS on neighborhoods, the only detector that has
+ * stages to look at. */
 bool
 hasStages (const Method& method, const DetectorOptions& options);
 
-/** \brief Of what voxels begin at whole multiples; 0 where their size is not given. */
+/** \brief Returns the edge of the largest voxels of --voxel-size [unit of the cloud]:
+ * a cloud shifted by a multiple of it keeps its voxels. 0 if no size is given. */
 double
 voxelStepOf (const DetectorOptions& options);
 

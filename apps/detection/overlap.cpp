@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boost 1.74 remarks in every build on a header it includes itself.
+// Boost 1.74 prints a deprecation note on one of its own headers in every build.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -36,13 +36,13 @@ onto (const PlaneFrame& frame, const PlaneExtent& extent)
   return polygon;
 }
 
-/** \brief The distance of two planes that pass all tests but that of their outlines;
- * else nothing. */
+/** \brief Returns the distance of two planes [m] if they pass the tests on angle,
+ * distance and size; else nothing. Outlines are not tested here. */
 std::optional<double>
 distanceOfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
 {
   const double max_angle = toRadians (7.0);
-  // What is farther apart, in noise, are a board and the wall behind it.
+  // In units of the rms distance. Planes farther apart are two: a board before a wall.
   constexpr double max_distance_in_noise = 3.0;
   constexpr double min_share = 0.02;
   const auto size = static_cast<double> (smaller.inliers.size());
@@ -57,7 +57,8 @@ distanceOfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
   return distance;
 }
 
-/** \brief Where planes end, each asked for once: many pairs are parallel. */
+/** \brief Computes the extent of each plane at most once, as a plane may be in many
+ * pairs. */
 class Extents {
 public:
   Extents (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
@@ -78,7 +79,8 @@ private:
   std::vector<std::optional<PlaneExtent>> known_;
 };
 
-/** \brief Whether outlines overlap or nearly touch. \param[in] points of the smaller */
+/** \brief Whether outlines overlap or nearly touch.
+ * \param[in] points number of inliers of the smaller plane */
 bool
 areBesideEachOther (const PlaneExtent& larger,
                     const PlaneExtent& smaller,

@@ -11,18 +11,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Two planes that may be one surface, by their positions in a list. */
+/** \brief Indices of two planes, in a list of planes, that may be one surface. */
 struct OverlappingPlanes {
   std::size_t larger, smaller;
-  /** \brief The larger of the two distances from a centroid to the other plane [m]. */
+  /** \brief Distance of each centroid to the other plane, the larger of the two [m]. */
   double distance;
 };
 
-/** \brief Finds two planes that may be one surface: parallel within 7 degrees, no
- * farther apart than three times the larger rms, the smaller with 2 % of the points of
- * the larger or more, with outlines that overlap or are a few spacings of their points
- * apart. Of several such pairs it takes the one whose smaller plane has most points.
- * \param[in] planes by falling size */
+/** \brief Finds two planes that may be one surface. They are parallel within 7 degrees
+ * and no farther apart than 3 times the larger rms distance. The smaller plane has at
+ * least 2 % of the inliers of the larger one. Their convex outlines overlap, or the gap
+ * is at most 4 times the point spacing. Of several pairs it returns the one whose
+ * smaller plane has most inliers.
+ * \param[in] planes by falling size, in the frame of the cloud */
 std::optional<OverlappingPlanes>
 findOverlapping (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);
 

@@ -28,7 +28,7 @@ namesIn (const std::string& list)
   return names;
 }
 
-/** \throws UsageError that says what is known */
+/** \throws UsageError that lists the known names, if the list has others */
 void
 checkOnly (const std::string& list)
 {
@@ -44,7 +44,8 @@ checkOnly (const std::string& list)
     throw UsageError ("--only", "'" + list + "' is no list; give wall,roof");
 }
 
-/** \brief Whether a plane is one of those named; "other" is how it lies. */
+/** \brief Whether a plane has one of the named orientations or kinds; "other" is the
+ * orientation. */
 bool
 isNamed (const std::vector<std::string>& names,
          const PlaneSegment& plane,
@@ -185,7 +186,7 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
   for (const auto& [name, setting, none_dropped] : reportsOf (choice)) {
     const std::string option = name;
-    // The angle is told wherever it matters.
+    // The report has the angle whenever --direction is given.
     if (line.isGiven (option == "within" ? "direction" : option))
       choice.given[keyOf (option)] = setting;
   }

@@ -8,27 +8,29 @@
 namespace pcl_ops::apps {
 
 struct PlaneChoice {
-  /** \brief Orientations, kinds, "largest", with commas between; empty for all. */
+  /** \brief Orientations and kinds, separated by commas, or "largest"; empty: all. */
   std::string only;
-  /** \brief Largest angle to the direction of the filter [degree]. */
+  /** \brief Largest angle of a normal to PlaneFilter::direction [degree]. */
   double within = 10.0;
   /** \brief Smallest and largest angle to the horizontal [degree]. */
   std::optional<std::array<double, 2>> slope;
   PlaneFilter filter;
-  /** \brief For reports. */
+  /** \brief The options that were given, with their values, for reports. */
   Settings given = Settings::object();
 
-  /** \brief Whether \ref only has a kind, as "wall", and not only how planes lie. */
+  /** \brief Whether \ref only names a kind, such as "wall"; "other" is an orientation.
+   */
   bool
   namesKinds () const;
 };
 
 struct Dropped {
   std::size_t found = 0;
-  /** \brief By which option, "min-area", how many were dropped, if any. */
+  /** \brief Number of planes that each option, such as "min-area", dropped; without
+   * the options that dropped no plane. */
   std::vector<std::pair<std::string, std::size_t>> by_option;
 
-  /** \brief "1 by --direction, 2 by --min-area"; empty where none was dropped. */
+  /** \brief Returns "1 by --direction, 2 by --min-area"; empty if none was dropped. */
   std::string
   reasons () const;
 };
@@ -38,15 +40,17 @@ inline constexpr const char* title_of_choice = "Planes to keep";
 void
 declareChoice (CommandLine& line, PlaneChoice& choice);
 
-/** \throws UsageError if an option was given without the one it is about, or bounds
- * leave nothing between them */
+/** \brief Checks the options and sets PlaneChoice::given.
+ * \throws UsageError if --within is given without --direction, or if an upper bound is
+ * below its lower bound */
 void
 finishChoice (const CommandLine& line, PlaneChoice& choice);
 
-/** \brief The positions of the chosen planes.
- * \param[in] kinds one for each plane, or none, which no kind in \p choice is of
+/** \brief Returns the indices of the chosen planes, in ascending order.
+ * \param[in] kinds one for each plane; empty: no plane has a kind
  * \param[in] up against gravity, in the frame of the planes
- * \param[in] extent_of asked for planes that may be too small or too large */
+ * \param[in] extent_of called only for planes whose area or width decides
+ * \param[out] dropped number of planes, and of those that each option dropped */
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,
           const std::vector<PlaneSegment>& planes,
@@ -55,7 +59,9 @@ chosenOf (const PlaneChoice& choice,
           const ExtentOfPlane& extent_of,
           Dropped& dropped);
 
-/** \brief Keeps the chosen planes alone. Where none is left, the advice says why. */
+/** \brief Removes all planes but the chosen ones from \p detected, and adds the options
+ * to its settings. If no plane is left, the advice says why.
+ * \return number of planes before, and of those that each option dropped */
 Dropped
 keepChosen (const PlaneChoice& choice,
             const ExtentOfPlane& extent_of,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boost 1.74 remarks in every build on a header it includes itself.
+// Boost 1.74 prints a deprecation note on one of its own headers in every build.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/register/linestring.hpp>
@@ -29,18 +29,18 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Twice that within a ring, negative for a clockwise one. */
+/** \brief Twice the area of a ring seen from above, negative if it is clockwise. */
 double
 areaFromAbove (const Ring& ring)
 {
   double area = 0.0;
-  // From the first corner: areas far from zero would have few digits left.
+  // Relative to the first corner: far from zero the products would lose digits.
   for (std::size_t i = 2; i < ring.size(); ++i)
     area += (ring[i - 1] - ring[0]).cross (ring[i] - ring[0]).z();
   return area;
 }
 
-/** \brief How a format writes lists in lists, down to corners. */
+/** \brief Separators by which WKT or GeoJSON writes nested lists of corners. */
 struct Notation {
   const char *begin_list, *begin_corner, *between_numbers, *end_corner, *end_list;
   int decimals;
@@ -48,7 +48,7 @@ struct Notation {
   void
   write (const Eigen::Vector3d& corner, std::ostream& stream) const
   {
-    // A coordinate that is rounded to zero has no sign.
+    // Avoids -0.000 for a coordinate that is rounded to zero.
     const double smallest = 0.5 * std::pow (10.0, -decimals);
     const Eigen::Vector3d shown =
         (corner.array().abs() <= smallest).select (0.0, corner);
@@ -68,7 +68,8 @@ struct Notation {
     stream << end_list;
   }
 
-  /** \brief One polygon without the list around it, rings closed. */
+  /** \brief Returns polygons as text, with closed rings. A single polygon has no list
+   * around it. */
   std::string
   text (Polygons polygons) const
   {
@@ -86,7 +87,8 @@ struct Notation {
   }
 };
 
-/** \param[in] first, last positions of corners in the ring, which is closed */
+/** \brief Mean of the corners from first to last.
+ * \param[in] first, last indices of corners; from ring.size() on they wrap around */
 Eigen::Vector3d
 middleOf (const Ring& ring, std::size_t first, std::size_t last)
 {
@@ -96,7 +98,8 @@ middleOf (const Ring& ring, std::size_t first, std::size_t last)
   return middle + ring[first];
 }
 
-/** \brief Begins a ring with the corner farthest from the middle, which stays. */
+/** \brief Rotates a ring so that it begins with the corner farthest from the middle:
+ * simplification never removes the first corner. */
 void
 beginAtCorner (Ring& ring)
 {
@@ -110,7 +113,8 @@ beginAtCorner (Ring& ring)
 
 using Line = Eigen::ParametrizedLine<double, 3>;
 
-/** \brief The line fitted to corners as \ref middleOf has them. */
+/** \brief Fits a least squares line to the corners from first to last, with indices as
+ * in \ref middleOf. */
 Line
 lineAlong (const Ring& ring, std::size_t first, std::size_t last)
 {
@@ -124,15 +128,15 @@ lineAlong (const Ring& ring, std::size_t first, std::size_t last)
   return {middle, axes.eigenvectors().col (2)};
 }
 
-/** \brief Where two sides meet, or their corner where they are nearly parallel or meet
- * farther from it than the tolerance. */
+/** \brief Returns the point where two sides meet. Returns their old corner if the sides
+ * are nearly parallel or meet farther from that corner than the tolerance. */
 Eigen::Vector3d
 meetingOf (const Line& a,
            const Line& b,
            const Eigen::Vector3d& corner,
            double tolerance)
 {
-  constexpr double min_squared_sine = 0.07; // 15 degrees
+  constexpr double min_squared_sine = 0.07; // of 15 degrees
   const double cosine = a.direction().dot (b.direction());
   const double squared_sine = 1.0 - cosine * cosine;
   if (squared_sine < min_squared_sine)
@@ -147,8 +151,9 @@ meetingOf (const Line& a,
   return (meeting - corner).norm() <= tolerance ? meeting : corner;
 }
 
-/** \brief Moves the corners that are kept to where lines fitted to their sides meet: by
- * themselves they cut off what noise took from others. */
+/** \brief Moves the kept corners to where the lines fitted to their sides meet. Unmoved
+ * they would cut off area, as noise has moved some of the corners between them.
+ * \param[in] kept ascending indices of corners of the ring */
 Ring
 withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double tolerance)
 {
@@ -179,10 +184,10 @@ withFewerCorners (Ring ring, double tolerance)
   return kept.empty() ? Ring() : withFittedSides (ring, kept, tolerance);
 }
 
-/** \brief Leaves out corners that are near a straight line between others (Douglas &
- * Peucker), and moves those left to where lines fitted to the sides meet. Holes that
- * have no area then are left out; an outline that has none gets the largest half,
- * quarter, ... of the tolerance that leaves it one. */
+/** \brief Leaves out corners near a straight line between others (Douglas & Peucker),
+ * and moves the rest to where lines fitted to the sides meet. If fewer than three
+ * corners of the outline would be left, the tolerance is halved until three are, for
+ * the holes too. Holes with fewer than three corners left are dropped. */
 Rings
 simplified (const Rings& rings, double tolerance)
 {
@@ -207,7 +212,7 @@ using Json = nlohmann::ordered_json;
 
 const std::string prefix_of_crs = "EPSG:";
 
-/** \brief Whether it is EPSG:N with 1 to 7 digits. */
+/** \brief Whether the text is EPSG:N, with N of 1 to 7 digits. */
 bool
 isCrs (const std::string& text)
 {
@@ -219,7 +224,7 @@ isCrs (const std::string& text)
          number.find_first_not_of ("0123456789") == std::string::npos;
 }
 
-/** \brief A plane's columns and their values; lists are taken apart. */
+/** \brief Returns the names and values of a plane's columns, one number per column. */
 std::vector<std::pair<std::string, Json>>
 columnsOf (const Json& plane)
 {
@@ -249,13 +254,14 @@ columnsOf (const Json& plane)
       {"slope", plane.at ("slope")},
       {"aspect", plane.at ("aspect")},
       {"height", plane.at ("height")}};
-  // Of a piece: the plane it lies on.
+  // A piece also has the id of the plane it lies on.
   if (plane.contains ("plane"))
     columns.insert (columns.begin() + 1, {"plane", plane.at ("plane")});
   return columns;
 }
 
-/** \brief Three, or as many as a thousandth of the narrowest plane takes. */
+/** \brief Number of decimals of coordinates: 3, or more if a thousandth of the smallest
+ * width needs them; 12 at most. */
 int
 decimalsFor (const Json& planes)
 {
@@ -268,8 +274,9 @@ decimalsFor (const Json& planes)
   return static_cast<int> (std::min<double> (decimals, max_decimals));
 }
 
-/** \brief Simplified, counter-clockwise and its holes clockwise as seen from above, as
- * maps want it; vertical rings stay as they are. */
+/** \brief Returns the outlines of a plane, simplified if asked for. Seen from above
+ * they are counter-clockwise and holes clockwise, as maps require. A ring is not
+ * reversed if its area seen from above is 0. */
 Polygons
 outlineOf (const Json& plane, const MapOptions& options)
 {
@@ -286,7 +293,8 @@ outlineOf (const Json& plane, const MapOptions& options)
   return polygons;
 }
 
-/** \brief As "POLYGON Z ((x y z, ...), ...)" (OGC 06-103r4), or a MULTIPOLYGON Z. */
+/** \brief Returns the WKT "POLYGON Z ((x y z, ...), ...)" (OGC 06-103r4), or a
+ * MULTIPOLYGON Z. */
 std::string
 toWkt (const Polygons& polygons, int decimals)
 {
@@ -296,7 +304,7 @@ toWkt (const Polygons& polygons, int decimals)
          Notation{"(", "", " ", "", ")", decimals}.text (polygons);
 }
 
-/** \brief As a geometry of GeoJSON (RFC 7946); null for none. */
+/** \brief Returns a geometry of GeoJSON (RFC 7946); null without polygons. */
 std::string
 toGeoJsonGeometry (const Polygons& polygons, int decimals)
 {
@@ -307,8 +315,8 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals)
          Notation{"[", "[", ",", "]", "]", decimals}.text (polygons) + "}";
 }
 
-/** \brief Closed lines in space, as a polygon without area on the map is not valid (OGC
- * 06-103r4, 6.1.11.1): all rings of a facade. */
+/** \brief Returns all rings of a vertical plane, such as a facade, as closed lines: a
+ * polygon without area on the map is not valid (OGC 06-103r4, 6.1.11.1). */
 std::string
 toGeoJsonLines (const Polygons& polygons, int decimals)
 {
@@ -321,8 +329,8 @@ toGeoJsonLines (const Polygons& polygons, int decimals)
          Notation{"[", "[", ",", "]", "]", decimals}.text (Polygons{rings}) + "}";
 }
 
-/** \brief Whether rings hardly cover a map: less than a thousandth of what they would
- * lying flat. */
+/** \brief Whether a plane is named vertical, or its rings cover less than a thousandth
+ * of their area on the map. */
 bool
 isUpright (const Json& plane)
 {
@@ -335,7 +343,7 @@ std::string
 toCsv (const Json& planes, const MapOptions& options)
 {
   std::string csv;
-  // A list without planes has the columns of a plane, too.
+  // An empty list still gets the header of all columns.
   Json example = planeObject (0, {}, {}, {});
   if (!planes.empty())
     example = planes.front();
@@ -387,7 +395,7 @@ checkCanWrite (const std::string& map)
                           map + " on it");
 }
 
-/** \brief Where a plane goes down; null where it has no such direction. */
+/** \brief Returns the "aspect" of \ref planeObject, or null. */
 Json
 aspectOf (const PlaneSegment& plane, const Eigen::Vector3d& up)
 {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-/** \brief Vectors are lists of three numbers. */
+/** \brief Writes a vector to JSON as a list of three numbers. */
 template <>
 struct nlohmann::adl_serializer<Eigen::Vector3d> {
   template <typename Json>
@@ -37,10 +37,10 @@ struct nlohmann::adl_serializer<Eigen::Vector3d> {
 
 namespace pcl_ops::apps {
 
-/** \brief Corners of a closed line, the first not repeated. */
+/** \brief Corners of a closed polygon; the first corner is not repeated at the end. */
 using Ring = std::vector<Eigen::Vector3d>;
 
-/** \brief The outline of a plane, then its holes; none where it has no area. */
+/** \brief The outline of a plane, then its holes; empty for a plane without area. */
 using Rings = std::vector<Ring>;
 
 using Polygons = std::vector<Rings>;
@@ -50,12 +50,14 @@ class CommandLine;
 std::string
 jsonText (const nlohmann::ordered_json& json);
 
-/** \brief A FeatureCollection of GeoJSON (RFC 7946), one feature a line.
+/** \brief Returns a GeoJSON FeatureCollection (RFC 7946) with one feature per line.
+ * \param[in] features GeoJSON texts
  * \param[in] crs "EPSG:N", the reference system; empty: not named */
 std::string
 featureCollection (const std::vector<std::string>& features, const std::string& crs);
 
-/** \brief What to write to a .geojson or .gpkg (\ref geoPackageOf). */
+/** \brief Returns the content of a map file: a GeoPackage for a .gpkg (\ref
+ * geoPackageOf), else the GeoJSON text itself. */
 std::string
 mapFor (const std::string& file, const std::string& geo_json, const std::string& layer);
 
@@ -65,25 +67,26 @@ orientationCalled (const std::string& name);
 std::optional<PlaneKind>
 kindCalled (const std::string& name);
 
-/** \brief Turns normals up, but for those of vertical planes: for surveys, which no
- * single sensor has seen. */
+/** \brief Turns all normals up, except those of vertical planes. This is for surveys,
+ * which were not seen from one sensor position. */
 void
 turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up);
 
-/** \brief Turns each normal to the scanners that most points of the plane are from.
- * \param[in] scans of the cloud that planes are of, in their frame; none: leaves them
- */
+/** \brief Turns each normal to the side where the scanners of most inliers stood.
+ * \param[in] scans the scans of the cloud, in the frame of the planes; empty: the
+ * normals stay as they are */
 void
 turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scans);
 
-/** \brief A plane as the lists of planes have it; its points are those of its moments.
- * The slope is the angle to the horizontal [degree], 0 to 90; the aspect where the
- * plane goes down, clockwise from north, which is y [degree], 0 to 360, or null for a
- * level plane, and where z is not up; the height that of the centroid along the up axis
- * [unit of the cloud].
- * \param[in] kind among all planes of the cloud
+/** \brief Returns the JSON object of a plane in a list of planes. Its "points" is the
+ * count of the moments, not of the inliers. "slope" is the angle to the horizontal
+ * [degree], 0 to 90. "aspect" is the downhill direction (of a vertical plane the
+ * direction of its normal), clockwise from north, the y axis [degree], 0 to 360. It is
+ * null for a level plane, or if z is not up. "height" is the height of the centroid
+ * along the up axis [unit of the cloud].
+ * \param[in] kind as found among all planes of the cloud
  * \param[in] up unit vector against gravity, in the frame of the plane
- * \param[in] parts further outlines, beside the extent's hull */
+ * \param[in] parts further outlines, besides the hull of the extent */
 nlohmann::ordered_json
 planeObject (std::size_t id,
              const PlaneSegment& segment,
@@ -92,38 +95,41 @@ planeObject (std::size_t id,
              const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(),
              const Polygons& parts = {});
 
-/** \brief All parts of such an object. */
+/** \brief Reads all outlines of a \ref planeObject; empty if its hull is empty. */
 Polygons
 polygonsIn (const nlohmann::ordered_json& plane);
 
-/** \brief How a list of planes becomes a map. */
+/** \brief Options for writing a list of planes as a map. */
 struct MapOptions {
   /** \brief "EPSG:N", the reference system of the coordinates; empty: not named. */
   std::string crs;
-  /** \brief How near to a straight line corners are left out [unit of
-   * the cloud]. */
+  /** \brief Tolerance of the simplification of outlines [unit of the cloud]: corners
+   * this near to a straight line are left out. 0: keeps all. */
   double simplify = 0.0;
 };
 
 void
 declareMap (CommandLine& line, MapOptions& options);
 
-/** \param[out] meter its length in the unit of the clouds, where rules on buildings
- * need it */
+/** \param[out] meter units of the cloud in one meter, for the rules on buildings:
+ * 1000 for a cloud in millimeters */
 void
 declareMeter (CommandLine& line, double& meter);
 
-/** \param[in] maps other files that may name a reference system
- * \throws UsageError if an option was given that has no meaning to files so called */
+/** \param[in] planes file name of the list of planes
+ * \param[in] maps further outputs that may name a reference system
+ * \throws UsageError if --crs or --simplify is given but no file has a format for it,
+ * or if a file is a GeoPackage and this build has no SQLite */
 void
 checkMap (const CommandLine& line,
           const std::string& planes,
           const std::vector<std::string>& maps = {});
 
-/** \brief The text of a list of planes as the name of a file asks for: .json as it is;
- * .csv with the outline as the last column; .geojson and .gpkg with numbers as
- * properties, as GDAL's formats have no lists.
- * \param[in] list an object whose "planes" are those of \ref planeObject */
+/** \brief Returns a list of planes in the format that the extension of a file asks
+ * for. A .json gets the list unchanged. A .csv has the outline as its last column. In
+ * .geojson and .gpkg vectors are split into one number per property, as GDAL's formats
+ * have no lists.
+ * \param[in] list an object whose "planes" is an array of \ref planeObject */
 std::string
 planesFor (const std::string& file,
            const nlohmann::ordered_json& list,

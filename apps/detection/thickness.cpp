@@ -18,12 +18,12 @@ namespace {
 
 using Eigen::Vector3f;
 
-/** \brief Exact nearest neighbors by the bounding boxes of blocks of points, which take
- * hardly longer to make than to read the points. */
+/** \brief Exact nearest neighbor search by bounding boxes of blocks of 64 points. The
+ * boxes take hardly longer to compute than the points take to read. */
 class BlockSearch {
 public:
-  /** \param[in] sorts whether points that follow one another are first made neighbors:
-   * pays for many queries */
+  /** \param[in] sorts whether to sort the points first, as a k-d tree divides them, so
+   * that the boxes are small: pays for many queries */
   BlockSearch (const XyzCloud& cloud, bool sorts)
   {
     points_.reserve (cloud.size());
@@ -45,11 +45,11 @@ public:
     }
   }
 
-  /** \return as many as there are of \p count, in any order */
+  /** \return the \p count nearest points, or all if there are fewer, in any order */
   std::vector<Vector3f>
   nearest (const Vector3f& query, std::size_t count) const
   {
-    std::vector<float> distances; // squared, of the boxes
+    std::vector<float> distances; // squared, from the query to each box
     for (const Box& box : boxes_)
       distances.push_back (box.squaredExteriorDistance (query));
     const auto nearest_box = std::size_t (
@@ -69,7 +69,7 @@ public:
 
 private:
   using Box = Eigen::AlignedBox3f;
-  /** \brief A squared distance, and whose it is. */
+  /** \brief The squared distance and the index of a point. */
   using Candidate = std::pair<float, std::size_t>;
   static constexpr std::size_t block = 64;
 
@@ -83,7 +83,7 @@ private:
       box.extend (points_[i]);
     int axis = 0;
     box.sizes().maxCoeff (&axis);
-    // Blocks stay whole.
+    // The first half has a whole number of blocks.
     const std::size_t half = (last - first + block) / (2 * block) * block;
     const std::size_t middle = first + std::max (half, block);
     const auto begin = points_.begin();
@@ -96,7 +96,8 @@ private:
     sort (middle, last);
   }
 
-  /** \param[in,out] best a heap, the farthest first */
+  /** \brief Adds the points of a block to the best candidates.
+   * \param[in,out] best a heap of up to count candidates, the farthest at the front */
   void
   visit (std::size_t which,
          const Vector3f& query,
@@ -137,13 +138,14 @@ struct Surroundings {
   double scatter, spacing; // [m]
 };
 
-/** \brief Nothing where even the most of its neighbors are on a line. */
+/** \brief Noise and spacing of the neighborhood of a point; nothing if even the largest
+ * neighborhood is nearly a line. */
 std::optional<Surroundings>
 surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& search)
 {
   // The rings of a lidar are up to some twenty times as far apart as their points.
   const std::size_t most = 16 * fewest;
-  constexpr double min_width = 1.0 / 3.0; // by length
+  constexpr double min_width = 1.0 / 3.0; // as a share of the length
   constexpr double floor_by_spacing = 0.1;
   constexpr double pi = 3.14159265358979323846;
   for (std::size_t count = fewest; count <= most; count *= 2) {
@@ -159,7 +161,7 @@ surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& se
     const Eigen::Vector3d& variances = fit->variances;
     if (variances[1] < min_width * min_width * variances[2])
       continue;
-    // Even points fill an ellipse of area 4 pi sqrt (v1 v2).
+    // Points spread evenly over an ellipse: its area is 4 pi sqrt (v1 v2).
     const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]);
     const double spacing = std::sqrt (area / moments.count);
     const double scatter = std::sqrt (std::max (0.0, variances[0]) * moments.count /
@@ -182,11 +184,12 @@ hashOf (const pcl::PointXYZ& point)
   return hash;
 }
 
-/** \brief Chosen by their coordinates, whatever their order. */
+/** \brief Chooses up to \p count inliers by a hash of their coordinates, so that the
+ * choice does not depend on their order. */
 pcl::Indices
 someOf (const pcl::Indices& inliers, const XyzCloud& cloud, std::size_t count)
 {
-  std::vector<std::pair<std::uint64_t, pcl::index_t>> least; // a heap
+  std::vector<std::pair<std::uint64_t, pcl::index_t>> least; // a max-heap
   for (const pcl::index_t i : inliers) {
     least.emplace_back (hashOf (cloud[std::size_t (i)]), i);
     if (least.size() > count && least.back() >= least.front()) {
@@ -213,7 +216,7 @@ thicknessOf (const XyzCloud& cloud,
              const std::vector<PlaneSegment>& planes,
              std::size_t probes)
 {
-  // A quarter of a small plane: what is around it must not outweigh it.
+  // A quarter of a small plane: points around it must not outweigh its own.
   constexpr std::size_t min_neighbors = 20;
   constexpr std::size_t max_neighbors = 80;
   constexpr std::size_t share = 4;

@@ -10,17 +10,18 @@
 
 namespace pcl_ops::apps {
 
-/** \brief How far the points of a plane are from it, beside how far they are from the
- * planes of their own surroundings. */
+/** \brief The rms distance of the inliers to their plane, to be compared with the noise
+ * of small neighborhoods of the same inliers. */
 struct Thickness {
-  /** \brief About the plane [m]; NaN where the points span none. */
+  /** \brief Rms distance to the fitted plane [m]; NaN if the points span no plane. */
   double rms = std::numeric_limits<double>::quiet_NaN();
-  /** \brief The median over some points of the rms of their nearest neighbors about
-   * the plane fitted to these, with n - 3 degrees of freedom [m]. At least a tenth of
-   * the spacing, because this rms is 0 for exact points and for quantized depth. */
+  /** \brief Median noise of the neighborhoods of some inliers [m]. A plane is fitted to
+   * the nearest neighbors of each; the noise is their rms distance to it, with n - 3
+   * degrees of freedom. It is at least a tenth of the spacing, because the rms is 0 for
+   * exact points and for quantized depth. */
   double noise = rms;
-  /** \brief Median distance between neighbors on a regular grid as dense as these [m].
-   */
+  /** \brief Median spacing of the same neighborhoods: the distance between neighbors on
+   * a square grid of equal density [m]. */
   double spacing = rms;
 
   double
@@ -30,17 +31,19 @@ struct Thickness {
   }
 };
 
-/** \brief A plane is thick above this factor. True planes of rooms reach 4.0 and real
- * walls, tables and roofs 2.5, as noise that neighbors share grows with the distance;
- * hills, and parts of different planes taken for one, have 5 to 20. */
+/** \brief A plane is thick if its Thickness::factor is larger. True planes of rooms
+ * reach 4.0, and real walls, tables and roofs 2.5, as noise that neighbors share grows
+ * with the distance. Hills, and parts of different planes taken for one plane, have 5
+ * to 20. */
 constexpr double thick_factor = 5.0;
 
-/** \brief By the nearest neighbors in the whole cloud, which may be on other planes or
- * on none: 80, in planes of fewer than 320 points a quarter of these, but 20 at least;
- * twice as many, up to 16 times, while they are nearly on a line, like those of one
- * beam of a lidar. Independent of the order of the points.
+/** \brief Returns the thickness of each plane. A neighborhood has the 80 nearest points
+ * of the whole cloud, whether they are on the plane or not. For a plane of fewer than
+ * 320 inliers it has a quarter of their number, but at least 20. The size is doubled,
+ * up to 16 times the first one, while the points are nearly on a line, like those of
+ * one beam of a lidar. The result does not depend on the order of the points.
  * \param[in] planes with inliers and their moments
- * \param[in] probes how many points of each plane are looked at */
+ * \param[in] probes number of inliers of each plane that get a neighborhood */
 std::vector<Thickness>
 thicknessOf (const XyzCloud& cloud,
              const std::vector<PlaneSegment>& planes,

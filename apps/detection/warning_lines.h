@@ -12,15 +12,16 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What is doubtful about the results of a run, each kind in one line. */
+/** \brief Collects the warnings on all inputs of a run: one line per warning code. */
 class WarningLines {
 public:
-  /** \brief Adds those of one input. */
+  /** \brief Adds the warnings on one input. */
   void
   add (const std::string& input, const std::vector<ResultWarning>& warnings);
 
-  /** \brief At most three lines, those of most inputs first: "a.pcd and 11 others: what
-   * is doubtful about a.pcd; what to do". */
+  /** \brief Returns at most three lines, the code with the most inputs first. The text
+   * is that of the first input: "a.pcd and 11 others: what is doubtful about a.pcd;
+   * what to do". */
   std::vector<std::string>
   lines () const;
 
@@ -33,16 +34,16 @@ private:
   std::vector<Line> lines_;
 };
 
-/** \brief Puts before all others why a floor plan has no wall, if it has none: the unit
- * of the cloud, if that is doubtful, is then not told twice. */
+/** \brief If a floor plan has no wall, puts a warning with the reason first. A warning
+ * on the unit of the cloud becomes that reason, so that it is not printed twice. */
 void
 putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
 
-/** \brief What x and y are, as the reference system of a file says. */
+/** \brief Returns the unit of x and y by the reference system of a LAS file. */
 CoordinateUnit
 coordinateUnitOf (LasFile& las);
 
-/** \brief An array of objects with code and text. */
+/** \brief Returns a JSON array of objects with the keys code and text. */
 nlohmann::ordered_json
 warningsToJson (const std::vector<ResultWarning>& warnings);
 

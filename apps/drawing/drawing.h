@@ -30,29 +30,29 @@ struct DrawnLine {
 
 struct DrawnText {
   std::string layer;
-  /** \brief Its middle. */
+  /** \brief Position of its middle. */
   Eigen::Vector3d at;
   /** \brief In UTF-8, one line. */
   std::string text;
-  /** \brief Of capital letters [m]. */
+  /** \brief Height of capital letters [m]. */
   double height;
 };
 
-/** \brief In meters. */
+/** \brief Lines and texts on layers, in meters. */
 struct Drawing {
   std::vector<Layer> layers;
   std::vector<DrawnLine> lines;
   std::vector<DrawnText> texts;
 };
 
-/** \brief As ASCII DXF of AutoCAD 2000 (AC1015), which all programs read, in meters
- * ($INSUNITS 6): LINE, LWPOLYLINE where all is at height 0, else POLYLINE in space, and
- * TEXT. */
+/** \return ASCII DXF of AutoCAD 2000 (AC1015), which all programs read, in meters
+ * ($INSUNITS 6): TEXT, LINE between two corners, LWPOLYLINE where all z are 0, else
+ * POLYLINE in space */
 std::string
 toDxf (const Drawing& drawing);
 
-/** \brief As SVG on paper from above, at the largest of the usual scales at which it
- * fits on A3, with a bar of the scale. */
+/** \return SVG of the drawing from above, at the largest usual scale (1:20, 1:50, ...)
+ * at which it fits on A3, with a scale bar */
 std::string
 toSvg (const Drawing& drawing, const std::string& title);
 

@@ -32,7 +32,7 @@ bytesThatFollow (unsigned char first)
   return first >= first_of_two ? 1 : 0;
 }
 
-/** \brief Text in ASCII: other characters as \U+XXXX, as DXF has them. */
+/** \brief Text in ASCII, with other characters as \U+XXXX, which DXF reads. */
 std::string
 asciiOf (const std::string& text)
 {
@@ -80,7 +80,7 @@ public:
     return put (code, at.x()).put (code + to_y, at.y()).put (code + to_z, at.z());
   }
 
-  /** \return its handle */
+  /** \brief Begins an object. \return its handle */
   std::string
   object (const char* type, const std::string& owner)
   {
@@ -107,7 +107,7 @@ private:
   unsigned last_handle_ = 0x1f;
 };
 
-// Handles that others name before they are written.
+// Handles of objects that others refer to before they are written.
 constexpr const char *root = "C", *groups = "D", *model_space = "1F",
                      *paper_space = "1B", *none = "0";
 
@@ -141,7 +141,7 @@ putHeader (const Eigen::AlignedBox3d& box, DxfText& dxf)
   dxf.put (0, "SECTION").put (2, "CLASSES").put (0, "ENDSEC");
 }
 
-/** \brief A table; \p put_entries gets the table's handle. */
+/** \brief Writes a table; \p put_entries gets the table's handle. */
 template <typename PutEntries>
 void
 putTable (const char* name, int size, DxfText& dxf, const PutEntries& put_entries)

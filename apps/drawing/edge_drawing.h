@@ -7,12 +7,12 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Edges in space, on a layer EDGE. */
+/** \brief A drawing of the edges in space on a layer EDGE, without corners. */
 Drawing
 drawingOf (const PlaneEdges& edges);
 
 /** \brief Edges as lines, then corners as points, in space.
- * \param[in] edges numbered as labels are
+ * \param[in] edges with the planes numbered as labels are, from 1
  * \param[in] crs "EPSG:N" or empty */
 std::string
 edgesToGeoJson (const PlaneEdges& edges, const std::string& crs);

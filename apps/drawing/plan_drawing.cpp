@@ -37,7 +37,7 @@ heightOf (const PlanRoom& room)
   return *room.ceiling - *room.floor;
 }
 
-/** \brief How high texts are that can be read beside all there is of a plan [m]. */
+/** \brief Height of texts that are readable when the whole plan is shown [m]. */
 double
 largestText (const FloorPlan& plan)
 {
@@ -49,15 +49,15 @@ largestText (const FloorPlan& plan)
   return box.isEmpty() ? usual : std::max (usual, share * box.diagonal().norm());
 }
 
-/** \brief Area, and below it the height, that fit into the room.
- * \param[in] largest height of the texts [m] */
+/** \brief Adds a room's area and, below it, its height, in letters that fit into it.
+ * \param[in] largest height of the letters at most [m] */
 void
 addTexts (const PlanRoom& room, double largest, Drawing& drawing)
 {
   constexpr double share_of_width = 0.08;
   const double size = std::min (largest, share_of_width * std::sqrt (room.area));
   std::vector<std::string> lines = {str (boost::format ("%.2f m\u00b2") % room.area)};
-  constexpr double closed = 0.95; // of the outline
+  constexpr double closed = 0.95; // share of the outline
   if (room.enclosed < closed)
     lines.front() += ", open";
   if (const std::optional<double> height = heightOf (room))
@@ -74,15 +74,14 @@ addTexts (const PlanRoom& room, double largest, Drawing& drawing)
   }
 }
 
-/** \brief To the millimeter, as plans are; a place that is rounded to zero has no sign.
- */
+/** \brief Rounds to millimeters, as usual in plans; + 0.0 turns -0 into 0. */
 double
 rounded (double length)
 {
   return std::round (millimeters_of_meter * length) / millimeters_of_meter + 0.0;
 }
 
-/** \brief In the unit of the cloud, which the system of coordinates has. */
+/** \brief Coordinates in the unit of the cloud, as in its reference system. */
 Json
 toCoordinates (const Eigen::Vector2d& place, double meter)
 {
@@ -126,7 +125,7 @@ wallFeature (const PlanWall& wall,
                      {"planes", planes}});
 }
 
-/** \brief "1 3", the numbers of the rooms at positions, from 1 on. */
+/** \brief The numbers of rooms, their positions plus 1, like "1 3". */
 std::string
 numbersOf (const std::vector<std::size_t>& rooms)
 {
@@ -136,7 +135,7 @@ numbersOf (const std::vector<std::size_t>& rooms)
   return numbers;
 }
 
-/** \brief The number of the room at a position, from 1 on. */
+/** \brief The number of a room, its position plus 1; null for no room. */
 Json
 numberOrNull (const std::optional<std::size_t>& room)
 {

@@ -9,19 +9,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief "12 walls, 3 rooms, 41.2 m2". */
+/** \brief The size of a plan as text: "12 walls, 3 rooms, 41.2 m2". */
 std::string
 contentOf (const FloorPlan& plan);
 
-/** \brief A plan with layers WALL, OPENING, ROOM, UNSEEN and TEXT: parts of walls,
- * their gaps, outlines of rooms, their parts without a wall (dashed), area and height
- * of each room. */
+/** \brief A plan on five layers: WALL has the solid parts of walls, OPENING the gaps
+ * between them, ROOM the outlines of rooms, UNSEEN the parts of outlines without a wall
+ * (dashed), and TEXT area and height of each room. */
 Drawing
 drawingOf (const FloorPlan& plan);
 
-/** \brief A plan as a map: walls (lines between their openings), openings (lines) and
- * rooms (polygons), told apart by the property "layer". Properties are in meters,
- * coordinates in the unit of the cloud.
+/** \brief A plan as a map: walls (lines between their openings), openings (lines),
+ * rooms (polygons) and their outlines without a wall (lines). The property "layer" has
+ * the kind. Properties are in meters, coordinates in the unit of the cloud.
  * \param[in] ids of the planes
  * \param[in] crs "EPSG:N" or empty
  * \param[in] meter the length of a meter in the unit of the cloud */
@@ -31,7 +31,7 @@ planToGeoJson (const FloorPlan& plan,
                const std::string& crs,
                double meter);
 
-/** \brief Writes a plan as the name of the file asks for: .dxf, .svg, .geojson or
+/** \brief Writes a plan in the format of the file's extension: .dxf, .svg, .geojson or
  * .gpkg. Drawings are in meters.
  * \throws WorkError if it cannot be written */
 void

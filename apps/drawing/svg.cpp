@@ -42,7 +42,7 @@ escaped (const std::string& text)
   return written;
 }
 
-/** \brief From meters to millimeters of paper, with y down. */
+/** \brief Transforms meters to millimeters on paper, where y points down. */
 struct Paper {
   Eigen::AlignedBox2d box;
   double scale;
@@ -57,7 +57,7 @@ struct Paper {
   Eigen::Vector2d
   size () const
   {
-    constexpr double foot = 12.0; // for the bar
+    constexpr double foot = 12.0; // for the scale bar [mm]
     return (millimeters / scale * box.sizes()).array() + 2.0 * margin +
            Eigen::Array2d (0.0, foot);
   }
@@ -85,7 +85,7 @@ paperFor (const Drawing& drawing)
 void
 putBar (const Paper& paper, std::ostream& svg)
 {
-  // As long as 5 cm at most, of 1, 2 or 5 times a power of ten.
+  // At most 5 cm on paper, and 1, 2 or 5 times a power of ten [m].
   const double longest = 50.0 * paper.scale / millimeters;
   double length = std::pow (10.0, std::floor (std::log10 (longest)));
   for (const double factor : {5.0, 2.0})

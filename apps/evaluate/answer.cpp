@@ -14,7 +14,7 @@ namespace {
 std::string
 cellOf (const Answer& value)
 {
-  const std::string text = value.dump(); // of NaN, too, null
+  const std::string text = value.dump(); // NaN becomes null, too
   return text == "null"            ? "-"
          : value.is_number_float() ? decimal (value, 4)
          : value.is_string()       ? value.get<std::string>()
@@ -38,7 +38,7 @@ tableOf (const std::string& title, const Answer& list)
   std::string rule;
   std::vector<std::string> rows (list.size());
   for (const auto& [name, ignored] : list[0].items()) {
-    std::size_t width = std::max<std::size_t> (3, name.size()); // the least in Markdown
+    std::size_t width = std::max<std::size_t> (3, name.size()); // Markdown needs 3
     for (const Answer& object : list)
       width = std::max (width, cellOf (object[name]).size());
     const bool is_first = header.empty();

@@ -13,14 +13,14 @@ using Answer = nlohmann::ordered_json;
 std::string
 decimal (double number, int decimals);
 
-/** Objects of the same keys in Markdown with aligned columns, to be read
- * in a terminal, too: - for null, four decimals for floating-point numbers.
- * \param[in] list one object at least */
+/** Returns a Markdown table with a row for each object. Columns are aligned, to be
+ * readable in a terminal, too. Null is "-"; floating-point numbers have four decimals.
+ * \param[in] list at least one object, all with the same keys */
 std::string
 tableOf (const std::string& title, const Answer& list);
 
-/** Prints what a command found: as JSON, or as a line for each value and a table for
- * each list of objects. */
+/** Prints the result of a command, as JSON or as text: a line for each value and a
+ * table for each list of objects. */
 void
 print (const Answer& answer, bool as_json);
 

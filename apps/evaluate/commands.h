@@ -7,7 +7,7 @@
 
 namespace pcl_ops::evaluation {
 
-/** A command of pcl_ops_evaluate, which explains itself by --help. */
+/** A command of pcl_ops_evaluate; each has a --help of its own. */
 struct Command {
   std::string name, arguments, summary;
   /** \return the exit code */
@@ -26,13 +26,13 @@ planesCommand (int argc, const char* const* argv);
 int
 trackCommand (int argc, const char* const* argv);
 
-/** Those about results of users; lab/evaluation adds those about detectors. */
+/** Returns the commands on results of users; lab/evaluation adds those on detectors. */
 std::vector<Command>
 commandsForResults ();
 
-/** Runs the command that the arguments of the program name.
+/** Runs the command that the first argument of the program names.
  * \return the exit code
- * \throw apps::UsageError if they name none */
+ * \throw apps::UsageError if the command is missing or unknown */
 int
 runCommand (const std::vector<Command>& commands, int argc, const char* const* argv);
 

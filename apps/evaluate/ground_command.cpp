@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Planes beside a truth of classes: how well those that are the ground are found.
+// The command ground: compares planes taken for the ground with true classes of points.
 #include <pcl/common/point_tests.h>
 
 #include "answer.h"
@@ -36,7 +36,7 @@ partsOf (const std::string& list)
   return parts;
 }
 
-/** \throw UsageError of the option if the list has what is no class */
+/** \throw UsageError naming the option if the list has anything but class numbers */
 Classes
 classesIn (const std::string& option, const std::string& list)
 {
@@ -46,7 +46,7 @@ classesIn (const std::string& option, const std::string& list)
   return classes;
 }
 
-/** \throw UsageError if the list has what no plane is named */
+/** \throw UsageError if a name in the list is no kind of plane, or is there twice */
 std::set<PlaneKind>
 kindsIn (const std::string& list)
 {
@@ -66,16 +66,16 @@ kindsIn (const std::string& list)
 }
 
 struct GroundRules {
-  /** Of SemanticKITTI: road, parking, sidewalk, other ground, lane marking, terrain;
-   * and unlabeled, outlier, vegetation, as Patchwork++ counts them (Lee, Lim & Myung,
-   * IROS 2022, section IV-A). */
+  /** Classes of SemanticKITTI. Ground: road, parking, sidewalk, other ground, lane
+   * marking, terrain. Ignored: unlabeled, outlier, vegetation, as for Patchwork++ (Lee,
+   * Lim & Myung, IROS 2022, section IV-A). */
   Classes ground = {40, 44, 48, 49, 60, 72};
   Classes ignored = {0, 1, 70};
   std::set<PlaneKind> kinds = {PlaneKind::Floor, PlaneKind::Ramp};
   Vector3d up = Vector3d::UnitZ();
 };
 
-/** Of each point, whether it is on a plane of one of the kinds. */
+/** Returns for each point whether it is on a plane of one of GroundRules::kinds. */
 std::vector<bool>
 groundFound (const LabeledCloud& result, const GroundRules& rules)
 {
@@ -91,10 +91,10 @@ groundFound (const LabeledCloud& result, const GroundRules& rules)
   return is_ground;
 }
 
-/** Points of a class. */
+/** Numbers of points of a true class. */
 struct ClassCounts {
   std::size_t points = 0;
-  /** Those on planes that are taken for the ground. */
+  /** Points on planes that are taken for the ground. */
   std::size_t as_ground = 0;
 };
 
@@ -114,7 +114,7 @@ countsByClass (const LabeledCloud& truth, const std::vector<bool>& is_ground)
   return counts;
 }
 
-/** NaN, which is printed as -, where there is nothing that has a share. */
+/** Returns part / whole; NaN, which is printed as -, if whole is 0. */
 double
 shareOf (std::size_t part, std::size_t whole)
 {

@@ -27,7 +27,7 @@ labelNumbersIn (const pcl::PCLPointCloud2& cloud,
     throw WorkError (file, "has no field " + name + "; give a cloud with labels");
   const pcl::PCLPointField& field = cloud.fields[std::size_t (index)];
   const NumberType& type = numberType (field.datatype);
-  // Double precision is that of texts, which have no other.
+  // All columns of text files are read as doubles.
   const bool is_integer = type.kind != 'F' && type.size <= 4;
   if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
     throw WorkError (file,
@@ -88,7 +88,8 @@ loadLabeledClouds (const std::string& truth_file,
                          " points, the truth " + std::to_string (truth.cloud->size()) +
                          "; give two labelings of the same cloud");
   const Vector3d shift = result.shift - truth.shift;
-  // Share of the cloud's diagonal by which rounding in a text file may move a point.
+  // Rounding in a text file may move a point by this share of the diagonal of the
+  // bounding box.
   constexpr double max_rounding = 1e-3;
   pcl::PointXYZ lowest;
   pcl::PointXYZ highest;

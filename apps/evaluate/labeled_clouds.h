@@ -10,34 +10,37 @@
 
 namespace pcl_ops::evaluation {
 
-/** Every point in the file's order. */
+/** A cloud with a label for each point, in the order of the file. */
 struct LabeledCloud : apps::ShiftedCloud {
   PlaneLabels labels = {};
 };
 
-/** The numbers of a field of a cloud, which is integer or, of a text, a column of that
- * name.
- * \throw apps::WorkError naming the file that has no such field */
+/** Returns the numbers of a field. Its type is an integer of up to 4 bytes or, as in
+ * text files, double.
+ * \throw apps::WorkError naming the file if it has no such field, or of another type */
 std::vector<double>
 labelNumbersIn (const pcl::PCLPointCloud2& cloud,
                 const std::string& file,
                 const std::string& name = "label");
 
-/** The same as whole numbers from 0 on.
- * \throw apps::WorkError naming the file that has no such field, or other numbers */
+/** Returns the numbers of a field as labels.
+ * \throw apps::WorkError as \ref labelNumbersIn, or if a number is no whole number from
+ * 0 to 2^32 - 1 */
 PlaneLabels
 labelsIn (const pcl::PCLPointCloud2& cloud,
           const std::string& file,
           const std::string& name = "label");
 
-/** By \ref apps::loadCloud and \ref labelsIn.
- * \param[in] needs_labels whether a cloud without labels is refused */
+/** Loads a cloud with the labels of its field label (\ref labelsIn), and warns if it
+ * looks damaged.
+ * \param[in] needs_labels false: a cloud without that field gets empty labels */
 LabeledCloud
 loadLabeledCloud (const std::string& file, bool needs_labels);
 
-/** \param[in] min_plane_points true planes with fewer points become none
- * \throw apps::WorkError naming the file that has no labels, or \p result_file if the
- * points or their order differ */
+/** Loads the truth and the result, two labelings of the same cloud.
+ * \param[in] min_plane_points points of smaller true planes get label 0
+ * \throw apps::WorkError naming the file that has no labels, or \p result_file if its
+ * points or their order differ from the truth */
 std::pair<LabeledCloud, LabeledCloud>
 loadLabeledClouds (const std::string& truth_file,
                    const std::string& result_file,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The commands about labeled clouds beside their truth: compare, and track for
-// sequences.
+// The commands that compare labeled clouds with their truth: compare, and track for
+// sequences of clouds.
 #include "answer.h"
 #include "commands.h"
 #include "labeled_clouds.h"
@@ -25,7 +25,7 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/** \tparam Size a whole number of points, or a width */
+/** \tparam Size type of the size: a whole number of points, or a width [m] */
 template <typename Size>
 Answer
 answerOf (const SizeClasses& classes, const char* from)
@@ -53,7 +53,7 @@ answerOf (const Metrics& metrics)
   return answer;
 }
 
-/** As one cloud of a sequence shows it, in the common frame. */
+/** A plane as fitted in one cloud of a sequence, in the common frame of the poses. */
 struct PlaneSighting {
   Vector3d centroid, normal;
   PlaneCovariance covariance;
@@ -72,8 +72,8 @@ sightingOf (const XyzCloud& cloud,
       pose * plane.centroid, pose.linear() * plane.normal, *covariance};
 }
 
-/** Of true planes those count that are found in two clouds and more: by one plane with
- * more than half of their common points in common. */
+/** Counts how often found planes keep their number. A true plane is found in a cloud if
+ * a found plane has an intersection over union above 0.5 with it. */
 struct KeptNumbers {
   struct History {
     std::set<std::uint32_t> numbers;
@@ -82,16 +82,18 @@ struct KeptNumbers {
     std::optional<PlaneSighting> seen;
   };
 
-  /** By the label of the true plane. */
+  /** Keys are the labels of true planes. */
   std::map<std::uint32_t, History> histories;
-  /** Also of planes that are no true ones. */
+  /** All numbers in the results, also those of planes that match no true plane. */
   std::set<std::uint32_t> numbers;
-  /** Times a true plane is found again, and has the number it had before. */
+  /** How often a true plane is found again, and how often with the number it had at its
+   * last sighting. */
   std::size_t sightings = 0, sightings_kept = 0;
-  /** How far sightings that keep their number differ from the one before, over what
-   * their covariances allow: absolute values with a median of 0.67 and 90 % below 1.64
-   * if covariances are right and errors have a normal distribution. Of the height of
-   * the second's centroid over the first, and of the slopes along both axes of it. */
+  /** Differences between two successive sightings with the same number, as absolute
+   * values divided by their standard deviations. If covariances are right and errors
+   * have a normal distribution, the median is 0.67 and 90 % are below 1.64. Offset: the
+   * height of the second centroid over the first plane. Tilt: the slopes of the second
+   * plane along both axes of the first. */
   std::vector<double> offset_errors, tilt_errors;
 
   void
@@ -104,7 +106,7 @@ struct KeptNumbers {
                              : std::vector<PlaneSegment>();
     numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
     for (const Overlap& overlap : confusion.overlaps) {
-      constexpr double half = 0.5; // above, there is one partner at most
+      constexpr double half = 0.5; // above it a plane has at most one partner
       if (confusion.iou (overlap) <= half)
         continue;
       History& history = histories[confusion.truth.label[overlap.truth]];
@@ -133,8 +135,9 @@ struct KeptNumbers {
     const Vector3d between = second.centroid - first.centroid;
     const double cosine = second.normal.dot (first.normal);
     const Eigen::Vector2d slopes = -axes.transpose() * second.normal / cosine;
-    // Heights a + b s + c t of the first where the second's centroid is; slopes of the
-    // second along the axes of the first, its height along the normal of the first.
+    // Errors (slope along u, slope along v, offset), u and v the axes of the first
+    // plane. Its errors are moved to the second centroid; those of the second plane are
+    // turned to u and v.
     Matrix3d of_first = Matrix3d::Identity();
     of_first.bottomLeftCorner<1, 2>() = (axes.transpose() * between).transpose();
     Matrix3d of_second = Matrix3d::Identity();
@@ -182,7 +185,7 @@ keptIn (const std::string& truth_folder,
 Answer
 answerOf (const KeptNumbers& kept)
 {
-  std::size_t planes = 0; // found in two clouds and more
+  std::size_t planes = 0; // found in at least two clouds
   std::size_t planes_kept = 0;
   for (const auto& [label, history] : kept.histories) {
     if (history.sightings < 2)

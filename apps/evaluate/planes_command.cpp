@@ -27,10 +27,11 @@ using Eigen::Vector3d;
 
 constexpr const char* fix =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
-/** Beyond any cloud in single precision, and its fourth power is finite. */
+/** Largest number accepted: above any float, while its fourth power is a finite double.
+ */
 constexpr double largest = 1e40;
 
-/** A value in a file, with the keys that lead to it. */
+/** A JSON value with its file and its path of keys, for messages. */
 struct Entry {
   const std::string& file;
   std::string name;
@@ -93,9 +94,12 @@ struct Entry {
 
 using Ring = std::vector<Vector3d>;
 
-/** Moves a plane to the middle of its outline, with the moments of points spread evenly
- * inside. A plane without an outline counts as 1000 km wide.
- * \param[in] rings counter-clockwise, holes clockwise */
+/** Moves the centroid of a plane to that of the area of its outline, and sets the
+ * moments of points spread evenly inside. Without an outline the standard deviation
+ * along the plane is 1000 km.
+ * \param[in] rings counter-clockwise, holes clockwise
+ * \param[in] rms distance of the points to the plane
+ * \param[in] count number of points of the moments */
 void
 setExtent (const std::vector<Ring>& rings,
            double rms,
@@ -113,8 +117,8 @@ setExtent (const std::vector<Ring>& rings,
       Matrix3d corners;
       corners << ring[0], ring[i], ring[i + 1];
       corners.colwise() -= plane.centroid;
-      // Signed, so that holes and the triangles outside a hollow outline are taken
-      // away.
+      // The area is signed: holes, and triangles outside a concave outline, are
+      // subtracted.
       const Vector3d edge = corners.col (1) - corners.col (0);
       const Vector3d other = corners.col (2) - corners.col (0);
       const Vector3d total = corners.rowwise().sum();
@@ -142,7 +146,7 @@ ringOf (const Entry& entry)
   return ring;
 }
 
-/** Adds the outline of a plane, or of one of its parts, and the holes of it. */
+/** Adds the outline of a plane, or of one of its parts, and its holes. */
 void
 addRings (const Entry& entry, std::vector<Ring>& rings)
 {
@@ -156,7 +160,7 @@ addRings (const Entry& entry, std::vector<Ring>& rings)
 PlaneSegment
 planeOf (const Entry& entry)
 {
-  constexpr double most_points = 1e15; // has the digits of a whole number
+  constexpr double most_points = 1e15; // below 2^53: exact as double
   PlaneSegment plane;
   const double count = entry.at ("points").number (1.0, most_points);
   const double rms = entry.at ("rms").number (0.0);
@@ -179,7 +183,7 @@ planeOf (const Entry& entry)
   return plane;
 }
 
-/** Without inliers. */
+/** Planes of a file with their ids; the planes have no inliers. */
 struct PlaneList {
   std::vector<std::uint64_t> ids;
   std::vector<PlaneSegment> planes;
@@ -202,8 +206,8 @@ loadPlaneList (const std::string& file)
   return list;
 }
 
-/** Matches planes in a frame whose origin is the middle of the first result, as
- * matchPlanes takes the error of a rotation to be about the origin. */
+/** Matches planes in a frame whose origin is the mean centroid of the first result: for
+ * matchPlanes the rotation error of the pose is about the origin. */
 PlaneMatches
 matchAboutMiddle (std::vector<PlaneSegment> first,
                   std::vector<PlaneSegment> second,

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Finds planes without a copy of the points: in the bytes of a PointCloud2 and in a
-// scan of KITTI. It links pcl_ops::core, and with that no library of PCL.
-#include <pcl/PCLPointCloud2.h> // a header alone, for want of sensor_msgs here
+// Reads a scan of KITTI into the bytes of a PointCloud2 and finds planes in them,
+// without a copy of the points. It links only pcl_ops::core, and no library of PCL.
+#include <pcl/PCLPointCloud2.h> // header only, in place of sensor_msgs
 
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <fstream>
 
-/** \brief Of a sensor_msgs::msg::PointCloud2, or one of ROS 1, whose x, y and z are
- * float32 side by side, as drivers have them. */
+/** \brief Returns a view of a PointCloud2 message of ROS 1 or ROS 2. Its fields x, y
+ * and z must be float32 side by side, as drivers write them. */
 template <typename PointCloud2>
 static pcl_ops::CloudView
 viewOf (const PointCloud2& message)

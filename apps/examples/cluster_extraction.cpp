@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// PCL's tutorial on cluster extraction, twice: with its loop of SACSegmentation, which
-// takes the planes out one by one, and with one call of pcl_ops in place of the loop.
-// The lengths are those of the tutorial [m]. Prints the time of both.
+// PCL's tutorial on cluster extraction, done twice. The first time a loop of
+// SACSegmentation removes the planes one by one, as in the tutorial. The second time
+// one call of pcl_ops replaces the loop. Lengths are those of the tutorial [m]. Prints
+// the duration of both.
 #include <pcl/common/time.h>
 #include <pcl/filters/extract_indices.h>
 #include <pcl/filters/voxel_grid.h>
@@ -53,7 +54,7 @@ clustersOf (const Cloud::Ptr& cloud)
   return clusters;
 }
 
-/** The points on no plane, as the tutorial finds them. */
+/** Returns the points on no plane, by the loop of the tutorial. */
 static Cloud::Ptr
 restByLoop (const Cloud::Ptr& cloud, std::size_t& planes)
 {
@@ -76,7 +77,7 @@ restByLoop (const Cloud::Ptr& cloud, std::size_t& planes)
   return rest;
 }
 
-/** The points on no plane, by one call of pcl_ops. */
+/** Returns the points on no plane, by one call of pcl_ops. */
 static Cloud::Ptr
 restByOps (const Cloud::Ptr& cloud, std::size_t& planes)
 {

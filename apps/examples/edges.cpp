@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Finds the edges and corners where planes meet, as a wireframe of the scene, and
-// prints them with the planes they belong to.
+// Finds the edges and corners where planes meet, a wireframe of the scene, and prints
+// them with the indices of their planes.
 #include <pcl/common/angles.h>
 #include <pcl/io/pcd_io.h>
 
@@ -25,7 +25,7 @@ main (int argc, char** argv)
   if (!ops.segment (planes))
     return 1;
 
-  // Distances follow the noise and the density of the planes, unless they are given.
+  // Other distances follow the noise and point density of the planes by default.
   pcl_ops::PlaneEdgeParameters parameters;
   parameters.min_length = 0.2;
   const pcl_ops::PlaneEdges found =

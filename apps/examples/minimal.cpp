@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// All planes of a cloud.
+// Finds all planes of a cloud and prints their equations.
 #include <pcl/io/pcd_io.h>
 
 #include <pcl_ops/oriented_point_sampling.h>

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What noise clouds show where: their points in the colors of the noise around their planes.
+# Draws clouds from above, each point in a color for the noise around its plane.
 import sys
 
 import matplotlib

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The plane model that needs a single oriented point, in PCL's own estimators.
+// Uses the plane model for one oriented point (a point with its normal) in PCL's RANSAC
+// and PROSAC.
 #include <pcl/common/io.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/filters/voxel_grid.h>
@@ -48,7 +49,8 @@ main (int argc, char** argv)
   normals.compute (*cloud);
 
   const Model::Ptr all (new Model (cloud));
-  // PROSAC draws from the front: flat neighborhoods have the best normals.
+  // PROSAC draws from the front of the indices. Flat neighborhoods come first, as they
+  // have the best normals.
   pcl::Indices by_flatness = *all->getIndices();
   std::sort (by_flatness.begin(), by_flatness.end(), [&] (auto a, auto b) {
     return (*cloud)[a].curvature < (*cloud)[b].curvature;

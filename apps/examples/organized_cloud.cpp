@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rows and columns of a depth image as the neighbor search of the paper's OPS.
+// Times two neighbor searches for the paper's OPS on a depth image: GridSearch, and
+// OrganizedNeighbor, which uses the rows and columns.
 #include <pcl/io/pcd_io.h>
 #include <pcl/search/organized.h>
 
@@ -41,7 +42,7 @@ main (int argc, char** argv)
 
   Ops ops;
   ops.setInputCloud (cloud);
-  // Only Sampling::Points asks for neighbors; the default does without.
+  // Only Sampling::Points, the paper's preset, uses the search method.
   ops.setParameters (pcl_ops::OrientedPointSamplingParameters::paper());
   bool done = print ("GridSearch", ops);
   using OrganizedNeighbor = pcl::search::OrganizedNeighbor<pcl::PointXYZ>;

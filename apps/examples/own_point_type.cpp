@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A point type PCL does not know: the library's bodies are compiled for it here.
+// Uses a point type that PCL does not know: PCL_NO_PRECOMPILE makes this file compile
+// the templates of PCL and pcl_ops for it.
 #define PCL_NO_PRECOMPILE
 #include <pcl/io/pcd_io.h>
 #include <pcl/register_point_struct.h>
@@ -27,7 +28,7 @@ main (int argc, char** argv)
     std::fprintf (stderr, "Usage: own_point_type CLOUD.pcd\n");
     return 2;
   }
-  // Where the file has no temperatures: a room that is warmer by 2 degrees a meter up.
+  // If the file has no temperatures: 20 degrees, and 2 more per meter of height.
   for (ThermalPoint& point : *cloud)
     if (!(point.temperature > 0.0f))
       point.temperature = 20.0f + 2.0f * point.z;

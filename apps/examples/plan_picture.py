@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Floor plans over the points that their walls are cut from, from above.
+# Draws floor plans, seen from above, over the points near the height of the cut.
 import sys
 
 import matplotlib
@@ -12,7 +12,7 @@ from pcl_ops import buildings
 matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
 
-CUT = 1.2  # over the lowest floor [m], that of plans
+CUT = 1.2  # height above the lowest floor [m], as in floor plans
 
 
 def draw_line(axes, start, end, **style):

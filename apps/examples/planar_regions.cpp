@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where planes end: as PCL's planar regions, and with their areas.
+// Prints where planes end: as PCL's planar regions, and as rectangles with areas.
 #include <pcl/io/pcd_io.h>
 
 #include <pcl_ops/oriented_point_sampling.h>
@@ -22,7 +22,7 @@ main (int argc, char** argv)
   Ops ops;
   ops.setInputCloud (cloud);
 
-  // For programs that have worked with pcl::OrganizedMultiPlaneSegmentation.
+  // The same type of result as pcl::OrganizedMultiPlaneSegmentation gives.
   Ops::PlanarRegions regions;
   if (!ops.segment (regions))
     return 1;
@@ -30,7 +30,8 @@ main (int argc, char** argv)
                regions.size(),
                regions.empty() ? 0 : regions.front().getContour().size());
 
-  // Tables are found by their size: sides of the smallest rectangle, area of the hull.
+  // The sides of the smallest rectangle around a plane and the area of its convex hull
+  // tell whether it may be a table.
   std::vector<pcl_ops::PlaneSegment> planes;
   ops.segment (planes);
   for (const pcl_ops::PlaneSegment& plane : planes) {

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The planes of an array, and a picture of them.
+# Finds the planes of an array of points and draws a picture of them.
 import sys
 
 import matplotlib
@@ -32,7 +32,7 @@ def draw(axes, points, labels, planes):
     axes.scatter(*points[some].T, s=0.5, c=colors[some])
     for plane in planes:
         axes.plot(*np.vstack([plane.hull, plane.hull[:1]]).T, color="black", linewidth=1)
-    # More words would lie over one another.
+    # Labels of more planes would overlap.
     for plane in planes[:6]:
         axes.text(*plane.centroid, f"{plane.orientation}\n{plane.area:.1f} m²", ha="center")
     axes.set_box_aspect(np.ptp(points[np.isfinite(points).all(axis=1)], axis=0))

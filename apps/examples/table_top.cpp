@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The table before a depth camera, and what stands on it, frame after frame.
+// Finds a table in front of a depth camera and the objects on it, frame by frame.
 #include <pcl/io/pcd_io.h>
 #include <pcl/segmentation/extract_polygonal_prism_data.h>
 
@@ -14,7 +14,8 @@
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief The points up to half a meter above a plane. */
+/** \brief Returns the points over the hull of a plane, above its noise and up to half a
+ * meter high. */
 static pcl::PointIndices
 objectsOn (const pcl_ops::PlaneSegment& table,
            const pcl_ops::PlaneExtent& extent,
@@ -43,11 +44,11 @@ main (int argc, char** argv)
     return 2;
   }
 
-  // Kept for all frames: its first call also allocates what the others use again.
+  // One object for all frames: later calls reuse the memory that the first allocates.
   pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
-  // That of a camera held level; a tilted one learns it from the planes of a frame.
+  // The up axis of a level camera. Frame 0 estimates that of a tilted one from planes.
   ops.setUpAxis (pcl_ops::cameraUp());
-  // Parts of the table that clutter divides are one, though far parts are bent by 1 cm.
+  // Merges parts of the table that clutter divides, even if far parts are bent by 1 cm.
   pcl_ops::MergingParameters merging;
   merging.distance_threshold = 0.01;
   ops.setMergingParameters (merging);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Planes keep their numbers while a sensor moves, though its odometry is off.
+// Planes keep their numbers while a sensor moves, although its odometry has errors.
 #include <pcl/common/transforms.h>
 #include <pcl/io/pcd_io.h>
 
@@ -22,7 +22,7 @@ main (int argc, char** argv)
   }
 
   pcl_ops::PlaneTracker tracker;
-  // A frame of the sensor in the room: where it is, and where odometry says it is.
+  // Pose of the sensor in the room: the true one, and the one that odometry gives.
   Eigen::Isometry3d truth = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d odometry = truth;
   for (int i = 0; i < 5; ++i) {
@@ -46,7 +46,8 @@ main (int argc, char** argv)
         before.angle() * 180.0 / M_PI,
         after.angle() * 180.0 / M_PI);
 
-    // Forward and to the left; odometry misses a fifth of each turn.
+    // The sensor moves forward and to the left, and turns by 0.1 rad. Odometry measures
+    // only 0.08 rad.
     truth.translate (Eigen::Vector3d (0.05, 0.02, 0.0));
     truth.rotate (Eigen::AngleAxisd (0.1, Eigen::Vector3d::UnitZ()));
     odometry.translate (Eigen::Vector3d (0.05, 0.02, 0.0));

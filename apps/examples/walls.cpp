@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Planes of a kind and size: the walls of a room, and what was left out for which
-// reason.
+// Keeps the planes of one orientation and size, the walls of a room, and prints how
+// many planes each test dropped.
 #include <pcl/common/angles.h>
 #include <pcl/io/pcd_io.h>
 

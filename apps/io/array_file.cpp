@@ -23,18 +23,19 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief Whether a number may be a coordinate [m]: bytes that mean something else
- * hardly ever are. */
+/** \brief Whether a number may be a coordinate [m]. Bytes that mean something else
+ * hardly ever pass; NaN fails. */
 bool
 canBeCoordinate (float number)
 {
-  constexpr float farthest = 1e7f; // UTM has its northings up to there
+  constexpr float farthest = 1e7f; // the largest northing of UTM
   constexpr float nearest = 1e-9f;
   const float size = std::abs (number);
   return size == 0.0f || (size > nearest && size < farthest);
 }
 
-/** \brief Refuses bytes that are no points, as most files called .bin. */
+/** \brief Refuses a file in which most points have an impossible coordinate, as most
+ * files called .bin that are no clouds. */
 void
 checkArePoints (const HeaderReader& reader, const FileCloud& cloud)
 {
@@ -49,8 +50,9 @@ checkArePoints (const HeaderReader& reader, const FileCloud& cloud)
     reader.fail ("most of its numbers are no coordinates in meters");
 }
 
-/** \brief By how much numbers differ in size that follow each other at this distance,
- * as those of one column do: 0 where every column has the same mean size. */
+/** \brief Returns how much the mean sizes of the columns differ (largest minus
+ * smallest) if the numbers are split into that many columns. It is near 0 if every
+ * column mixes x, y and z. */
 double
 differenceOfColumns (const std::vector<float>& numbers, std::size_t columns)
 {
@@ -66,8 +68,8 @@ differenceOfColumns (const std::vector<float>& numbers, std::size_t columns)
   return *most - *least;
 }
 
-/** \brief Refuses points of x, y and z alone: columns of four mix their coordinates, so
- * that these are alike, and columns of three are not. */
+/** \brief Refuses points that have only x, y and z: split into four columns, their
+ * numbers mix and the columns are alike; split into three, they are not. */
 void
 refuseTriples (const HeaderReader& reader, const FileCloud& cloud)
 {
@@ -81,15 +83,15 @@ refuseTriples (const HeaderReader& reader, const FileCloud& cloud)
                  "intensity");
 }
 
-/** \brief What a .npy says about its array. */
+/** \brief What the header of a .npy says about its array. */
 struct NpyHeader {
-  /** \brief As NumPy calls it, <f4. */
+  /** \brief NumPy's name of the number type, e.g. <f4. */
   std::string type;
   bool is_fortran = false;
   std::vector<std::uint64_t> shape;
 };
 
-/** \brief The Python literal that describes the array, without blanks. */
+/** \brief Reads the Python literal that describes the array, without its spaces. */
 std::string
 readNpyLiteral (HeaderReader& reader)
 {
@@ -113,7 +115,7 @@ NpyHeader
 readNpyHeader (HeaderReader& reader)
 {
   const std::string text = readNpyLiteral (reader);
-  // What is behind a key and a character, up to another one.
+  // Skips one character behind the key, and returns the text from there up to `end`.
   const auto value_of = [&] (const std::string& key, char end) {
     const std::string before = "'" + key + "':";
     const std::size_t begin = text.find (before);
@@ -126,17 +128,17 @@ readNpyHeader (HeaderReader& reader)
   };
   NpyHeader header;
   header.type = value_of ("descr", '\'');
-  header.is_fortran = value_of ("fortran_order", ',') == "rue"; // behind its T
+  header.is_fortran = value_of ("fortran_order", ',') == "rue"; // its T is skipped
   const std::string shape = value_of ("shape", ')');
   std::vector<std::string_view> words;
   splitWords (shape, ',', words);
   for (const std::string_view word : words)
-    if (!word.empty()) // behind the last comma
+    if (!word.empty()) // empty behind the last comma
       header.shape.push_back (reader.count ("its shape", std::string (word)));
   return header;
 }
 
-/** \return nullptr for none of ours */
+/** \return nullptr for a type that \ref NumberType lacks, or big endian */
 const NumberType*
 typeCalled (const std::string& name)
 {
@@ -158,7 +160,7 @@ typeOf (const std::string& file, const NpyHeader& header)
   return *type;
 }
 
-/** \brief Refuses an array whose first index, not the last, tells x, y and z apart. */
+/** \brief Refuses an array with x, y and z along its first index, not its last. */
 void
 refuseTransposed (const std::string& file, const std::vector<std::uint64_t>& shape)
 {
@@ -176,8 +178,9 @@ refuseTransposed (const std::string& file, const std::vector<std::uint64_t>& sha
                      "numpy.moveaxis (array, 0, -1)");
 }
 
-/** \brief Lets columns be fields, and dimensions in front of them width and height.
- * \throws WorkError unless the file has just these numbers */
+/** \brief Declares a field for each column, and takes width and height from the
+ * dimensions in front of the columns.
+ * \throws WorkError unless the file has exactly the numbers of the shape */
 void
 declarePoints (const std::string& file,
                HeaderReader& reader,
@@ -210,8 +213,8 @@ declarePoints (const std::string& file,
   points.height = static_cast<pcl::uindex_t> (height);
 }
 
-/** \brief Puts the numbers of an array whose first index changes fastest where they
- * would be if it was the last. */
+/** \brief Reorders the numbers of an array from Fortran order (first index fastest) to
+ * C order (last index fastest). */
 std::vector<std::uint8_t>
 fromFortran (const pcl::PCLPointCloud2& points)
 {

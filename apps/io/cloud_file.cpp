@@ -62,11 +62,11 @@ refuseIfc (const std::string& file)
 struct Format {
   const char* extension;
   FileCloud (*read) (const std::string& file);
-  /** \brief Whether \ref isCloudFile says so. */
+  /** \brief The result of \ref isCloudFile. */
   bool is_cloud_file;
-  /** \brief Whether \ref FileCloud says so. */
+  /** \brief The value of FileCloud::is_survey. */
   bool is_survey;
-  /** \brief Named in messages: what every build reads. */
+  /** \brief Whether messages name the extension: every build reads it. */
   bool is_named = true;
 };
 
@@ -96,7 +96,7 @@ allFormats ()
   return formats;
 }
 
-/** \return nullptr where the extension is that of no cloud */
+/** \return nullptr if no format has the extension */
 const Format*
 formatOf (const std::string& file)
 {
@@ -107,7 +107,7 @@ formatOf (const std::string& file)
   return nullptr;
 }
 
-/** \brief ".a, .b or .c" of the formats that are wanted. */
+/** \brief Lists the extensions of the wanted formats: ".a, .b or .c". */
 std::string
 listOf (const std::function<bool (const Format&)>& is_wanted)
 {
@@ -121,7 +121,8 @@ listOf (const std::function<bool (const Format&)>& is_wanted)
   return list + " or " + last;
 }
 
-/** \brief Fills the buffer as far as the input reaches. \return bytes read */
+/** \brief Reads the standard input until the buffer is full or the input ends.
+ * \return number of bytes read */
 std::size_t
 readInput (std::vector<char>& buffer)
 {
@@ -143,8 +144,8 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
-/** \brief The extension of a binary format, by the bytes it begins with; empty for
- * other formats. */
+/** \brief Returns the extension of a format that is recognized by its first bytes;
+ * empty for other formats. */
 std::string
 extensionOfBinary (const std::string& start)
 {
@@ -162,8 +163,8 @@ extensionOfBinary (const std::string& start)
   return "";
 }
 
-/** \brief The extension of a format in text, by the first word that is no number and in
- * no comment. */
+/** \brief Returns the extension of a text format, or of PCD, by the first word that is
+ * no number and in no comment. */
 std::string
 extensionOfWord (const std::string& word)
 {
@@ -175,7 +176,7 @@ extensionOfWord (const std::string& word)
   return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
 }
 
-/** \brief The extension of the format that a cloud has, by its first bytes. KITTI's
+/** \brief Returns the extension of the format of a cloud, by its first bytes. KITTI's
  * .bin and .obj cannot be recognized.
  * \param[in] start of the cloud, as long as the longest header */
 std::string
@@ -197,7 +198,7 @@ extensionOfContent (const std::string& start)
     const bool is_number = words.size() == 1 && std::isdigit (first) != 0;
     if (!is_number)
       return extensionOfWord (word);
-    if (is_behind_number) // the numbers of columns and of rows, a line each
+    if (is_behind_number) // a line with the columns, one with the rows
       return ".ptx";
     is_behind_number = true;
   }
@@ -218,7 +219,7 @@ fieldOf (const std::string& name,
   return field;
 }
 
-/** \brief Gives coordinates small letters; PDAL writes capital ones. */
+/** \brief Renames fields X, Y and Z, as PDAL writes them, to x, y and z. */
 void
 nameCoordinates (pcl::PCLPointCloud2& points)
 {
@@ -299,7 +300,7 @@ loadCloud (const std::string& file)
   if (!cloud.origin.allFinite())
     cloud.origin.setZero();
   constexpr double rounding =
-      1e-6; // of a pose in single precision, which stays as it is
+      1e-6; // a quaternion written in single precision stays unchanged
   const double norm = cloud.orientation.norm();
   if (!std::isfinite (norm) || norm <= 0.0)
     cloud.orientation.setIdentity();

@@ -17,14 +17,16 @@ namespace pcl_ops::apps {
 
 struct LasFile;
 
-/** \brief One of several in a file, of the points from its \p first on. */
+/** \brief One of several scans in a file: the points from index \p first up to that of
+ * the next scan. */
 struct Scan {
   std::size_t first;
-  /** \brief Where it was taken from, in the frame of all. */
+  /** \brief The position of the scanner, in the common frame of all scans. */
   Eigen::Vector3d place;
 };
 
-/** \brief The files of \ref loadCloud, for messages: "a .pcd, ... or .obj file". */
+/** \brief Lists the extensions of \ref loadCloud for messages: "a .pcd, ... or .obj
+ * file". */
 std::string
 cloudFileKinds ();
 
@@ -34,18 +36,20 @@ sizeOf (const pcl::PCLPointCloud2& points)
   return static_cast<std::size_t> (points.width) * points.height;
 }
 
-/** \brief A cloud as its file has it: every field, and the sensor's pose in their
- * frame: zero and identity where the file has none or an invalid one, and for PLY. */
+/** \brief A cloud with every field of its file, and the sensor's pose in the frame of
+ * its coordinates. Where the file has no valid origin it is zero, where it has no valid
+ * orientation the identity. The pose of a PLY is not read. */
 struct FileCloud {
   pcl::PCLPointCloud2 points;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  /** \brief Of a cloud from a LAS: what has all its other bytes, too. */
+  /** \brief The open LAS that the points come from, with all bytes that have no field
+   * here; nullptr for other formats. */
   std::shared_ptr<LasFile> las = {};
-  /** \brief From a LAS, a text or a mesh, which have no pose. */
+  /** \brief Whether it comes from a LAS, text, OFF or OBJ, which store no pose. */
   bool is_survey = false;
-  /** \brief Where there are several, in the order of their points; else the pose above
-   * is that of the one. */
+  /** \brief The scans of a PTX with two or more, in the order of their points; else
+   * empty, and the pose above is that of the only scan. */
   std::vector<Scan> scans = {};
 
   std::size_t
@@ -55,57 +59,65 @@ struct FileCloud {
   }
 };
 
-/** \brief Whether a file is called like one of these, or .laz. */
+/** \brief Whether \ref loadCloud knows the extension of a file, even if only to refuse
+ * it, as .e57, or .laz without LASzip. */
 bool
 hasCloudExtension (const std::string& file);
 
-/** \brief Whether a file in a folder is taken for a cloud: not .txt, .csv, .npy and
- * meshes, which mostly are something else there, nor .laz without LASzip. */
+/** \brief Whether a file in a folder is taken for a cloud, by its extension. False for
+ * .txt, .csv, .npy and meshes, which mostly hold something else there, and for .laz
+ * without LASzip. */
 bool
 isCloudFile (const std::string& file);
 
-/** \brief Those of \ref isCloudFile, for messages: ".pcd, .ply, ... or .bin". */
+/** \brief Lists the extensions of \ref isCloudFile, but .laz, for messages: ".pcd,
+ * .ply, ... or .bin". */
 std::string
 folderExtensions ();
 
-/** \brief Reads a cloud, .laz where LASzip is. All formats are listed in
- * cloud_file.cpp; programs and Python have those. The readers are our own: PCL's crash
- * on broken headers, and are in a library that loads VTK and more.
+/** \brief Reads a cloud; a .laz only if the build has LASzip. cloud_file.cpp lists all
+ * formats, the same for programs and Python. The readers do not use PCL's, which crash
+ * on broken headers and are in a library that loads VTK and more.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
- * gzip, malformed, truncated or without points, or has no x, y and z */
+ * gzip, of a refused format, malformed, truncated or without points, or has no x, y and
+ * z */
 FileCloud
 loadCloud (const std::string& file);
 
-/** \brief A cloud of so many points, whose bytes are to come, as another is. */
+/** \brief Returns an unorganized cloud with the fields and the pose of another. Its
+ * width is \p size, but its data are empty: the caller adds them. */
 FileCloud
 emptyLike (const FileCloud& cloud, std::size_t size);
 
-/** \brief Sets fields of the points of a cloud from \p first on that \p part has: none
- * for the header of a file. */
+/** \brief Sets or changes fields of \p part, a copy of the points of a cloud from index
+ * \p first on. It is also called with an empty \p part, for the header of a file. */
 using SetFields = std::function<void (FileCloud& part, std::size_t first)>;
 
-/** \brief Writes a .ply (\ref plyHeader) or else a binary PCD by \ref writeFile.
- * \param[in] set_fields changes what is written, part after part: large clouds need no
- * room for another */
+/** \brief Writes a .ply (\ref plyHeader), or for any other extension a binary PCD, by
+ * \ref writeFile.
+ * \param[in] set_fields changes what is written, block by block, so that a large cloud
+ * is never copied as a whole */
 void
 saveCloud (const std::string& file,
            const FileCloud& cloud,
            const SetFields& set_fields = {});
 
-/** \brief What stands for the standard streams where a file name is expected. */
+/** \brief The file name that stands for the standard input or output. */
 inline constexpr const char* standard_stream = "-";
 
-/** \brief How the standard input is called in messages. */
+/** \brief The name of the standard input in messages. */
 inline constexpr const char* standard_input = "standard input";
 
 /** \brief Reads the cloud that is piped into the program, by way of a temporary file
- * ($TMPDIR); text is what begins as no other format does; a KITTI .bin and an .obj do
- * not tell.
- * \throws UsageError if nothing is piped in, WorkError as \ref loadCloud, Interrupted */
+ * ($TMPDIR). The first bytes tell the format; text that begins like no other format is
+ * read as .xyz. A KITTI .bin or an .obj cannot be recognized.
+ * \throws UsageError if nothing is piped in, WorkError as \ref loadCloud, Interrupted
+ */
 FileCloud
 loadStandardInput ();
 
-/** \brief Declares a field behind the others, of a type of pcl::PCLPointField. */
+/** \brief Declares a field behind the others, of a type of pcl::PCLPointField, and
+ * enlarges point_step. The data do not change. */
 void
 addField (const std::string& name,
           std::uint8_t datatype,
@@ -115,9 +127,10 @@ addField (const std::string& name,
 bool
 hasField (const FileCloud& cloud, const std::string& name);
 
-/** \brief Sets a field of four bytes of every point, of as many \p values: in place of
- * the one of its name, which reaches to the next one, else before the one called
- * \p before, else at the end. */
+/** \brief Sets a field of four bytes of every point. It replaces the field of its name,
+ * with any padding up to the next field; else it goes in front of the field called
+ * \p before, else to the end.
+ * \param[in] values four bytes for each point */
 void
 setField (FileCloud& cloud,
           const std::string& name,

@@ -8,39 +8,41 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Whether a line of the header of a PCD begins with this word. */
+/** \brief Whether \p word is a keyword that begins a line of a PCD header. */
 bool
 isPcdKey (const std::string& word);
 
-// The readers throw a WorkError that names the line at fault, or that data are missing.
+// The readers throw a WorkError that names the faulty line or says that data are
+// missing.
 
 FileCloud
 readPcd (const std::string& file);
 
-/** \brief That of a binary one, whose data are those of the points. */
+/** \brief Returns the header of a binary PCD; \p cloud.points.data can follow it
+ * unchanged. */
 std::string
 pcdHeader (const FileCloud& cloud);
 
-/** \brief Reads the vertices, with the names that PCL has for fields: red, green, blue
+/** \brief Reads the vertices of a PLY, with PCL's names of fields: red, green, blue
  * (and alpha) become `rgb` (`rgba`), nx `normal_x`, and so on. The cloud is organized
- * where num_cols and num_rows or PCL's camera say so. */
+ * if num_cols and num_rows or PCL's camera element say so. */
 FileCloud
 readPly (const std::string& file);
 
-/** \brief That of a binary little endian one: every field with its type, except that of
- * `rgb` and `rgba` the first becomes red, green, blue (and alpha), 64-bit integers,
- * which PLY lacks, doubles, the numbers of a field of several NAME_0, NAME_1, ..., and
- * normals nx, ny, nz. */
+/** \brief Returns the header of a binary little endian PLY. Every field keeps its name
+ * and type, but: the first `rgb` or `rgba` becomes red, green, blue (and alpha), and
+ * further ones are left out; 64-bit integers, which PLY lacks, become doubles; a field
+ * NAME of several numbers becomes NAME_0, NAME_1, ...; normals become nx, ny, nz. */
 std::string
 plyHeader (const pcl::PCLPointCloud2& points);
 
-/** \brief The numbers of its points, as they follow in that file. */
+/** \brief Returns the data of the points that follow \ref plyHeader in the file. */
 std::string
 plyVertices (const pcl::PCLPointCloud2& points);
 
-/** \brief Reads scans of a Leica scanner, with colors, in the frame of all of them.
- * Points at the scanner, which are missing readings, are NaN. One scan is organized,
- * and has the pose of its scanner. */
+/** \brief Reads all scans of a Leica PTX, with colors, in their common frame. Points at
+ * the scanner itself are missing readings and become NaN. If there is only one scan,
+ * the cloud is organized and has the pose of its scanner. */
 FileCloud
 readPtx (const std::string& file);
 
@@ -53,21 +55,21 @@ FileCloud
 readObj (const std::string& file);
 
 /** \brief Reads a scan of the KITTI data set: x, y, z and intensity of each point in
- * single precision; nuScenes's (.pcd.bin) have a ring, too. */
+ * single precision. Those of nuScenes (.pcd.bin) have a ring, too. */
 FileCloud
 readKitti (const std::string& file);
 
-/** \brief Reads an array of NumPy, of shape (N, 3) or (H, W, 3), or more columns, in
- * the type it has. */
+/** \brief Reads a NumPy array of shape (N, 3) or (H, W, 3), or with more columns. The
+ * fields keep the number type of the array. */
 FileCloud
 readNpy (const std::string& file);
 
-/** \brief Reads a line for each point: x, y and z and further columns of numbers, each
- * a field in double precision, separated by blanks, commas or semicolons. In front of
- * them there may be the names of the columns and, in a line of its own, the number of
- * points; lines that begin with # or // are comments, of which one with x, y and z has
- * names. pcl::ASCIIReader has no header, and leaves out every line it does not
- * understand. */
+/** \brief Reads a text with a line for each point: x, y, z and further columns,
+ * separated by blanks, commas or semicolons. Each column of numbers becomes a field in
+ * double precision. Before the points there may be a line with the names of the columns
+ * and one with the number of points. Lines that begin with # or // are comments; a
+ * comment with x, y and z among its words names the columns. pcl::ASCIIReader has no
+ * header, and leaves out every line it does not understand. */
 FileCloud
 readTextCloud (const std::string& file);
 

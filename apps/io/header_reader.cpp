@@ -14,7 +14,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief What a file says may be anything; a message is one short line. */
+/** \brief Returns text from a file in a form that fits a message: one short line
+ * without control characters. */
 std::string
 printable (const std::string& text)
 {
@@ -69,7 +70,7 @@ HeaderReader::joinLines (std::size_t count)
   if (words_.size() == count && lengths.back() > 0)
     return lengths;
   takeNumbers (first, ' ');
-  lines_ = number_of_first; // to be named at fault
+  lines_ = number_of_first; // the line that an error names
   return {words_.size()};
 }
 
@@ -201,7 +202,7 @@ HeaderReader::expectNumbers (std::size_t count,
     return;
   for (std::size_t i = 0; i < words_.size(); ++i)
     if (i >= may_be_words.size() || !may_be_words[i])
-      number (i); // what is no number is the better reason
+      number (i); // fails if it is a word, which explains more than the count
   failAtLine ("has " + std::to_string (words_.size()) + " numbers instead of " +
               std::to_string (count));
 }

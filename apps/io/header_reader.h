@@ -14,11 +14,12 @@ namespace pcl_ops::apps {
 
 using Words = std::vector<std::string>;
 
-/** \brief How many columns a line of numbers may have. */
+/** \brief The most columns that a line of numbers may have. */
 constexpr std::size_t max_columns = 1000;
 
-/** \brief The words of a line, without blanks around them.
- * \param[in] separator between words that may be empty; a space: any blanks */
+/** \brief Splits a line into words, without the blanks around them.
+ * \param[in] separator a character between words, which may then be empty; a space
+ * stands for any run of blanks */
 void
 splitWords (std::string_view line,
             char separator,
@@ -27,15 +28,16 @@ splitWords (std::string_view line,
 /** \brief Reads the parts of a cloud file for the readers of all formats: lines of a
  * header, bytes, and lines of numbers. It also words their error messages.
  *
- * A word in place of a number is refused; PCL's readers make a point at zero, or one
+ * It refuses a word in place of a number; PCL's readers make a point at zero, or one
  * without coordinates, of it. */
 class HeaderReader {
 public:
-  /** \param[in] format e.g. "PCD", for the complaints */
+  /** \param[in] format e.g. "PCD", for error messages */
   HeaderReader (const std::string& file, std::string format);
 
-  /** \brief The words of the next line of a header.
-   * \throws WorkError if the file or its first MiB ends before the line \p last of it */
+  /** \brief Returns the words of the next line of the header.
+   * \param[in] last name of the line that should end the header, for the message
+   * \throws WorkError if the file or its first MiB ends before this line does */
   Words
   nextLine (const std::string& last);
 
@@ -65,7 +67,7 @@ public:
       failTruncated();
   }
 
-  /** \brief What is at a place of the file, without padding. */
+  /** \brief Reads an object without padding at a byte of the file. */
   template <typename What>
   What
   at (std::uint64_t place)
@@ -76,7 +78,7 @@ public:
     return what;
   }
 
-  /** \return false where there is no further line */
+  /** \return false at the end of the file */
   bool
   readLine (std::string& line)
   {
@@ -84,7 +86,7 @@ public:
     return static_cast<bool> (std::getline (stream_, line));
   }
 
-  /** \brief Goes on to the next line of numbers.
+  /** \brief Reads the next line and splits it at blanks.
    * \return false if the line is empty
    * \throws WorkError at the end of the file */
   bool
@@ -96,20 +98,21 @@ public:
     return !line_.empty();
   }
 
-  /** \brief Adds the lines behind the line of numbers to it, if they make it have just
-   * so many words: RealSense's viewer writes the position of a vertex in one line, its
-   * normal and its color in the next.
-   * \return how many words each line has; one number where nothing was added */
+  /** \brief Appends the following lines to the current one if it then has exactly
+   * \p count words; else leaves it unchanged. RealSense's viewer writes the position of
+   * a vertex in one line, its normal and its color in the next.
+   * \return the number of words of each joined line; one element if nothing was joined
+   */
   std::vector<std::size_t>
   joinLines (std::size_t count);
 
-  /** \brief Goes on to lines of numbers that have as many words, and makes them one.
+  /** \brief Reads as many lines as \p lengths has elements, each with that many words,
+   * and joins them.
    * \param[in] lengths as from \ref joinLines */
   void
   nextLines (const std::vector<std::size_t>& lengths);
 
-  /** \brief Takes the line that was read last for one of numbers; see \ref splitWords.
-   */
+  /** \brief Makes \p line the current line of numbers; see \ref splitWords. */
   void
   takeNumbers (std::string line, char separator)
   {
@@ -123,8 +126,10 @@ public:
     return words_.size();
   }
 
-  /** \brief Puts a number of the line into bytes, NaN for an empty word.
-   * \throws WorkError if it is none or too large for its type */
+  /** \brief Writes the number of a word of the line into \p bytes; an empty word counts
+   * as nan.
+   * \param[in] word index in the line, from 0
+   * \throws WorkError if it is no number or too large for double precision */
   void
   readNumber (std::size_t word, const NumberType& type, void* bytes) const;
 
@@ -134,20 +139,20 @@ public:
   bool
   isNumber (std::size_t word) const;
 
-  /** \brief Checks how many words the line has. Only \ref readNumber checks whether
-   * they are numbers.
-   * \param[in] may_be_words for each column whether it may have a word that is no number
+  /** \brief Checks that the line has \p count words. It does not check whether they are
+   * numbers; \ref readNumber does.
+   * \param[in] may_be_words for each column, whether its word need not be a number
    * \throws WorkError if there are more or fewer words. The error names the first word
-   * that should be a number and is none; if there is no such word it says how many
+   * that should be a number but is not; if there is no such word, it says how many
    * words there are. */
   void
   expectNumbers (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
 
-  /** \throws WorkError unless the line has as many words as a point has numbers */
+  /** \throws WorkError unless the line has 3 to \ref max_columns words */
   void
   checkColumns () const;
 
-  /** \throws WorkError if there is more than blanks left */
+  /** \throws WorkError if anything but blanks follows in the file */
   void
   expectEnd ();
 
@@ -157,33 +162,35 @@ public:
     return words_[i];
   }
 
-  /** \brief Leaves out the first word of the line. */
+  /** \brief Removes the first word of the line. */
   void
   dropWord ()
   {
     words_.erase (words_.begin());
   }
 
-  /** \brief Leaves out the mark of UTF-8 that a text may begin with.
-   * \throws WorkError if it is UTF-16 */
+  /** \brief Skips the byte order mark of UTF-8 at the beginning of a text.
+   * \throws WorkError if the text is UTF-16 */
   void
   skipMark ();
 
-  /** \brief Goes on to the next line with a word in front of a #, which begins a
-   * comment. Of text only.
-   * \return false where there is none */
+  /** \brief Reads the next line of a text that has a word, without its comment, which
+   * begins with #.
+   * \return false at the end of the file */
   bool
   nextWords ();
 
-  /** \brief A number of points from a text.
-   * \throws WorkError if it is no number, or more than PCL's indices can tell apart */
+  /** \brief Returns a count, such as a number of points, that a header has as text.
+   * \param[in] what the count, for the message
+   * \throws WorkError if \p text is no whole number, or more than PCL's indices can
+   * tell apart */
   std::uint64_t
   count (const std::string& what, const std::string& text) const;
 
   [[noreturn]] void
   fail (const std::string& reason) const;
 
-  /** \brief About the line that was read last. */
+  /** \brief Throws a WorkError about the line that was read last. */
   [[noreturn]] void
   failAtLine (const std::string& reason) const;
 
@@ -202,7 +209,7 @@ public:
   }
 
 private:
-  /** \brief About a word in place of a number. */
+  /** \brief Throws a WorkError about a word in place of a number. */
   [[noreturn]] void
   failAtWord (const std::string& word) const;
 

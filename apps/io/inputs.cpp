@@ -48,7 +48,8 @@ addFolder (const std::string& folder, InputFiles& found)
   found.files.insert (found.files.end(), clouds.begin(), clouds.end());
 }
 
-/** \brief A match is no pattern, even if called like one or a link to nowhere. */
+/** \brief Adds the matches of a shell pattern. A match is not expanded again, even if
+ * its name looks like a pattern or it is a broken link. */
 void
 addPattern (const std::string& pattern, InputFiles& found)
 {

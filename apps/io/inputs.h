@@ -8,20 +8,21 @@
 namespace pcl_ops::apps {
 
 struct InputFiles {
-  /** \brief By the names, those of a folder or pattern sorted. Each once. */
+  /** \brief In the order of the names given, with the files of a folder or pattern
+   * sorted. Each file is listed once. */
   std::vector<std::string> files;
-  /** \brief What is wrong with names that stand for no cloud, "name: what; fix". */
+  /** \brief Messages on names that lead to no cloud: "name: what is wrong; fix". */
   std::vector<std::string> problems;
 };
 
 /** \brief Looks up names of files, of folders, which stand for the clouds in them (\ref
- * isCloudFile), and of patterns of the shell. A file is taken as it is, even one that
- * does not exist if it has the extension of a cloud. */
+ * isCloudFile), and of shell patterns. An existing file is listed whatever its
+ * extension; a missing one only if it has the extension of a cloud. */
 InputFiles
 findInputs (const std::vector<std::string>& names);
 
-/** \brief Where one cloud is needed, says what to do with a name of several.
- * \throws UsageError if it is a folder or a pattern */
+/** \brief Checks that a name is not one of several clouds, where one cloud is needed.
+ * \throws UsageError with the fix if it is a folder or a pattern */
 void
 checkIsOneCloud (const std::string& name);
 

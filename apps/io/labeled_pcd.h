@@ -13,8 +13,10 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Writes a binary PCD without the padding of pcl::PointXYZL.
- * \param[in] is_ignored of each point, the field ignore; empty: there is none */
+/** \brief Writes a binary PCD with x, y, z and label, without the padding of
+ * pcl::PointXYZL.
+ * \param[in] is_ignored value of the field `ignore` of each point; if empty, the file
+ * has no such field */
 inline void
 saveLabeledPcd (const std::string& file,
                 const pcl::PointCloud<pcl::PointXYZL>& cloud,

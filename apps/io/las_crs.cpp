@@ -13,12 +13,13 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The number that a short key has, which stands in the directory itself. */
+/** \brief Returns the value of a GeoTIFF key that is stored in the directory itself; 0
+ * if there is no such key. */
 std::uint16_t
 shortKey (const std::string& directory, std::uint16_t wanted)
 {
-  // Each entry: the key, where its value is (0: here), how many there are, the value;
-  // the first one has the version and the number of keys.
+  // An entry: the key, where its value is (0: in the entry), the number of values, the
+  // value. The first entry has the version and the number of keys.
   using Entry = std::array<LasHeader::Short, 4>;
   for (std::size_t at = sizeof (Entry); at + sizeof (Entry) <= directory.size();
        at += sizeof (Entry)) {
@@ -36,7 +37,7 @@ crsInKeys (const std::string& directory)
   constexpr std::uint16_t projected = 3072;
   constexpr std::uint16_t geographic = 2048;
   constexpr std::uint16_t user_defined = 32767;
-  // A projected system has its geographic one beside it.
+  // A file with a projected system may name its geographic base, too.
   for (const std::uint16_t key : {projected, geographic}) {
     const std::uint16_t number = shortKey (directory, key);
     if (number == user_defined)
@@ -52,7 +53,7 @@ crsInKeys (const std::string& directory)
 std::string
 crsInWkt (const std::string& text)
 {
-  // The number of a system is the last thing in it; behind it may be that of heights.
+  // The EPSG number ends the text of a system; a vertical system may follow.
   static const std::regex last (
       R"re((AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?([0-9]{1,7})"?\s*\]\s*\]\s*,?\s*$)re");
   std::string system = text.substr (0, text.find ("VERT"));
@@ -79,7 +80,7 @@ crsOf (LasFile& las)
 double
 unitsInMeter (LasFile& las)
 {
-  constexpr double foot = 0.3048; // [m]; that of the US is the same to 2 ppm
+  constexpr double foot = 0.3048; // [m]; the US survey foot is 2 ppm longer
   return unitOf (las) == LasUnit::Foot ? 1.0 / foot : 1.0;
 }
 

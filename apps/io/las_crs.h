@@ -8,18 +8,18 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The system that the text of a reference system (OGC 01-009, "WKT") says it is
- * of x and y: "EPSG:N", or empty where it has no number. */
+/** \brief Returns the reference system of x and y in a WKT text (OGC 01-009): "EPSG:N",
+ * or empty if the text has no such number. */
 std::string
 crsInWkt (const std::string& text);
 
-/** \brief The reference system of x and y of a file, by its keys of GeoTIFF (OGC
- * 19-008) or its text: "EPSG:N", or empty where the file has none with a number. */
+/** \brief Returns the reference system of x and y of a file, by its GeoTIFF keys (OGC
+ * 19-008), else by its WKT: "EPSG:N", or empty if neither has a number. */
 std::string
 crsOf (LasFile& las);
 
-/** \brief The length of a meter in the unit of x and y, by the reference system: 3.28
- * feet; 1 where that says nothing. */
+/** \brief Returns how many units of x and y make a meter, by the reference system: 3.28
+ * for feet, else 1, also for degrees and unknown units. */
 double
 unitsInMeter (LasFile& las);
 

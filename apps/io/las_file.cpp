@@ -22,7 +22,7 @@ using pcl::PCLPointField;
 
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
-/** \brief What is read of a record, in the order of the fields. */
+/** \brief The values that are read from a record, in the order of the fields. */
 struct Point {
   Eigen::Vector3d place;
   float intensity;
@@ -51,7 +51,8 @@ placeIn (const char* record, const LasFile& las)
   return raw.cwiseProduct (las.scale) + las.offset;
 }
 
-/** \brief Where a field of that name and type is in a record. */
+/** \brief Returns the offset in a record [bytes] of the field with this name and type.
+ */
 std::optional<std::uint64_t>
 placeOf (const LasField& field, const LasFile& las)
 {
@@ -61,14 +62,14 @@ placeOf (const LasField& field, const LasFile& las)
   return {};
 }
 
-/** \brief What the Extra Bytes VLR goes on with where fields are added to a record:
- * bytes not described yet come before them. */
+/** \brief Returns the descriptions to append to the Extra Bytes VLR for added fields.
+ * Those of bytes that it does not describe yet come first. */
 std::string
 descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
 {
   const std::uint64_t unknown = las.header.record_length - las.fields_end;
-  // Byte by byte: CloudCompare takes any number of undocumented bytes for one
-  // (LasExtraScalarField::elementSize) and looks for what follows in the wrong place.
+  // One description per byte: CloudCompare counts several undocumented bytes as one
+  // (LasExtraScalarField::elementSize) and then reads later fields at wrong offsets.
   constexpr std::uint64_t max_single = 64;
   constexpr std::uint64_t longest = 255;
   std::string bytes;
@@ -84,7 +85,8 @@ descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
   return bytes;
 }
 
-/** \brief What is in front of the points where their records have further fields. */
+/** \brief Returns the bytes in front of the points of a copy whose records have further
+ * fields. */
 std::string
 frontWith (const std::vector<LasField>& fields, LasFile& las)
 {
@@ -204,8 +206,8 @@ LasFile::readPoints()
 Eigen::Vector3d
 LasFile::place (std::uint64_t point)
 {
-  // Read one after the other they come in blocks: a jump in the file costs more than a
-  // point.
+  // Successive points are read in blocks, any other one alone: a jump in the file costs
+  // more than reading a point.
   constexpr std::uint64_t most = 4096;
   if (point < first_in_block || point >= first_in_block + points_in_block) {
     const bool is_next = point == first_in_block + points_in_block;

@@ -17,20 +17,23 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Of the next point, given where that is. */
+/** \brief Returns the label of the next point, given its coordinates. It is called once
+ * for each point, in their order. */
 using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
 
-/** \brief Called with the place and the label of a point. */
+/** \brief Called with the coordinates and the label of a point. */
 using VisitLabelled = std::function<void (const Eigen::Vector3d&, std::uint32_t)>;
 
-/** \brief A field of extra bytes, and its four of the next point. */
+/** \brief A field of extra bytes, and the function that returns its four bytes for the
+ * next point. */
 using LasColumn = std::pair<LasField, LabelOfPlace>;
 
-/** \brief A LAS file, versions 1.0 to 1.4. It stays open, so that what is no coordinate
- * need not be in memory to be written again, and may be removed meanwhile. */
+/** \brief A LAS file, versions 1.0 to 1.4. It stays open, so that attributes other than
+ * coordinates can be copied later and need no memory. The file may be removed
+ * meanwhile. */
 struct LasFile {
-  /** \throws WorkError if it is none, a variable length record does not fit in front of
-   * the points, or they describe more extra bytes than there are */
+  /** \throws WorkError if it is no LAS file, a variable length record does not fit
+   * before the points, or the Extra Bytes VLR describes more bytes than a record has */
   explicit LasFile (const std::string& file);
 
   std::uint64_t
@@ -39,7 +42,7 @@ struct LasFile {
     return header.pointCount();
   }
 
-  /** \brief Whether its points are, whatever it is called. */
+  /** \brief Whether the points are compressed (LAZ), whatever the extension. */
   bool
   isCompressed () const
   {
@@ -51,28 +54,32 @@ struct LasFile {
   void
   checkCount () const;
 
-  /** \throws WorkError as \ref checkCount, or if the file does not hold the points,
-   * which are not compressed, and what is behind them */
+  /** \throws WorkError as \ref checkCount, or if the file does not hold its
+   * uncompressed points, or valid extended variable length records behind them */
   void
   checkPoints ();
 
-  /** \brief With x, y, z in double precision, intensity, and label if there is one. */
+  /** \brief Returns all points with x, y, z in double precision, intensity, and, if the
+   * file has it, label. */
   pcl::PCLPointCloud2
   readPoints ();
 
   Eigen::Vector3d
   place (std::uint64_t point);
 
-  /** \brief Visits the places of all points, with a block of them in memory. */
+  /** \brief Calls \p visit with the coordinates of every point. Only a block of points
+   * is in memory at a time. */
   void
   forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
 
-  /** \brief Visits the places of all points with their labels, as \ref forPlaces.
-   * \throws WorkError if they have none */
+  /** \brief Calls \p visit with the coordinates and the label of every point, as
+   * \ref forPlaces.
+   * \throws WorkError if the file has no labels */
   void
   forLabels (const VisitLabelled& visit);
 
-  /** \brief Why there can be no such fields beside all else, with the fix, or empty. */
+  /** \brief Returns why the fields cannot be added to the others, and the fix; empty if
+   * they can. */
   std::string
   validate (const std::vector<LasField>& wanted) const;
 
@@ -85,8 +92,10 @@ struct LasFile {
     return bytes;
   }
 
-  /** \brief Lets the front of a copy say where its points and all behind them are.
-   * \param[in] points_end, copy_points_end where they end in the file and in the copy */
+  /** \brief Writes the header of a copy into \p front, the bytes of the copy before its
+   * points, with the offsets to the points and to all that follows them.
+   * \param[in] points_end, copy_points_end where the points end in the file and in the
+   * copy */
   void
   putHeader (LasHeader copy,
              std::uint64_t points_end,
@@ -101,15 +110,17 @@ struct LasFile {
   LasHeader header;
   Eigen::Vector3d scale, offset;
   std::uint64_t vlrs_end;
-  /** \brief What describes the extra bytes of a record, and compressed points. */
-  std::optional<LasVlr> extra_bytes, laszip;
-  /** \brief The reference system as text and as keys of GeoTIFF; of several the last.
+  /** \brief The VLRs that describe the extra bytes of a record, and compressed points.
    */
+  std::optional<LasVlr> extra_bytes, laszip;
+  /** \brief The VLRs with the reference system as WKT and as GeoTIFF keys; the last one
+   * of each kind counts. */
   std::optional<LasVlr> wkt, geo_keys;
-  /** \brief The extra bytes that are described, and where they end in a record. */
+  /** \brief The fields that the Extra Bytes VLR describes, and where they end in a
+   * record. */
   std::vector<LasField> fields;
   std::uint64_t fields_end;
-  /** \brief Records that \ref place read last. */
+  /** \brief The records that \ref place read last. */
   std::string block;
   std::uint64_t first_in_block = 0, points_in_block = 0;
 };
@@ -117,22 +128,22 @@ struct LasFile {
 bool
 isLasName (const std::string& file);
 
-/** \brief Opens a .las, whose points are read later; those of a .laz are put into a
- * temporary file ($TMPDIR) first, which has no name while it is open.
+/** \brief Opens a .las, whose points are read later. A .laz is decompressed into a
+ * temporary file ($TMPDIR) first, which is unlinked while it is open.
  * \throws WorkError as \ref loadCloud */
 std::shared_ptr<LasFile>
 openLas (const std::string& file);
 
-/** \brief Writes every byte of a file with further fields, each in place of the one of
- * its name that there is, by \ref writeFile. \throws WorkError if the file was cut
- * meanwhile */
+/** \brief Writes every byte of a file, with further fields, by \ref writeFile;
+ * compressed if \p file is a .laz. A field replaces one of the same name and type.
+ * \throws WorkError if the file was cut meanwhile */
 void
 saveLasWith (const std::string& file,
              LasFile& las,
              const std::vector<LasColumn>& columns);
 
-/** \brief The same with a label and, unless there are none, a distance and a plane per
- * point. */
+/** \brief Calls \ref saveLasWith with a label and, unless these are empty, a distance
+ * and a plane for each point. */
 void
 saveLabelledLas (const std::string& file,
                  LasFile& las,
@@ -140,8 +151,9 @@ saveLabelledLas (const std::string& file,
                  const std::vector<float>& distances = {},
                  const std::vector<std::uint32_t>& planes = {});
 
-/** \brief A record of point data record format 0 with a label: a point in units of the
- * scale, relative to the offset, with which those of all formats begin. */
+/** \brief A record of point data record format 0 with a label. Its beginning, the raw
+ * coordinates and the intensity, is that of all formats. Coordinates are raw * scale +
+ * offset. */
 struct LasPoint {
   std::array<boost::endian::little_int32_t, 3> raw{};
   LasHeader::Short intensity = 0;
@@ -151,24 +163,25 @@ struct LasPoint {
 static_assert (sizeof (LasPoint) == 24, "without padding");
 
 /** \brief Writes a LAS 1.2 of point data record format 0 by \ref writeFile, with the
- * labels in its extra bytes. */
+ * labels as extra bytes. */
 void
 saveLas (const std::string& file,
          const std::vector<LasPoint>& points,
          double scale,
          const Eigen::Vector3d& offset);
 
-/** \brief Whether LASzip was there when this was built. */
+/** \brief Whether this build has LASzip. */
 bool
 hasLaszip ();
 
-// Both throw a WorkError if the file is damaged or LASzip is missing, and Interrupted.
+// These two throw a WorkError if the file is damaged or LASzip is missing, and
+// Interrupted.
 
-/** \brief Writes the LAS that was compressed, to the byte. */
+/** \brief Writes the LAS that a LAZ was made from, byte by byte the same. */
 void
 decompressLaz (const std::string& file, std::ostream& stream);
 
-/** \brief Writes a LAS with compressed points and every other byte kept. */
+/** \brief Writes a LAS with compressed points; every other byte is kept. */
 void
 compressLas (const std::string& file, std::ostream& stream);
 

@@ -20,7 +20,7 @@ constexpr std::uint8_t newest_minor = 4;
 constexpr std::uint16_t extra_bytes_id = 4;
 constexpr const char* specification = "LASF_Spec";
 
-/** \brief What an Extra Bytes VLR says about a field, as its bytes are. */
+/** \brief The description of a field in an Extra Bytes VLR, in its byte layout. */
 struct Description {
   LasHeader::Short reserved;
   std::uint8_t type, options;
@@ -37,7 +37,7 @@ textIn (const std::array<char, size>& bytes)
   return {bytes.begin(), std::find (bytes.begin(), bytes.end(), '\0')};
 }
 
-/** \brief How many bytes a field of extra bytes takes.
+/** \brief Returns the number of bytes of a field of extra bytes.
  * \return 0 for a type that does not exist */
 std::uint64_t
 extraBytesLength (const LasField& field)
@@ -50,7 +50,7 @@ extraBytesLength (const LasField& field)
   return count > 3 ? 0 : count * lengths.at ((field.type - 1U) % lengths.size());
 }
 
-/** \brief How many bytes the header has in its version, 1.0 to 1.4. */
+/** \brief Returns the number of bytes of the header in its version, 1.0 to 1.4. */
 std::size_t
 headerLength (const LasHeader& header)
 {
@@ -58,8 +58,8 @@ headerLength (const LasHeader& header)
   return lengths.at (header.minor_version);
 }
 
-/** \brief How many bytes a record has in a point data record format; 0 if there is no
- * such format. */
+/** \brief Returns the number of bytes of a record in a point data record format; 0 if
+ * there is no such format. */
 std::uint16_t
 formatLength (std::uint8_t format)
 {
@@ -106,9 +106,9 @@ check (const LasHeader& header, const HeaderReader& reader)
                to_string (header.legacy_points) + " (legacy) differ");
 }
 
-/** \brief The length of the mark that the offset to the points leads to, or 0. In
- * LAS 1.0 two bytes mark where points begin. By the format the offset leads behind the
- * mark, but some writers let it lead to the mark. */
+/** \brief Returns the length of the mark at the offset to the points, or 0. In LAS 1.0
+ * two bytes mark the beginning of the points. The specification lets the offset point
+ * behind the mark, but some writers let it point to the mark. */
 std::uint32_t
 lengthOfMark (const LasHeader& header, HeaderReader& reader)
 {
@@ -151,7 +151,7 @@ describesExtraBytes (const LasVlr& vlr)
   return vlr.user == specification && vlr.id == extra_bytes_id;
 }
 
-/** \param[in,out] end of the fields in a record */
+/** \param[in,out] end offset in a record where the fields end [bytes] */
 std::vector<LasField>
 describedFields (const LasVlr& vlr, HeaderReader& reader, std::uint64_t& end)
 {
@@ -209,7 +209,7 @@ descriptionOf (const LasField& field)
 std::string
 extraBytesVlr (const std::string& content, std::uint8_t minor_version)
 {
-  constexpr std::uint16_t signature_of_1_0 = 0xaabb; // reserved since then
+  constexpr std::uint16_t signature_of_1_0 = 0xaabb; // later versions reserve it
   LasShortVlrHeader header{};
   if (minor_version == 0)
     header.reserved = signature_of_1_0;
@@ -294,7 +294,7 @@ LasFile::putHeader (LasHeader copy,
 {
   copy.points_offset = static_cast<std::uint32_t> (front.size());
   for (LasHeader::LongLong* offset : {&copy.waveform_offset, &copy.evlr_offset})
-    // Unsigned sums wrap to what is meant where a copy is shorter.
+    // If the copy is shorter, the unsigned difference wraps, and the sum wraps back.
     if (*offset >= points_end && *offset <= reader.fileSize())
       *offset += copy_points_end - points_end;
   const std::size_t length = headerLength (copy);

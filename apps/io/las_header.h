@@ -13,7 +13,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The bytes of an object without padding, as they stand in a file. */
+/** \brief Returns the bytes of an object without padding, as a file has them. */
 template <typename What>
 std::string
 bytesOf (const What& what)
@@ -21,9 +21,9 @@ bytesOf (const What& what)
   return {reinterpret_cast<const char*> (&what), sizeof (what)};
 }
 
-/** \brief The public header block of a LAS 1.4, as its bytes are. In older versions it
- * ends before the waveforms (up to 1.2) or the extended variable length records (1.3).
- */
+/** \brief The public header block of LAS 1.4, in its byte layout. Before version 1.3 it
+ * ends in front of the waveform offset, in 1.3 in front of that of the extended
+ * variable length records. */
 struct LasHeader {
   using Short = boost::endian::little_uint16_t;
   using Long = boost::endian::little_uint32_t;
@@ -37,13 +37,13 @@ struct LasHeader {
   std::array<char, 32> system, software;
   Short day, year, size;
   Long points_offset, vlr_count;
-  /** \brief Point data record format, 0 to 10, and bits that say LAZ. */
+  /** \brief Point data record format, 0 to 10, and two high bits that mark LAZ. */
   std::uint8_t format;
   Short record_length;
   Long legacy_points;
   std::array<Long, 5> legacy_points_by_return;
   Vector scale, offset;
-  /** \brief The largest and the smallest x, then y, then z. */
+  /** \brief Largest x, smallest x, largest y, smallest y, largest z, smallest z. */
   std::array<boost::endian::little_float64_t, 6> bounds;
   LongLong waveform_offset, evlr_offset;
   Long evlr_count;
@@ -70,14 +70,14 @@ struct LasHeader {
 };
 static_assert (sizeof (LasHeader) == 375, "as in LAS 1.4");
 
-/** \brief Reads and checks the header. What older versions do not have is zero. Whether
- * the file holds all of its points is not checked.
+/** \brief Reads and checks the header. Members that an older version does not have are
+ * zero. Whether the file holds all of its points is not checked.
  * \throws WorkError if the header contradicts itself or the length of the file */
 LasHeader
 readLasHeader (HeaderReader& reader);
 
-/** \brief The header of a variable length record, byte by byte. Extended records have
- * more bytes for their length. */
+/** \brief The header of a variable length record (VLR), in its byte layout. Extended
+ * records have a longer \p length. */
 template <typename Length>
 struct LasVlrHeader {
   LasHeader::Short reserved;
@@ -88,7 +88,8 @@ struct LasVlrHeader {
 };
 using LasShortVlrHeader = LasVlrHeader<LasHeader::Short>;
 
-/** \brief Where a variable length record begins, its content, and its end. */
+/** \brief A variable length record: the bytes in the file where it, its content and its
+ * end are, and its ids. */
 struct LasVlr {
   std::uint64_t begin, content, end;
   std::string user;
@@ -108,9 +109,9 @@ struct LasField {
   std::uint8_t type = 0;
   const char* type_name = "";
   std::string text = {};
-  /** \brief How many undocumented bytes there are. */
+  /** \brief For type 0 the number of undocumented bytes; else option bits. */
   std::uint8_t options = 0;
-  /** \brief Where the field begins in a record. */
+  /** \brief Offset of the field in a record [bytes]. */
   std::uint64_t place = 0;
 };
 
@@ -119,11 +120,12 @@ inline const LasField distance_field = {
     "distance", 9, "float", "to its plane; NaN: on none"};
 inline const LasField plane_field = {"plane", 5, "uint32", "of the piece; 0: on none"};
 
-/** \brief How an Extra Bytes VLR says what a field is. */
+/** \brief Returns the 192 bytes with which an Extra Bytes VLR describes a field. */
 std::string
 descriptionOf (const LasField& field);
 
-/** \brief The VLR around such descriptions. */
+/** \brief Returns an Extra Bytes VLR.
+ * \param[in] content descriptions as from \ref descriptionOf, one after the other */
 std::string
 extraBytesVlr (const std::string& content, std::uint8_t minor_version);
 

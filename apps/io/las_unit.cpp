@@ -10,7 +10,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief An entry of the GeoKeyDirectoryTag, and its header, which has its size. */
+/** \brief An entry of the GeoKeyDirectoryTag; the first one is its header, of the same
+ * size. */
 struct GeoKey {
   LasHeader::Short id, location, count, value;
 };
@@ -22,7 +23,7 @@ unitInKeys (const std::string& bytes)
   constexpr std::uint16_t geographic = 2;
   constexpr std::uint16_t linear_unit = 3076;
   constexpr std::uint16_t meter = 9001;
-  constexpr std::uint16_t last_foot = 9003; // from the international to the US one
+  constexpr std::uint16_t last_foot = 9003; // US foot; 9002: international one
   LasUnit unit = LasUnit::Unknown;
   for (std::size_t at = sizeof (GeoKey); at + sizeof (GeoKey) <= bytes.size();
        at += sizeof (GeoKey)) {
@@ -45,7 +46,8 @@ unitInWkt (const std::string& text)
 {
   std::string system = boost::algorithm::to_upper_copy (text);
   system = system.substr (0, system.find ("VERT"));
-  // Of a projected system the last unit is that of lengths; that of its base is before.
+  // In a projected system the last unit is that of x and y; the angle unit of its base
+  // comes before it.
   const std::string key = "UNIT[\"";
   const std::size_t begin = system.rfind (key);
   if (begin == std::string::npos)

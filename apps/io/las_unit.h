@@ -10,13 +10,12 @@ namespace pcl_ops::apps {
 
 enum class LasUnit { Unknown, Meter, Foot, Degree };
 
-/** \brief The unit of x and y in the text of a reference system (OGC 01-009, "WKT"). */
+/** \brief Returns the unit of x and y in a WKT text (OGC 01-009). */
 LasUnit
 unitInWkt (const std::string& text);
 
-/** \brief The unit of x and y by the reference system of a file: its text, or its keys
- * of GeoTIFF (OGC 19-008) if these name the unit, and not only the number of a system.
- */
+/** \brief Returns the unit of x and y of a file, by its WKT, else by its GeoTIFF keys
+ * (OGC 19-008). A key that has only the EPSG number of a system tells no unit. */
 LasUnit
 unitOf (LasFile& las);
 

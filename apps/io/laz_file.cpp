@@ -18,7 +18,7 @@ namespace pcl_ops::apps {
 namespace {
 
 constexpr std::uint8_t compressed = 0x80;
-/** \brief How LASzip calls points that are not in chunks. */
+/** \brief LASzip's number of the compressor that does not divide points into chunks. */
 constexpr char in_one_chunk = 1;
 
 [[noreturn]] void
@@ -29,7 +29,7 @@ failDamagedPoints (const std::string& file)
                    "or write it again");
 }
 
-/** \brief A reader or writer. */
+/** \brief A handle of LASzip, for a reader or a writer. */
 struct Laszip {
   explicit Laszip (std::string name) : file (std::move (name))
   {
@@ -43,7 +43,7 @@ struct Laszip {
   {
     if (handle == nullptr)
       return;
-    // Whichever is open; it does not go by itself.
+    // Closes the one that is open, which laszip_destroy does not.
     laszip_close_reader (handle);
     laszip_close_writer (handle);
     laszip_destroy (handle);
@@ -56,7 +56,7 @@ struct Laszip {
       return;
     laszip_CHAR* reason = nullptr;
     laszip_get_error (handle, &reason);
-    // So it says that there is no memory.
+    // LASzip reports a failed allocation like this.
     if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
       throw std::bad_alloc();
     failDamagedPoints (file);
@@ -73,7 +73,7 @@ struct Laszip {
   laszip_POINTER handle = nullptr;
 };
 
-/** \throws WorkError if LASzip cannot compress such points */
+/** \throws WorkError if LASzip cannot compress points of this format */
 std::string
 laszipVlr (const LasFile& las)
 {
@@ -85,7 +85,7 @@ laszipVlr (const LasFile& las)
   return {reinterpret_cast<const char*> (bytes), size};
 }
 
-/** \throws WorkError if the points are damaged, and Interrupted */
+/** \throws WorkError if the points are damaged, Interrupted */
 void
 convertPoints (const LasFile& las, bool compresses, std::ostream& stream)
 {
@@ -114,12 +114,12 @@ convertPoints (const LasFile& las, bool compresses, std::ostream& stream)
     return;
   // LASzip would crash if it closed a writer that failed.
   writer.handle = nullptr;
-  if (stream) // else whose it is finds out
+  if (stream) // else the owner of the stream reports its failure
     throw std::bad_alloc();
 }
 
-/** \brief The LASzip VLR's content.
- * \throws WorkError if it does not describe such points: LASzip would crash */
+/** \brief Returns the content of the LASzip VLR.
+ * \throws WorkError if it does not fit the format of the points: LASzip would crash */
 std::string
 checkedDescription (LasFile& las, const LasVlr& laszip)
 {
@@ -143,8 +143,8 @@ checkedDescription (LasFile& las, const LasVlr& laszip)
   return content;
 }
 
-/** \brief Refuses points that LASzip would crash at: their description is wrong, or the
- * table of their chunks is elsewhere or has another length. On chunks see M. Isenburg,
+/** \brief Refuses points at which LASzip would crash: their description is wrong, or
+ * the chunk table has an impossible position or length. On chunks see M. Isenburg,
  * LASzip, Photogrammetric Engineering and Remote Sensing 79 (2), 2013. */
 void
 checkCompression (LasFile& las)
@@ -172,7 +172,7 @@ checkCompression (LasFile& las)
     table = reader.at<LasHeader::LongLong> (end - head);
   check (begin <= table && table <= end - head);
   const auto chunks = reader.at<Chunks> (table);
-  // Each begins with a point that is not compressed.
+  // The first point of each chunk is not compressed.
   check (chunks.version == 0 && chunks.count > 0 &&
          chunks.count <= (end - begin) / header.record_length);
   check (size == of_any_size || chunks.count == (las.size() + size - 1) / size);
@@ -194,7 +194,7 @@ decompressLaz (const std::string& file, std::ostream& stream)
     --plain.vlr_count;
     front.erase (las.laszip->begin, las.laszip->end - las.laszip->begin);
   }
-  // No field of a header says where compressed points end.
+  // No field of the header tells where compressed points end.
   std::uint64_t end = las.reader.fileSize();
   for (const std::uint64_t next : {header.waveform_offset, header.evlr_offset})
     if (next > header.points_offset)
@@ -217,7 +217,7 @@ compressLas (const std::string& file, std::ostream& stream)
   front.insert (las.vlrs_end, laszipVlr (las));
   stream << front;
   convertPoints (las, true, stream);
-  // Only now it is known.
+  // The end of the compressed points is known only now.
   const auto end = static_cast<std::uint64_t> (std::streamoff (stream.tellp()));
   las.copyRest (header.pointsEnd(), stream);
   las.putHeader (header, header.pointsEnd(), end, front);

@@ -15,8 +15,9 @@ struct OffHeader {
   std::uint64_t vertices = 0;
 };
 
-/** \brief Reads "OFF", the numbers of vertices, faces and edges behind it or in the
- * next line, and letters in front of it that tell what vertices have besides. */
+/** \brief Reads the word OFF, with letters in front of it that tell what vertices have
+ * besides coordinates. The numbers of vertices, faces and edges follow it or are in the
+ * next line. */
 OffHeader
 readOffHeader (HeaderReader& reader)
 {
@@ -32,7 +33,7 @@ readOffHeader (HeaderReader& reader)
   OffHeader header;
   header.has_normals = letters.find ('N') != std::string::npos;
   header.has_colors = letters.find ('C') != std::string::npos;
-  std::string counts = first.substr (place + 3); // ModelNet has them there
+  std::string counts = first.substr (place + 3); // ModelNet has no blank there
   for (std::size_t i = 1; i < reader.wordCount(); ++i)
     counts += " " + std::string (reader.word (i));
   reader.takeNumbers (counts, ' ');
@@ -45,7 +46,8 @@ readOffHeader (HeaderReader& reader)
   return header;
 }
 
-/** \brief What is behind the coordinates of a vertex of so many numbers. */
+/** \brief Returns names for the columns behind the coordinates of a vertex with this
+ * many numbers. */
 Words
 furtherNames (const OffHeader& header, std::size_t numbers)
 {

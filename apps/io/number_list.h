@@ -7,15 +7,15 @@
 
 namespace pcl_ops::apps {
 
-// A number for each point of a cloud, without the points. The readers throw a WorkError
-// that says what is wrong in the file.
+// These readers return a number for each point of a cloud, from a file without points.
+// They throw a WorkError that says what is wrong in the file.
 
-/** \brief Reads an array of NumPy, of shape (N,), (N, 1) or (1, N). */
+/** \brief Reads a NumPy array of shape (N,), (N, 1) or (1, N). */
 std::vector<double>
 readNpyNumbers (const std::string& file);
 
-/** \brief Reads a text with a number in each line, but empty ones and those that begin
- * with #. */
+/** \brief Reads a text with one number in each line. Empty lines and comments, which
+ * begin with #, are skipped. */
 std::vector<double>
 readTextNumbers (const std::string& file);
 

@@ -24,7 +24,7 @@ read (const std::uint8_t* bytes)
   return static_cast<double> (number);
 }
 
-/** \brief \return false unless all of the text is a number */
+/** \return false unless all of the text is a number */
 template <typename Float>
 bool
 readFloat (std::string_view text, Float& number)
@@ -33,8 +33,8 @@ readFloat (std::string_view text, Float& number)
   const auto [rest, error] = std::from_chars (text.data(), end, number);
   if (error != std::errc::result_out_of_range)
     return error == std::errc() && rest == end;
-  // from_chars leaves a number that is too large or too small as it is; strtof and
-  // strtod give infinity, or what is nearest to zero.
+  // from_chars stores no number that is too large or too small; strtof and strtod
+  // return infinity or the nearest number that exists.
   number = static_cast<Float> (std::is_same_v<Float, float>
                                    ? std::strtof (text.data(), nullptr)
                                    : std::strtod (text.data(), nullptr));
@@ -61,7 +61,7 @@ template <typename Number>
 bool
 parse (std::string_view text, void* bytes)
 {
-  // A plus is the only difference to what the standard library reads.
+  // from_chars does not accept a plus sign.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix (1);
   Number number{};

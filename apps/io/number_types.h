@@ -14,26 +14,28 @@ using NumberReader = double (*) (const std::uint8_t* bytes);
 
 /** \brief A type of the numbers in a cloud's fields. */
 struct NumberType {
-  /** \brief As in pcl::PCLPointField, which lacks 64-bit integers before PCL 1.13. */
+  /** \brief The value in pcl::PCLPointField, which lacks 64-bit integers before PCL
+   * 1.13. */
   std::uint8_t id;
-  /** \brief I, U or F, as PCD says. */
+  /** \brief I, U or F, the TYPE in a PCD. */
   char kind;
   std::size_t size;
-  /** \brief In PLY, in both spellings; empty for 64-bit integers. */
+  /** \brief The two spellings in PLY; empty for 64-bit integers. */
   std::string_view ply_name, ply_name_with_bits;
   NumberReader read;
-  /** \brief Puts a number into bytes: also `nan`, `inf` and `infinity`, but none that
-   * is too large for double precision. Of an integer field decimals
-   * are cut off, as in PCL, and what is beyond its type is taken modulo its range.
-   * \param[in] text is followed by a character that is no part of it
-   * \return false for anything else */
+  /** \brief Parses a number and writes it into \p bytes. Accepts `nan`, `inf` and
+   * `infinity`, but no number too large for double precision. An integer type cuts
+   * decimals off, as PCL does, and takes values beyond its range modulo the range;
+   * `nan`, and sizes of 2^63 or more, give 0, except digits that fit a uint64.
+   * \param[in] text followed in memory by a character that cannot continue a number
+   * \return false if \p text is anything else */
   bool (*parse) (std::string_view text, void* bytes);
 };
 
 const NumberType&
 numberType (std::uint8_t id);
 
-/** \return nullptr for none */
+/** \return nullptr if \p is_it holds for no type */
 const NumberType*
 findNumberType (const std::function<bool (const NumberType&)>& is_it);
 

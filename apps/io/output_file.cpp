@@ -34,12 +34,12 @@ failToWrite (const std::string& file)
                          "); make room or give another name");
 }
 
-/** \brief A new file, of a short name that no other program has there. */
+/** \brief Creates a file with a short name that no other program uses in the folder. */
 fs::path
 newFileIn (const fs::path& folder, const std::string& file)
 {
   static std::atomic<unsigned> number{0};
-  constexpr mode_t permissions = 0666; // less what the user's mask takes
+  constexpr mode_t permissions = 0666; // the user's umask removes some
   for (;;) {
     fs::path path = folder / (".pcl_ops." + std::to_string (::getpid()) + "." +
                               std::to_string (++number));
@@ -77,7 +77,7 @@ newSpool (const std::string& extension, const std::string& subject)
   return name;
 }
 
-/** \return whether every byte is there */
+/** \return whether all bytes were written */
 bool
 fillFile (const fs::path& path, const std::function<void (std::ostream& stream)>& write)
 {
@@ -94,7 +94,7 @@ resolvedName (const std::string& file)
 {
   std::error_code error;
   fs::path path = fs::absolute (file, error);
-  // weakly_canonical stops in front of a link to a file that does not exist yet.
+  // weakly_canonical does not follow a link to a file that does not exist yet.
   constexpr int max_links = 40;
   for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
     path = path.parent_path() / fs::read_symlink (path, error);
@@ -136,7 +136,7 @@ writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write)
 {
   checkWritable (file);
-  // Renaming replaces the file and not a link to it.
+  // Renaming onto a link would replace the link, not the file it leads to.
   const fs::path target = resolvedName (file);
   const TemporaryPath temporary (newFileIn (target.parent_path(), file));
   if (!fillFile (temporary.path, write))

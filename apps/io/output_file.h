@@ -13,16 +13,17 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Finds out before the work whether \ref writeFile can succeed later.
- * \throws WorkError that names what is in the way, as a missing folder, and the fix */
+/** \brief Checks before the work whether \ref writeFile can succeed later.
+ * \throws WorkError that names the obstacle, such as a missing folder, and the fix */
 void
 checkWritable (const std::string& file);
 
 /** \brief Writes a file in one step: \p write fills a temporary file in the same
- * folder, which takes the name \p file once every byte is known to be there; if
- * anything fails, an existing \p file stays as it was. All outputs go this way.
- * \param[in] write need not look at the state of the stream
- * \throws WorkError as \ref checkWritable or if the disk is full, what \p write does */
+ * folder, which is renamed to \p file once all bytes are written. If anything fails, an
+ * existing \p file does not change. All outputs are written this way.
+ * \param[in] write need not check the state of the stream
+ * \throws WorkError as \ref checkWritable or if the disk is full, and whatever \p write
+ * throws */
 void
 writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write);
@@ -30,35 +31,37 @@ writeFile (const std::string& file,
 void
 writeTextFile (const std::string& file, const std::string& text);
 
-/** \brief Makes a folder, with those it lies in, unless it is there.
+/** \brief Creates a folder and its parents, unless they exist.
  * \throws WorkError that names the folder if files cannot be written there */
 void
 makeFolder (const std::string& folder);
 
-/** \brief In lower case with its dot, ".pcd"; empty if there is none. */
+/** \brief Returns the extension in lower case with its dot, ".pcd"; empty if there is
+ * none. */
 std::string
 extensionOf (const std::string& file);
 
 bool
 hasExtension (const std::string& file, const std::vector<std::string>& extensions);
 
-/** \throws UsageError about the option or argument that names a file with another
- * extension; an empty name is fine */
+/** \throws UsageError about \p option if the file has none of the extensions; an empty
+ * name is allowed */
 void
 checkExtension (const std::string& option,
                 const std::string& file,
                 const std::vector<std::string>& extensions);
 
-/** \brief The absolute name of a file, which need not exist, through links. */
+/** \brief Returns the absolute name of a file with its links resolved. The file need
+ * not exist. */
 std::string
 resolvedName (const std::string& file);
 
-/** \brief Whether both names lead to the same file, which need not exist. */
+/** \brief Whether both names lead to the same file. It need not exist. */
 bool
 isSameFile (const std::string& first, const std::string& second);
 
-/** \brief A file, or a folder with all in it, that is removed at the end of its life
- * unless it has been renamed by then. */
+/** \brief A file, or a folder with its content, that the destructor removes unless it
+ * has been renamed. */
 struct TemporaryPath {
   explicit TemporaryPath (std::filesystem::path name) : path (std::move (name)) {}
   TemporaryPath (const TemporaryPath&) = delete;
@@ -73,14 +76,15 @@ struct TemporaryPath {
   const std::filesystem::path path;
 };
 
-/** \brief A new temporary file ($TMPDIR) for what takes files only. */
+/** \brief A new temporary file ($TMPDIR), for libraries that read or write files only.
+ */
 class Spool {
 public:
-  /** \param[in] subject what complaints are about
-   * \throws WorkError if there can be none */
+  /** \param[in] subject the file or option that error messages name
+   * \throws WorkError if the file cannot be created */
   Spool (const std::string& extension, std::string subject);
 
-  /** \brief As \ref writeFile does. */
+  /** \brief Fills the file by \p write, as \ref writeFile does. */
   void
   fill (const std::function<void (std::ostream& stream)>& write) const;
 
@@ -95,8 +99,8 @@ private:
   TemporaryPath file_;
 };
 
-/** \brief A folder that one run has to itself until it ends, however it ends; where the
- * file system knows no locks, each has it. */
+/** \brief A lock on a folder for one run, released when the run ends in any way. On a
+ * file system without locks every run gets it. */
 class FolderLock {
 public:
   explicit FolderLock (const std::string& folder);
@@ -105,11 +109,12 @@ public:
   operator= (const FolderLock&) = delete;
   ~FolderLock();
 
-  /** \brief Waits until no other run has it. \throws Interrupted while it waits */
+  /** \brief Waits until no other run has the lock, then takes it.
+   * \throws Interrupted while it waits */
   void
   wait () const;
 
-  /** \return false if another run has it */
+  /** \return false if another run has the lock */
   bool
   take () const;
 

@@ -40,8 +40,8 @@ temporaryFolderIn (const std::string& folder)
   return name;
 }
 
-/** \brief Moves files from one folder into another, and removes those that an earlier
- * run left there. */
+/** \brief Moves the files of a run from \p with into \p folder, and removes those that
+ * an earlier run left there. */
 void
 exchangeFiles (const fs::path& folder, const fs::path& with, const IsOurs& is_ours)
 {
@@ -81,7 +81,7 @@ fillFolder (const std::string& folder,
                            "); choose another folder");
   }
   catch (const OutputError& error) {
-    throw OutputError (folder, error.problem); // the file's name is a temporary one
+    throw OutputError (folder, error.problem); // error names a temporary file
   }
 }
 

@@ -8,12 +8,13 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Writes files that belong together into a folder, which is made, in place of
- * those of an earlier run. Nothing changes there until all are written; other runs that
- * do the same there wait.
- * \param[in] is_ours whether a file of that name is written, or removed if it is not
- * \param[in] write fills another folder with them
- * \throws WorkError that names the folder, what \p write does */
+/** \brief Writes files that belong together into a folder, which is created if missing.
+ * They replace the files of an earlier run. The folder does not change until all are
+ * written. Other runs that replace files in it wait meanwhile.
+ * \param[in] is_ours whether a name is that of an output: only such files are moved
+ * into the folder, and removed from it if \p write did not write them again
+ * \param[in] write fills a temporary folder with the files
+ * \throws WorkError that names the folder, and whatever \p write throws */
 void
 fillFolder (const std::string& folder,
             const std::function<bool (const std::string& name)>& is_ours,

@@ -15,7 +15,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief By the first words of lines. */
+/** \brief The words of each line of the header, without the keyword, by the keyword. */
 using PcdHeader = std::map<std::string, Words>;
 
 PcdHeader
@@ -61,7 +61,7 @@ readFields (const HeaderReader& reader,
     reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
 
   constexpr std::uint64_t max_count = 1U << 20U;
-  // As many as PCL's readers take.
+  // PCL's readers take at most as many.
   constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -73,7 +73,7 @@ readFields (const HeaderReader& reader,
     const std::uint64_t count = reader.count ("COUNT", counts[i]);
     if (count > max_count)
       reader.fail ("COUNT " + counts[i] + " is out of range");
-    if (count > 0) // PCL drops the others, too
+    if (count > 0) // PCL drops fields of COUNT 0, too
       addField (names[i], type->id, points, static_cast<pcl::uindex_t> (count));
     bytes += count * type->size;
     if (bytes > max_bytes)
@@ -133,7 +133,7 @@ readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
   std::size_t numbers = 0;
   for (const pcl::PCLPointField& field : points.fields)
     numbers += field.count;
-  // The shortest number is a digit and a separator.
+  // A number takes at least two bytes, a digit and a separator.
   const std::uint64_t rest = reader.fileSize() - reader.position();
   if (sizeOf (points) > (rest + 1) / (2 * numbers))
     reader.failTruncated();
@@ -153,8 +153,8 @@ readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
   reader.expectEnd();
 }
 
-/** \brief Bytes in the format LZF (M. Lehmann's LibLZF), read without PCL's library,
- * which loads VTK. */
+/** \brief Decompresses bytes of the LZF format (M. Lehmann's LibLZF), without PCL's
+ * library, which loads VTK. */
 class LzfBytes {
 public:
   LzfBytes (const std::vector<std::uint8_t>& compressed,
@@ -180,7 +180,7 @@ public:
   }
 
 private:
-  /** \brief Heads below it stand for as many bytes and one more. */
+  /** \brief A head byte h below this value stands for h + 1 literal bytes. */
   static constexpr std::size_t literals = 32;
 
   bool
@@ -194,7 +194,7 @@ private:
     return true;
   }
 
-  /** \brief Repeats bytes that were there before. */
+  /** \brief Copies bytes from earlier in the output. */
   bool
   repeat (std::size_t head)
   {
@@ -212,7 +212,7 @@ private:
     ++in_;
     if (distance > out_ || count > bytes_.size() - out_)
       return false;
-    for (; count > 0; --count, ++out_) // may read what it writes
+    for (; count > 0; --count, ++out_) // source and target may overlap
       bytes_[out_] = bytes_[out_ - distance];
     return true;
   }
@@ -223,11 +223,12 @@ private:
   std::size_t out_ = 0;
 };
 
-/** \brief The data have a field of all points after the other. */
+/** \brief Reads binary_compressed data, which have the values of all points field by
+ * field. */
 void
 readCompressed (HeaderReader& reader, pcl::PCLPointCloud2& points)
 {
-  // LZF makes 264 bytes of three at best.
+  // LZF expands three bytes to at most 264.
   constexpr std::uint64_t max_expansion = 100;
   const std::size_t size = sizeOf (points);
   std::array<std::uint32_t, 2> sizes{};
@@ -294,8 +295,8 @@ readPcd (const std::string& file)
 
 namespace {
 
-/** \brief With as few digits as tell it from others, of single precision where it is
- * one of these. */
+/** \brief Returns the shortest text that is read back as the same number; in single
+ * precision if the number fits it. */
 std::string
 textOf (double number)
 {
@@ -333,7 +334,7 @@ pcdHeader (const FileCloud& cloud)
   };
   pcl::uindex_t end = 0;
   const auto pad = [&] (pcl::uindex_t to) {
-    if (to > end) // bytes of no field are called so
+    if (to > end) // PCD calls padding _
       add ("_", numberType (pcl::PCLPointField::UINT8), to - end);
   };
   for (const pcl::PCLPointField& field : points.fields) {

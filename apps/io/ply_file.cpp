@@ -24,7 +24,7 @@ struct PlyProperty {
   const NumberType* type = nullptr;
   /** \brief Type of the length in front of a list; nullptr: no list. */
   const NumberType* length_type = nullptr;
-  /** \brief In a point. */
+  /** \brief Where the property begins in a point [bytes]. */
   pcl::uindex_t offset = 0;
   bool becomes_float = false;
 };
@@ -42,10 +42,11 @@ struct PlyHeader {
   std::string format;
   /** \brief In the order of the data. */
   std::vector<PlyElement> elements;
-  /** \brief "obj_info num_cols N" and "num_rows N", then the numbers of a camera. */
+  /** \brief Numbers by name: num_cols and num_rows of obj_info, later those of the
+   * camera element. */
   std::map<std::string, double> grid;
 
-  /** \return nullptr if there is none of that name */
+  /** \return nullptr if no element has the name */
   const PlyElement*
   find (const std::string& name) const
   {
@@ -139,7 +140,7 @@ readPlyHeader (HeaderReader& reader)
   return header;
 }
 
-/** \brief The data of a PLY, number by number. */
+/** \brief Reads the data of a PLY, number by number. */
 class PlyData {
 public:
   PlyData (HeaderReader& reader, const std::string& format)
@@ -181,7 +182,8 @@ public:
       std::reverse (bytes, bytes + type.size);
   }
 
-  /** \return the last of a list, or the number that is none; 0 of an empty list */
+  /** \return the last number of a list (0 if it is empty), or the number of a property
+   * that is no list */
   double
   readProperty (const PlyProperty& property)
   {
@@ -232,14 +234,15 @@ private:
   HeaderReader& reader_;
   bool is_text_, is_swapped_ = false;
   std::size_t next_word_ = 0;
-  /** \brief Of each line that the first row of the element is written in. */
+  /** \brief The number of words in each line of the first row of the element. */
   std::vector<std::size_t> line_lengths_;
 };
 
-/** \brief By their places in PCL's packed color. */
+/** \brief The names of the bytes of PCL's packed color, from the lowest. */
 constexpr std::array<const char*, 4> color_names = {"blue", "green", "red", "alpha"};
 
-/** \brief Of a color that is one byte: its place in PCL's packed one, or -1. */
+/** \brief Returns the byte of PCL's packed color that a property of type uchar becomes;
+ * -1 if it is no color. */
 int
 placeInColor (const PlyProperty& property)
 {
@@ -251,7 +254,7 @@ placeInColor (const PlyProperty& property)
   return -1;
 }
 
-/** \brief Of a property that is no part of a color. */
+/** \brief Adds the field of a property that is no part of a color. */
 void
 addOwnField (PlyProperty& property, pcl::PCLPointCloud2& points)
 {
@@ -265,12 +268,12 @@ addOwnField (PlyProperty& property, pcl::PCLPointCloud2& points)
             points);
 }
 
-/** \brief As PCL names fields: normals, a packed color, and the intensity as a float.
- * No field has room for a list. */
+/** \brief Adds the fields of the vertices with PCL's names: normals, a packed color,
+ * and intensity as a float. Lists are left out, as no field has room for them. */
 void
 addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
 {
-  std::size_t color = 0; // one after its index
+  std::size_t color = 0; // index of the color field plus 1; 0: none yet
   for (PlyProperty& property : vertex.properties) {
     if (property.length_type != nullptr)
       continue;
@@ -293,7 +296,8 @@ addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
   points.data.resize (vertex.count * points.point_step);
 }
 
-/** \brief Keeps vertices, and of the others what PCL's camera says about the cloud. */
+/** \brief Reads the rows of an element. It keeps the vertices, and the numbers of PCL's
+ * camera element, which have the size of the cloud. */
 void
 readRows (PlyData& data,
           const PlyElement& element,
@@ -339,7 +343,8 @@ organize (std::uint64_t size,
   points.height = static_cast<pcl::uindex_t> (fits ? height : 1.0);
 }
 
-/** \brief Whether it is PCL's packed color, which a column of a text is not. */
+/** \brief Whether the field is PCL's packed color. A text file may have a column of
+ * this name that is not. */
 bool
 isColor (const PCLPointField& field)
 {
@@ -347,7 +352,8 @@ isColor (const PCLPointField& field)
          numberType (field.datatype).size == sizeof (std::uint32_t);
 }
 
-/** \brief The properties of PCL's packed color, whose lowest byte is blue. */
+/** \brief Returns the properties red, green, blue (and alpha) of PCL's packed color,
+ * whose lowest byte is blue. */
 PlyProperties
 colorProperties (const PCLPointField& field)
 {
@@ -376,7 +382,8 @@ numberProperties (const PCLPointField& field)
   return properties;
 }
 
-/** \brief Of a cloud. A name that another has, colors before all, gets a _ more. */
+/** \brief Returns the properties of a cloud. A name that is already taken gets a
+ * further _; names of colors are never changed. */
 PlyProperties
 propertiesOf (const pcl::PCLPointCloud2& points)
 {
@@ -391,7 +398,7 @@ propertiesOf (const pcl::PCLPointCloud2& points)
   for (auto field = fields.begin(); field != fields.end(); ++field)
     if (field == color)
       properties.insert (properties.end(), colors.begin(), colors.end());
-    else if (!isColor (*field) && field->name != "_") // bytes that are nothing in PCD
+    else if (!isColor (*field) && field->name != "_") // padding of a PCD
       for (PlyProperty& property : numberProperties (*field)) {
         while (!taken.insert (property.name).second)
           property.name += "_";
@@ -411,7 +418,7 @@ readPly (const std::string& file)
   std::uint64_t min_bytes = 0;
   for (const PlyElement& element : header.elements)
     for (const PlyProperty& property : element.properties) {
-      // Lists may be empty; a number that is text is a digit and a separator.
+      // A list may be empty. In text a number takes two bytes, with its separator.
       const NumberType* const binary =
           property.length_type == nullptr ? property.type : property.length_type;
       min_bytes += element.count * (is_text ? 2 : binary->size);

@@ -11,33 +11,35 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Makes a cloud of lines of numbers, one for each point. Columns are told
- * first, from the left. */
+/** \brief Makes a cloud from lines of numbers, one line for each point. Declare the
+ * columns first, from the left. */
 class PointRows {
 public:
   explicit PointRows (HeaderReader& reader) : reader_ (reader) {}
 
-  /** \param[in] datatype of pcl::PCLPointField */
+  /** \param[in] datatype a type of pcl::PCLPointField */
   void
   addColumn (const std::string& name, std::uint8_t datatype);
 
-  /** \brief Three columns that become PCL's packed color. */
+  /** \brief Declares three columns, red, green and blue, which become PCL's packed
+   * color. */
   void
   addColor ();
 
-  /** \brief A column of words, which no field has room for. */
+  /** \brief Declares a column of words, which becomes no field. */
   void
   skipColumn ();
 
-  /** \brief x, y, z and further columns, as many as the line has, in double precision.
-   * \param[in] further their names; where they are not as many, field_4, field_5, ...
-   */
+  /** \brief Declares all columns of the current line in double precision: x, y, z and
+   * further ones.
+   * \param[in] further names of the columns behind z; if their number differs, the
+   * columns become field_4, field_5, ... */
   void
   addColumnsOfLine (const Words& further);
 
-  /** \brief Takes the line that was read last.
-   * \throws WorkError if it has other columns, or points are more than PCL's indices
-   * can tell apart */
+  /** \brief Adds the line that was read last as a point.
+   * \throws WorkError if its columns differ from those declared, or there are more
+   * points than PCL's indices can tell apart */
   void
   addPoint ();
 
@@ -47,7 +49,7 @@ public:
     return size_;
   }
 
-  /** \brief Where the fields of the last point are. */
+  /** \brief Returns where the bytes of the last point begin. */
   std::uint8_t*
   lastPoint ()
   {
@@ -60,10 +62,11 @@ public:
     return !are_words_.empty();
   }
 
-  /** \brief The points so far, of size 0 until \ref take. */
+  /** \brief The points so far; width and height are 0 until \ref take. */
   pcl::PCLPointCloud2 cloud;
 
-  /** \brief The cloud, unorganized. \throws WorkError if it has no points */
+  /** \brief Returns the cloud, unorganized.
+   * \throws WorkError if it has no points */
   pcl::PCLPointCloud2
   take ();
 

@@ -19,7 +19,7 @@ constexpr const char* line_format = "timestamp tx ty tz qx qy qz qw";
 
 constexpr std::size_t numbers_of_matrix = 12;
 
-/** \brief Reads the numbers of a line, up to one more than a pose can have.
+/** \brief Reads the numbers of a line; stops after one more than a pose can have.
  * \return what is wrong with the line; empty if nothing is */
 std::string
 readNumbers (const std::string& line, std::vector<double>& numbers)
@@ -41,7 +41,7 @@ std::string
 fromQuaternion (const std::vector<double>& n, Eigen::Isometry3d& pose)
 {
   const Eigen::Quaterniond rotation (n[7], n[4], n[5], n[6]);
-  // Files have as few as four decimals.
+  // Some files have only four decimals.
   constexpr double rounding = 0.01;
   if (!(std::abs (rotation.norm() - 1.0) <= rounding))
     return "has a quaternion qx qy qz qw that is not of length 1";
@@ -84,7 +84,7 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
   else
     return "has " + std::to_string (numbers.size()) +
            (numbers.size() == 1 ? " number, a time, which is not needed" : " numbers");
-  // No sensor moves so far, and farther away doubles have no millimeters.
+  // No sensor moves so far, and much farther away doubles do not resolve millimeters.
   constexpr double farthest = 1e9;
   if (problem.empty() && !(pose.translation().cwiseAbs().maxCoeff() <= farthest))
     return "has a place more than 1e9 m from zero";

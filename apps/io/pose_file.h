@@ -9,29 +9,31 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Reads where a camera was, in the format of the TUM RGB-D benchmark (Sturm et
- * al., IROS 2012), a line "timestamp tx ty tz qx qy qz qw" for each frame, or of KITTI,
- * the first three rows of a matrix: from the camera's frame to a common one. Empty
- * lines and those that begin with # do not count.
- * \throws WorkError if it cannot be read, or naming the first line that is no pose */
+/** \brief Reads the poses of a camera, each as the transform from the camera's frame to
+ * a common one. A line has a frame in the format of the TUM RGB-D benchmark (Sturm et
+ * al., IROS 2012), "timestamp tx ty tz qx qy qz qw" [s, m], or of KITTI, the first
+ * three rows of a matrix. Empty lines and those that begin with # are skipped.
+ * \throws WorkError if the file cannot be read, or naming the first line that is no
+ * pose */
 std::vector<Eigen::Isometry3d>
 loadPoses (const std::string& file);
 
-/** \brief Whether poses look like those of KITTI's camera: each is written as 12
- * numbers, and they move along their z, which is where that camera looks, and not along
- * x, which is ahead of its lidar. */
+/** \brief Whether poses look like those of KITTI's camera: the first is written as 12
+ * numbers, and the motion is mostly along z, the viewing direction of that camera. In
+ * KITTI's lidar frame it would be along x. */
 bool
 lookLikeCameraOfKitti (const std::string& file,
                        const std::vector<Eigen::Isometry3d>& poses);
 
-/** \brief Reads where the lidar was in the frame of the camera that KITTI's poses are
- * of.
- * \throws WorkError if it cannot be read or has no line "Tr:" or "Tr_velo_to_cam:" */
+/** \brief Reads the transform from the lidar's frame to that of the camera whose poses
+ * KITTI has.
+ * \throws WorkError if the file cannot be read or has no line "Tr:" or
+ * "Tr_velo_to_cam:" */
 Eigen::Isometry3d
 loadCalibration (const std::string& file);
 
-/** \brief Writes such a file, with the times 0, 1/10, 2/10 s and so on.
- * \throws WorkError if it cannot be written */
+/** \brief Writes poses in the TUM format, with the timestamps 0, 0.1, 0.2 s and so on.
+ * \throws WorkError if the file cannot be written */
 void
 savePoses (const std::string& file, const std::vector<Eigen::Isometry3d>& poses);
 

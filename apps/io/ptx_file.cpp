@@ -16,13 +16,13 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief What a scan of a PTX begins with. */
+/** \brief The header of a scan in a PTX. */
 struct PtxScan {
   std::uint64_t columns = 0, rows = 0;
-  /** \brief Where the scanner was, and its axes. */
+  /** \brief Position and axes (columns) of the scanner. */
   Eigen::Vector3d place;
   Eigen::Matrix3d axes;
-  /** \brief From its frame to that of all scans. */
+  /** \brief Transform from the frame of the scan to the common frame of all scans. */
   Eigen::Affine3d transform;
 };
 
@@ -83,11 +83,12 @@ private:
     return vector;
   }
 
-  /** \brief Behind the line with the number of columns. */
+  /** \brief Reads the header of a scan; its first line, the number of columns, is the
+   * current one. */
   PtxScan
   readScanHeader ()
   {
-    constexpr double min_determinant = 0.5; // 1 of axes
+    constexpr double min_determinant = 0.5; // that of orthonormal axes is 1
     PtxScan scan;
     scan.columns = takeCount ("its number of columns");
     nextLine();
@@ -97,12 +98,12 @@ private:
       scan.axes.col (axis) = nextVector<3>();
     if (std::abs (scan.axes.determinant()) < min_determinant)
       reader_.failAtLine ("ends the axes of a scanner, which are no three directions");
-    // Points are rows in front of that matrix.
+    // PTX multiplies a row vector by the matrix, so its rows are columns here.
     for (int row = 0; row < 4; ++row)
       scan.transform.matrix().col (row) = nextVector<4>();
     if (scan.transform.matrix().row (3) != Eigen::RowVector4d (0.0, 0.0, 0.0, 1.0))
       reader_.failAtLine ("ends a matrix that is no rotation and translation");
-    if (scan.place.isZero (0.0)) // some write it there only
+    if (scan.place.isZero (0.0)) // some writers set only the matrix
       scan.place = scan.transform.translation();
     return scan;
   }
@@ -134,7 +135,8 @@ private:
     }
   }
 
-  /** \brief Readings at the scanner itself are missing ones. */
+  /** \brief Moves the last point into the common frame. A point at the scanner itself
+   * is a missing reading and becomes NaN. */
   void
   moveLastPoint (const Eigen::Affine3d& transform)
   {

@@ -24,8 +24,8 @@ namespace {
 using boost::format;
 using Places = std::vector<Eigen::Vector3d>;
 
-/** \brief Points spread over a cloud, but for those without coordinates: a share of
- * them is one of the cloud. */
+/** \brief Returns a sample of the finite points, evenly spread over the indices: a
+ * share of the sample is about that of the cloud. */
 Places
 someOf (const XyzCloud& cloud)
 {
@@ -38,7 +38,8 @@ someOf (const XyzCloud& cloud)
   return places;
 }
 
-/** \brief The place that most points share, how many do, and how many places are. */
+/** \brief Returns the place that most points share, the number of these points, and the
+ * number of distinct places. */
 std::tuple<Eigen::Vector3d, std::size_t, std::size_t>
 mostSharedPlace (const Places& places)
 {
@@ -52,7 +53,9 @@ mostSharedPlace (const Places& places)
   return {Eigen::Vector3d (most->first.data()), most->second, counts.size()};
 }
 
-/** \brief How many are beyond a thousand diagonals of the nearer half or more. */
+/** \brief Returns the number of outliers: points sorted by distance from the median
+ * count from the first one that is farther than a thousand diagonals of the bounding
+ * box of all nearer ones, at least half of the points. */
 std::size_t
 countFar (Places places)
 {
@@ -81,7 +84,7 @@ perCent (std::size_t count, std::size_t all)
   return str (format (share < nearly_all ? "%.2g %%" : "%.3g %%") % share);
 }
 
-/** \brief Whether single precision holds all coordinates as they are. */
+/** \brief Whether all coordinates are exact in single precision. */
 bool
 isExactInSingle (const CoordinateReader& reader, std::size_t size)
 {
@@ -104,7 +107,8 @@ isBefore (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
       first.begin(), first.end(), second.begin(), second.end());
 }
 
-/** \brief About so many of the finite places, each once, whatever their order. */
+/** \brief Returns at most about \p wanted distinct finite places, sorted. Which ones
+ * does not depend on the order of the points. */
 Places
 sampleByHash (std::size_t size, const PlaceOf& placeOf, std::size_t wanted)
 {
@@ -120,9 +124,10 @@ sampleByHash (std::size_t size, const PlaceOf& placeOf, std::size_t wanted)
   return places;
 }
 
-/** \brief Near the median, at a multiple of many times the deviation from it, as the
- * library takes its frame: nearly always the same for other points of the same
- * surroundings, and zero for those around zero. Zero for no points. */
+/** \brief Returns the median, rounded to a multiple of a power of two that is at least
+ * 16 times the median absolute deviation, as the library takes its frame. So it is
+ * nearly always the same for other points of the same surroundings, and zero for those
+ * around zero. Zero for no points; not rounded for deviation 0. */
 Eigen::Vector3d
 roundedMedian (Places places)
 {
@@ -146,7 +151,7 @@ hashOf (const Eigen::Vector3d& place)
 {
   std::uint64_t hash = 0;
   for (const double coordinate : place) {
-    const double same = coordinate + 0.0; // of zero and minus zero
+    const double same = coordinate + 0.0; // minus zero becomes zero
     std::uint64_t bits;
     std::memcpy (&bits, &same, sizeof bits);
     hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
@@ -183,18 +188,18 @@ shiftedCloudOf (const FileCloud& cloud, double step)
 std::string
 damageOf (const ShiftedCloud& shifted)
 {
-  // Of fewer, a share says nothing.
+  // A share of fewer points says nothing.
   constexpr std::size_t min_places = 10;
-  // Points on a coarse grid have equals, too, but all alike.
+  // On a coarse grid points coincide, too, but about as many at every place.
   constexpr std::size_t times_of_a_place = 16;
-  // One per cent, and room for what a sample may miss of it.
+  // Half of one per cent, as a sample may have fewer of the far points.
   constexpr double far_share = 0.005;
   const Places places = someOf (*shifted.cloud);
   if (places.size() < min_places)
     return "";
   const auto [shared_place, shared, different] = mostSharedPlace (places);
   const Eigen::Vector3d place = shared_place + shifted.shift;
-  // UTM to the millimeter
+  // 10 digits: UTM coordinates to the millimeter.
   const std::string shared_share =
       str (format ("%s of its points are at (%.10g, %.10g, %.10g)") %
            perCent (shared, places.size()) % place.x() % place.y() % place.z());
@@ -232,7 +237,7 @@ localOrigin (std::size_t size, const PlaceOf& place)
 {
   constexpr std::size_t looked_at = 8192;
   Places places = sampleByHash (size, place, looked_at);
-  // Of points at one place the hash takes none or all.
+  // If all points are at few places, the hash may take none of them.
   if (places.empty())
     places = sampleByHash (size, place, size + 1);
   return roundedMedian (std::move (places));

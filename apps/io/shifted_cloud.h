@@ -22,33 +22,34 @@ namespace pcl_ops::apps {
 
 using XyzCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief The coordinates of a cloud in single precision, relative to a point near it:
- * the cloud that planes are looked for in. */
+/** \brief The coordinates of a cloud in single precision, relative to a point near it.
+ * Planes are searched in this cloud. */
 struct ShiftedCloud {
-  /** \brief All points of the file, those with NaN, too, and the pose of the sensor,
-   * all relative to \ref shift. */
+  /** \brief All points of the file, also those with NaN, and the pose of the sensor,
+   * relative to \ref shift. */
   XyzCloud::Ptr cloud;
-  /** \brief Zero of the cloud in the frame of the file. It is not zero only where
-   * single precision would lose digits of the file, or a step is asked for. */
+  /** \brief The origin of the cloud in the frame of the file. It is zero unless single
+   * precision would lose digits of the file, or a step is given. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 
-/** \brief Shifts a cloud by \ref localOrigin, if single precision does not hold all its
+/** \brief Shifts a cloud by \ref localOrigin if single precision does not hold all its
  * coordinates.
- * \param[in] step above 0: shifts it in any case, by a multiple of this along each axis */
+ * \param[in] step if above 0, the cloud is always shifted, along each axis by a
+ * multiple of \p step */
 ShiftedCloud
 shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
-/** \brief What makes a cloud that can be read look damaged, and what to do about it;
- * empty if nothing does. By a sample of its points, one of these:
- * - most are at one place;
+/** \brief Returns why a cloud that can be read looks damaged, and the fix; empty if it
+ * does not. In a sample of its points it looks for one of these:
+ * - most points are at one place;
  * - some are more than a thousand times as far away as the rest is wide;
  * - one per cent or more are at one place, as missing readings are. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 
-/** \brief Reads the three coordinates of points of a cloud, whatever their type. Keeps
- * a reference to the cloud. */
+/** \brief Reads x, y and z of points of a cloud, whatever their number type. Keeps a
+ * reference to the cloud. */
 class CoordinateReader {
 public:
   explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
@@ -71,7 +72,7 @@ public:
                             readers_[2](point + offsets_[2]));
   }
 
-  /** \brief Whether the fields of all three coordinates are in single precision. */
+  /** \brief Whether x, y and z are all fields in single precision. */
   bool is_single = true;
 
 private:
@@ -80,25 +81,25 @@ private:
   std::array<NumberReader, 3> readers_{};
 };
 
-/** \brief Returns where a point is, by its number. */
+/** \brief Returns the coordinates of a point, by its index. */
 using PlaceOf = std::function<Eigen::Vector3d (std::size_t)>;
 
-/** \brief A hash of the coordinates of a place: to choose points by it is as good as to
- * draw them, but does not depend on their order. */
+/** \brief Returns a hash of coordinates. A sample chosen by it is as good as a random
+ * one, but does not depend on the order of the points. */
 std::uint32_t
 hashOf (const Eigen::Vector3d& place);
 
-/** \brief A sample of the finite points, evenly spread over their order.
- * \param[in] size how many points there are
+/** \brief Returns a sample of the finite points, evenly spread over their indices.
+ * \param[in] size number of all points
  * \param[in] looked_at largest size of the sample */
 std::vector<Eigen::Vector3d>
 somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);
 
-/** \brief A place near most points: the median of a sample of different points,
- * rounded. It does not depend on the order of the points, and neither outliers nor many
- * points at one place draw it away: the others would lose digits. Zero if no point is
- * finite.
- * \param[in] size how many points there are; all are read */
+/** \brief Returns a rounded position near most points: the median of a sample of
+ * distinct points. It does not depend on their order. Neither outliers nor many points
+ * at one place draw it away, which would cost the other points digits. Zero if no point
+ * is finite.
+ * \param[in] size number of all points; all are read */
 Eigen::Vector3d
 localOrigin (std::size_t size, const PlaceOf& place);
 

@@ -66,8 +66,8 @@ findAxis (const Words& names, const Axis& axis)
   return found;
 }
 
-/** \brief A name as headers of clouds can have it: without blanks, and short. Empty if
- * that is no name. */
+/** \brief Returns a name in a form that headers of clouds allow: without blanks, and
+ * short. Empty if nothing useful is left. */
 std::string
 fieldName (std::string name)
 {
@@ -78,7 +78,7 @@ fieldName (std::string name)
                 std::iscntrl (static_cast<unsigned char> (c)) != 0
             ? '_'
             : c;
-  return name == "_" ? "" : name; // in PCD the name of padding
+  return name == "_" ? "" : name; // a PCD calls padding so
 }
 
 /** \brief What separates the words of a line, for \ref splitWords: a semicolon if it
@@ -122,7 +122,8 @@ quotedParts (const std::string& line)
 
 /** \brief Removes the quotes from a line, and puts underscores in place of separators
  * within them, which would divide a word.
- * \throws WorkError if a quoted number has a decimal comma, but commas separate words */
+ * \throws WorkError if a quoted number has a decimal comma, but commas separate words
+ */
 void
 removeQuotes (const HeaderReader& reader, std::string& line)
 {
@@ -350,8 +351,8 @@ private:
 
   /** \brief Finds which columns have words, by the line that was taken.
    * \param[in] words of the line, without quotes
-   * \throws WorkError if it has fewer than three numbers, or, while columns have no names,
-   * a word such as 5abc that is neither a number nor a name */
+   * \throws WorkError if it has fewer than three numbers, or, while columns have no
+   * names, a word such as 5abc that is neither a number nor a name */
   void
   findColumnsOfWords (const Words& words)
   {

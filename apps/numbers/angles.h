@@ -6,8 +6,8 @@ namespace pcl_ops::apps {
 
 constexpr double pi = 3.14159265358979323846;
 
-/** \brief Not PCL's deg2rad: with its factor of eight digits 90 degrees are more than a
- * right angle. */
+/** \brief Converts degrees to radians. PCL's deg2rad has a factor of eight digits, with
+ * which 90 degrees are more than a right angle. */
 constexpr double
 toRadians (double degrees)
 {

@@ -12,9 +12,9 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The same numbers with every compiler: the standard fixes the output of
- * std::mt19937, but not that of the std:: distributions. Where
- * logarithms and cosines enter, the last bit may differ. */
+/** \brief A generator of random numbers, the same with every compiler: the standard
+ * fixes the output of std::mt19937, but not that of the std:: distributions. Only the
+ * last bit may differ where logarithms and cosines are used. */
 class Random {
 public:
   explicit Random (std::uint32_t seed) : generator_ (seed) {}
@@ -26,7 +26,8 @@ public:
     return generator_();
   }
 
-  /** \brief From 0 .. bound - 1, unbiased (Lemire 2019); 0 is treated as 1. */
+  /** \brief Uniform integer from 0 to bound - 1, unbiased (Lemire 2019); bound 0 counts
+   * as 1. */
   std::uint32_t
   below (std::uint32_t bound)
   {
@@ -40,7 +41,7 @@ public:
     return std::uint32_t (product >> 32);
   }
 
-  /** \brief Uniform in [0, 1), of 32 random bits. */
+  /** \brief Uniform in [0, 1), from 32 random bits. */
   double
   unit ()
   {
@@ -53,7 +54,7 @@ public:
     return lower + (upper - lower) * unit();
   }
 
-  /** \return [rad] */
+  /** \return uniform angle between the bounds [rad] */
   double
   angle (double lower_degrees, double upper_degrees)
   {
@@ -66,7 +67,7 @@ public:
     return unit() < probability;
   }
 
-  /** \brief Standard normal (Box & Muller 1958). */
+  /** \brief Draws from the standard normal distribution (Box & Muller 1958). */
   double
   gaussian ()
   {
@@ -74,7 +75,8 @@ public:
     return radius * std::cos (2.0 * pi * unit());
   }
 
-  /** \brief Uniform, z first, without a draw for an edge of length 0. */
+  /** \brief Draws a uniform point in a box, z first. An edge of length 0 takes no
+   * random number. */
   Eigen::Vector3d
   inBox (const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
   {

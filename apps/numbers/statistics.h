@@ -11,7 +11,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief part / whole, or \p of_nothing where the whole is 0. */
+/** \brief Returns part / whole, or \p of_nothing if whole is 0. */
 inline double
 fraction (std::size_t part, std::size_t whole, double of_nothing)
 {
@@ -19,8 +19,8 @@ fraction (std::size_t part, std::size_t whole, double of_nothing)
                     : static_cast<double> (part) / static_cast<double> (whole);
 }
 
-/** \brief The value that a share of all values does not exceed: 0.5 for the
- * median. NaN for none. */
+/** \brief Returns the smallest value with at least this share of all values at or below
+ * it; share 0.5 gives the (lower) median. NaN if there are no values. */
 template <typename Number>
 Number
 quantile (std::vector<Number> values, double share)
@@ -34,7 +34,8 @@ quantile (std::vector<Number> values, double share)
   return *place;
 }
 
-/** \brief That of each coordinate of points, which are vectors of Eigen. */
+/** \brief Returns the \ref quantile of each coordinate of points, which are Eigen
+ * vectors. */
 template <typename Vector>
 Vector
 quantileOfEach (const std::vector<Vector>& points, double share)

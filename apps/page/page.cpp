@@ -16,7 +16,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Places on the lattice of the box around them. */
+/** \brief Rounds places to a lattice of 16 bits per axis in their bounding box. */
 PointGroup
 onLattice (const SampledPoints& points)
 {
@@ -44,7 +44,8 @@ onLattice (const SampledPoints& points)
   return group;
 }
 
-/** \brief Three bytes, the last in the lowest bits, as four letters (RFC 4648). */
+/** \brief Writes three bytes, the last in the lowest bits, as four letters
+ * (RFC 4648). */
 void
 writeBase64 (std::uint32_t bytes, std::ostream& stream)
 {
@@ -56,7 +57,7 @@ writeBase64 (std::uint32_t bytes, std::ostream& stream)
   stream.write (letters, sizeof letters);
 }
 
-/** \brief Six bytes for each point, the lower of each number first. */
+/** \brief Writes x, y and z of each point as 16-bit numbers, little-endian. */
 void
 writePlaces (const PointGroup& group, std::ostream& stream)
 {

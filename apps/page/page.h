@@ -15,25 +15,25 @@
 
 namespace pcl_ops::apps {
 
-/** \brief A page with so many points has 16 MB. */
+/** \brief A page with this number of points has 16 MB. */
 inline constexpr std::size_t max_points_on_page = 2'000'000;
 
-/** \brief The points of a plane, or those on none, on a lattice of their own: 16 bits
- * along each axis of the box around them. */
+/** \brief The points of a plane, or of no plane, on a lattice of their own: 16 bits
+ * along each axis of their bounding box. */
 struct PointGroup {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
-  /** \brief Of the cloud; \ref places has all of them, or some. */
+  /** \brief Number of points in the cloud; \ref places has all or some of them. */
   std::size_t all = 0;
-  /** \brief In an order as good as drawn: the first ones are an even sample. */
+  /** \brief In pseudo-random order: the first ones are an even sample. */
   std::vector<std::array<std::uint16_t, 3>> places;
 };
 
 std::vector<PointGroup>
 toGroups (const std::vector<SampledPoints>& samples);
 
-/** \brief Groups the points of a cloud by planes, those on none last, with at most so
- * many in all (\ref PointSample).
+/** \brief Groups the points of a cloud by planes, points on no plane last, with at most
+ * \p max_points in all groups together (\ref PointSample).
  * \param[in] labels per point: 0 for no plane, else the position of the plane plus 1
  * \param[in] place where each point is */
 std::vector<PointGroup>
@@ -46,7 +46,7 @@ groupPoints (const std::vector<std::uint32_t>& labels,
  * writeFile).
  * \param[in] description a JSON object for viewer.js: "title", "up", "planes" as lists
  * of planes have them, each with its "color", and "edges"
- * \param[in] groups one for each plane, then that of no plane
+ * \param[in] groups one for each plane, then one for no plane
  * \param[in] shift is added to all places */
 void
 savePage (const std::string& file,

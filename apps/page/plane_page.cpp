@@ -75,7 +75,7 @@ planeObjects (const std::vector<PlaneSegment>& planes,
 void
 savePlanePage (const std::string& file, const PlanePage& page)
 {
-  // A file may have any bytes in its name.
+  // The title may be a file name that is not UTF-8.
   const std::string description =
       descriptionOf (page).dump (-1, ' ', false, Json::error_handler_t::replace);
   if (!page.samples.empty())

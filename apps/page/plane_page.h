@@ -23,15 +23,15 @@ struct PlanePage {
   const ShiftedCloud& shifted;
   /** \brief In the file's frame. */
   const std::vector<PlaneSegment>& planes;
-  /** \brief One for each plane, as \ref planeObject, whose "id" it has its color by. */
+  /** \brief A \ref planeObject for each plane; its "id" decides on the color. */
   nlohmann::ordered_json objects;
   Eigen::Vector3f up;
-  /** \brief Of each plane, then of none, in the file's frame: where the cloud is no
-   * more than these. Such a one is a survey, which no single sensor has seen. */
+  /** \brief Only for a survey, which no single sensor has seen and whose cloud is just
+   * these samples: the points of each plane, then of no plane, in the file's frame. */
   std::vector<SampledPoints> samples = {};
 };
 
-/** \brief The objects of a page. \param[in] up of any length but 0 */
+/** \brief Makes \ref PlanePage::objects. \param[in] up of any length but 0 */
 nlohmann::ordered_json
 planeObjects (const std::vector<PlaneSegment>& planes,
               const std::vector<PlaneExtent>& extents,

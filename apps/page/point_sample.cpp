@@ -50,7 +50,7 @@ PointSample::keepFirst (Group& group)
 void
 PointSample::add (std::size_t group, const Eigen::Vector3d& place)
 {
-  constexpr std::size_t waiting = 100; // lets small groups be looked at seldom
+  constexpr std::size_t waiting = 100; // so that small groups are seldom selected from
   if (!place.allFinite())
     return;
   Group& to = groups_[group];

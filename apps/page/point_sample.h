@@ -10,18 +10,18 @@
 
 namespace pcl_ops::apps {
 
-/** \brief All points of a plane, or those on none, or a sample of them. */
+/** \brief All points of a plane, or of no plane, or a sample of them. */
 struct SampledPoints {
-  /** \brief Of the cloud; \ref places has all of them, or some. */
+  /** \brief Number of points in the cloud; \ref places has all or some of them. */
   std::size_t all = 0;
-  /** \brief In an order as good as drawn: the first ones are an even sample. */
+  /** \brief In pseudo-random order: the first ones are an even sample. */
   std::vector<Eigen::Vector3d> places;
 };
 
-/** \brief Keeps some of the points that pass by, however many these are. Where there
- * are more than asked for, each group keeps a hundred points, or its share of half of
- * them, before the rest is shared out by size. The same for any order of the points;
- * those that are not finite are left out. */
+/** \brief Samples any number of points without storing them all. If there are more than
+ * the maximum, each group keeps a number of points in proportion to its size, but at
+ * least 100, or an equal part of half of the maximum if that is less. The sample does
+ * not depend on the order of the points. Non-finite points are left out. */
 class PointSample {
 public:
   /** \param[in] sizes of the groups
@@ -31,12 +31,12 @@ public:
   void
   add (std::size_t group, const Eigen::Vector3d& place);
 
-  /** \brief The groups; the sample is empty then. */
+  /** \brief Returns the groups and leaves this sample empty. */
   std::vector<SampledPoints>
   take ();
 
 private:
-  /** \brief A point, and what its turn in the order depends on. */
+  /** \brief A point and its hash, which decides on its turn in the order. */
   struct Turn {
     std::uint32_t hash;
     Eigen::Vector3d place;
@@ -51,7 +51,7 @@ private:
   static bool
   isBefore (const Turn& a, const Turn& b);
 
-  /** \brief Leaves those whose turn comes first, in any order. */
+  /** \brief Keeps the points whose turn comes first, up to the quota, unsorted. */
   static void
   keepFirst (Group& group);
 

@@ -14,7 +14,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief PCL's distinct colors without those that look like no plane's gray. */
+/** \brief PCL's distinct colors without grayish ones, as gray means no plane. */
 std::vector<pcl::RGB>
 palette ()
 {

@@ -13,30 +13,30 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Gray for 0, a distinct one per plane. */
+/** \brief Gray for 0, else one of a long palette of distinct colors, which repeats. */
 pcl::RGB
 colorOfLabel (std::uint32_t label);
 
-/** \brief As "#ff8000". */
+/** \brief The color as HTML writes it, like "#ff8000". */
 std::string
 webColor (const pcl::RGB& color);
 
 pcl::RGB
 colorOf (Orientation orientation);
 
-/** \brief Colors for lengths and the like, by their logarithm, from dark blue to
- * yellow. It ends at 1, 2 or 5 times a power of ten beyond all but the 2 % of smallest
- * and of largest values. */
+/** \brief Logarithmic color scale for positive values, as lengths: viridis, from dark
+ * blue to yellow. Its ends are 1, 2 or 5 times a power of ten; at most 2 % of the
+ * values are below and 2 % above them. */
 class ColorScale {
 public:
-  /** \param[in] values those that are not above 0, or NaN, do not count */
+  /** \param[in] values ignored unless positive and finite */
   explicit ColorScale (const std::vector<float>& values);
 
-  /** \brief Gray for NaN. */
+  /** \brief Gray for NaN; the color of the nearer end beyond the scale. */
   pcl::RGB
   operator() (float value) const;
 
-  /** \brief At a share of the way from the smallest to the largest value, 0 to 1. */
+  /** \brief The color at a share of the scale, 0 (smallest) to 1 (largest). */
   static pcl::RGB
   at (float share);
 
@@ -45,9 +45,9 @@ public:
 };
 
 /** \brief Writes a .pcd or .ply with a label and a color for each point.
- * \param[in] distances per point, for a field of that name, or none
- * \param[in] keeps_color whether the input's colors stay, where it has any
- * \param[in] planes per point, for a field "plane", or none */
+ * \param[in] distances per point, for a field "distance"; empty: no field
+ * \param[in] keeps_color whether the input's colors stay, if it has any
+ * \param[in] planes per point, for a field "plane"; empty: no field */
 void
 saveLabelledCloud (const std::string& file,
                    const FileCloud& cloud,

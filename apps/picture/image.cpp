@@ -20,7 +20,7 @@ namespace {
 
 constexpr int dot = 3; // edge of a dot of a letter, and of a margin [pixel]
 
-/** \brief Letters of 3 x 5 dots: an octal digit for each row from above. */
+/** \brief Letters of 3 x 5 dots: one octal digit for each row, from the top. */
 constexpr std::string_view letters = "0125.ACEHILNOPRTVZ";
 constexpr std::string_view rows_of_letters =
     "755572622771747747170000225755344437464755755722274444765555255526564465655"
@@ -28,7 +28,7 @@ constexpr std::string_view rows_of_letters =
 
 constexpr int margin = 12;
 
-/** \brief From the frame of the map to columns and rows. */
+/** \brief Transforms x and y of the map to columns and rows of the image. */
 struct MapScale {
   explicit MapScale (const std::vector<MapShape>& shapes)
   {
@@ -57,12 +57,12 @@ struct MapScale {
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
 };
 
-/** \brief Fills its rings by the even-odd rule, row by row: holes and parts alike. */
+/** \brief Fills all rings of a shape together, row by row, by the even-odd rule. */
 void
 draw (const MapShape& shape, const MapScale& scale, Image& image)
 {
   const auto row_of = [] (double y) { return static_cast<int> (std::ceil (y - 0.5)); };
-  std::map<int, std::vector<double>> crossings; // of the middles of rows
+  std::map<int, std::vector<double>> crossings; // columns, with the middle of each row
   for (const auto& ring : shape.rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       Eigen::Vector2d a = scale.pixel (ring[i]);
@@ -85,7 +85,7 @@ draw (const MapShape& shape, const MapScale& scale, Image& image)
   }
 }
 
-/** \brief A number that is 1, 2 or 5 times a power of ten, in the letters we have. */
+/** \brief A number that is 1, 2 or 5 times a power of ten, without an exponent. */
 std::string
 roundText (double number)
 {
@@ -96,7 +96,8 @@ roundText (double number)
   return text.str();
 }
 
-/** \brief A bar of 1, 2 or 5 times a power of ten, at most a third of the width. */
+/** \brief Draws a scale bar: 1, 2 or 5 times a power of ten, at most a third of the
+ * width of the map. */
 void
 addScaleBar (const MapScale& scale, Image& image)
 {

@@ -33,21 +33,22 @@ struct Image {
   void
   fill (int column, int row, int last_column, int last_row, const pcl::RGB& color);
 
-  /** \brief Writes capitals, digits and points in black, from the upper left corner. */
+  /** \brief Writes text in black from its upper left corner. It has the letters of the
+   * legends and of round numbers; others are blank. */
   void
   write (int column, int row, const std::string& text);
 
-  /** \brief What the colors of orientations mean, in the right half.
-   * \param[in] lines all, or without the gray of no plane */
+  /** \brief Draws the legend of the orientation colors into the right half.
+   * \param[in] lines 4, or 3 without the gray of no plane */
   void
   addLegend (int lines = 4);
 
-  /** \brief What the colors of a scale mean, in the left half. */
+  /** \brief Draws the legend of a color scale into the left half. */
   void
   addLegend (const ColorScale& scale);
 };
 
-/** \param[in] columns so many from the left are written */
+/** \param[in] columns how many columns are written, from the left */
 void
 savePng (const std::string& file, const Image& image, int columns = Image::width);
 
@@ -55,14 +56,14 @@ savePng (const std::string& file, const Image& image, int columns = Image::width
 struct MapShape {
   std::uint32_t id = 0;
   Orientation orientation = Orientation::Other;
-  /** \brief The centroid's z; the higher is drawn above the lower. */
+  /** \brief z of the centroid; higher planes are drawn over lower ones. */
   double height = 0.0;
   /** \brief Outlines and holes, in any order. */
   std::vector<std::vector<Eigen::Vector3d>> rings;
 };
 
-/** \brief Two views from above, y upwards: left each plane in its own color over a bar
- * of the scale, right in the color of its orientation class. */
+/** \brief Two views from above, y upwards: left each plane in its own color and a scale
+ * bar, right each plane in the color of its orientation class. */
 Image
 mapPicture (std::vector<MapShape> shapes);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float far = std::numeric_limits<float>::infinity();
 
-/** \brief Side of the parts of the image that are looked at as one [pixel]. */
+/** \brief Side of the square parts of the image whose dots are counted [pixel]. */
 constexpr int part = 16;
 
 struct Dot {
@@ -25,8 +25,8 @@ struct Dot {
   float column, row, depth;
 };
 
-/** \brief Half the side of the squares that cover a part of the image twice, if so many
- * are in it [pixel]. */
+/** \brief Half the side of the dots [pixel] with which \p dots_in_part dots cover a
+ * part of the image twice. */
 float
 halfSideOf (float dots_in_part)
 {
@@ -35,12 +35,12 @@ halfSideOf (float dots_in_part)
   return overlap * std::sqrt (pixels_per_dot) / 2.0f;
 }
 
-/** \brief Half the side of each dot [pixel]: the fewer dots its part of the image has
- * in the front layer, the larger they are. */
+/** \brief Half the side of each dot [pixel]: the fewer dots of the front layer are in
+ * its part of the image, the larger it is. */
 std::vector<float>
 halfSidesOf (const std::vector<Dot>& dots, int width, int height)
 {
-  constexpr float front_layer = 1.1f; // its depth, in units of the nearest
+  constexpr float front_layer = 1.1f; // its farthest depth, in units of the nearest
   constexpr float smallest = 0.5f;
   constexpr float largest = 5.0f;
   const int columns = width / part + 1;
@@ -97,8 +97,8 @@ forEachInnerPixel (const Raster& raster, Visit&& visit)
       visit (column, row);
 }
 
-/** \brief Fills an empty pixel with the nearest of its neighbors, if most of its
- * neighbors are not empty. */
+/** \brief Fills an empty pixel with the neighbor of least depth, if at least five of
+ * its eight neighbors are not empty. */
 void
 closeHoles (Raster& raster)
 {
@@ -118,7 +118,7 @@ closeHoles (Raster& raster)
   });
 }
 
-/** \brief Planes seen at a grazing angle are darker than those seen from the front. */
+/** \brief Brightness of a plane: 1 seen from the front, 0.7 at a grazing angle. */
 float
 facing (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& point)
 {
@@ -134,7 +134,7 @@ Eigen::ArrayXXf
 shadeDepths (const Raster& raster)
 {
   constexpr float strength = 6.0f;
-  constexpr float largest_step = 0.05f; // of the logarithm: farther ones darken no more
+  constexpr float largest_step = 0.05f; // of log depth; larger ones darken no more
   Eigen::ArrayXXf brightness =
       Eigen::ArrayXXf::Ones (raster.depths.rows(), raster.depths.cols());
   forEachInnerPixel (raster, [&] (Eigen::Index column, Eigen::Index row) {

@@ -17,19 +17,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Which point each pixel of an image, by column and row, shows, and how far
- * away it is. */
+/** \brief The point that each pixel of an image shows, and its depth, by column and
+ * row. */
 struct Raster {
   static constexpr pcl::index_t nothing = -1;
 
-  /** \brief \ref nothing where no point is seen. */
+  /** \brief Index of the point in the cloud; \ref nothing where no point is seen. */
   Eigen::Array<pcl::index_t, Eigen::Dynamic, Eigen::Dynamic> points;
   /** \brief Along the viewing direction; infinite where no point is seen. */
   Eigen::ArrayXXf depths;
 };
 
 /** \brief Draws points as squares just large enough to close the gaps between them, the
- * nearest in front; NaN points never are. */
+ * nearest in front. Non-finite points are not drawn. */
 Raster
 drawPoints (const XyzCloud& cloud,
             const View& view,
@@ -41,7 +41,7 @@ drawPoints (const XyzCloud& cloud,
 class CloudPicture {
 public:
   /** \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
-   * \param[in] planes those of a room that are seen from behind are left out
+   * \param[in] planes points of a room's planes that are seen from behind are left out
    * \param[in] up direction against gravity */
   CloudPicture (const XyzCloud& cloud,
                 const std::vector<std::uint32_t>& labels,
@@ -67,7 +67,7 @@ public:
     return view_;
   }
 
-  /** \brief Writes a PNG of the one picture, in exactly these colors, without shades.
+  /** \brief Writes a PNG of a single picture in exactly these colors, without shading.
    * \param[in] colors per point
    * \param[in] scale what the colors mean; nullptr: no legend */
   void
@@ -85,7 +85,7 @@ private:
  * in its own color, right in that of its orientation, with a legend; gray for no plane.
  * \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
  * \param[in] up direction against gravity
- * \param[in] ids of the planes, which have their colors by them; empty: 1, 2, ... */
+ * \param[in] ids of the planes, which decide on their colors; empty: 1, 2, ... */
 void
 savePicture (const std::string& file,
              const XyzCloud& cloud,

@@ -15,10 +15,10 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-/** \brief The share of points at either end that no view is fitted to. */
+/** \brief Share of points at either end of an axis that the fit of a view ignores. */
 constexpr double outliers = 0.005;
 
-/** \brief How many points a view is fitted to; more would not change it. */
+/** \brief About the most points a view is fitted to; more would not change it. */
 constexpr std::size_t enough = 20000;
 
 Points
@@ -51,7 +51,7 @@ boxOf (const std::vector<Vector>& points)
 }
 
 /** \brief The axes of an image in rows: right, down and forward.
- * \param[in] down roughly; it is turned to be across \p forward */
+ * \param[in] down rough direction; it is made perpendicular to \p forward */
 Eigen::Matrix3f
 axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
 {
@@ -61,7 +61,7 @@ axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
   return axes;
 }
 
-/** \brief The mean direction of points, and the angle that holds nearly all. */
+/** \brief Mean direction to the points, and half the angle that holds nearly all. */
 struct Cone {
   Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
   float half_angle = 0.0f;
@@ -85,8 +85,10 @@ coneOf (const Points& points, const Eigen::Vector3f& eye)
   return cone;
 }
 
-/** \brief Which way the image of a sensor looking along \p forward goes down: along its
- * y axis for a camera that looks along its z axis, against gravity otherwise. */
+/** \brief Direction that is down in the image of a sensor looking along \p forward: its
+ * y axis if it looks roughly along its z axis, as a camera does, reversed for -z; else
+ * along gravity, or any perpendicular direction if it looks almost straight up or down.
+ */
 Eigen::Vector3f
 downOf (const Eigen::Quaternionf& orientation,
         const Eigen::Vector3f& forward,
@@ -103,7 +105,7 @@ downOf (const Eigen::Quaternionf& orientation,
   return forward.unitOrthogonal();
 }
 
-/** \param[in] elevation of the eye over the level [rad]
+/** \param[in] elevation of the eye above the horizontal [rad]
  * \return unit vector to the eye that sees the planes' fronts best */
 Eigen::Vector3f
 bestSlant (const std::vector<PlaneSegment>& planes,
@@ -146,10 +148,9 @@ hidesMost (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
   return 2 * hidden > all;
 }
 
-/** \brief Looks into a cloud from outside and from above, and leaves out the planes
- * that are seen from behind if the sensor was inside. If that hides most points it
- * looks from below; if that hides most points, too, it looks from above and leaves out
- * nothing. */
+/** \brief Sets a view into the cloud from outside and above. If the sensor was inside
+ * the box, planes seen from behind are left out. If that hides most points on planes,
+ * the view is from below. If that hides most, too, it is from above with all planes. */
 void
 lookInto (const Eigen::AlignedBox3f& box,
           const std::vector<PlaneSegment>& planes,

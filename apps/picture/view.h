@@ -14,11 +14,11 @@ struct View {
   /** \brief Focal length and principal point [pixel]. */
   float focal = 1.0f;
   Eigen::Vector2f center = Eigen::Vector2f::Zero();
-  /** \brief Whether planes seen from behind are left out, as the near walls of a room
-   * looked into from outside. */
+  /** \brief Whether planes seen from behind are left out, as are the near walls when a
+   * room is seen from outside. */
   bool hides_backs = false;
 
-  /** \brief Pixel and depth, which is not positive behind the camera. */
+  /** \return column and row, and depth, which is positive in front of the camera */
   Eigen::Vector3f
   project (const Eigen::Vector3f& point) const
   {
@@ -29,8 +29,9 @@ struct View {
   }
 };
 
-/** \brief A view that shows a cloud as its sensor saw it; or, where the points lie all
- * around the sensor or too far away to have been seen from it, from above at a slant.
+/** \brief A view that shows a cloud as its sensor saw it. If the points lie all around
+ * the sensor, or too far away to have been seen from it, it is from above at a slant,
+ * or from below if that shows more fronts of planes.
  * \param[in] planes whose normals point to the sensor
  * \param[in] up direction against gravity
  * \param[in] width, height of the image [pixel], which the cloud will fill */

@@ -27,9 +27,9 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The pose of each cloud, in one common frame; all the same where none are
- * given.
- * \throws WorkError if the file has another number of poses */
+/** \brief Returns the sensor pose of each cloud in one common frame; all identities
+ * without --poses.
+ * \throws WorkError if the file has a different number of poses */
 std::vector<Eigen::Isometry3d>
 posesOf (const TrackOptions& options, std::size_t frames)
 {
@@ -64,7 +64,7 @@ struct Status {
   std::vector<ResultWarning> warnings = {};
 };
 
-/** \brief One call of \ref runBatch. */
+/** \brief The state of one call of \ref runBatch. */
 class BatchRun {
 public:
   BatchRun (const SegmentOptions& options, const Batch& batch)
@@ -98,7 +98,7 @@ public:
         finish (i, statusOf (i));
       }
       catch (...) {
-        // No memory even to say so: those behind must not wait for this one.
+        // Not even enough memory to report it: later clouds must not wait for this one.
         const std::lock_guard<std::mutex> lock (mutex_);
         is_given_up_ = true;
         is_next_.notify_all();
@@ -113,9 +113,9 @@ public:
   }
 
 private:
-  /** \brief Gives the planes of a cloud their ids, once the clouds before are done.
-   * \param[in] sensor in the frame of the cloud. Planes are compared relative to it, as
-   * it is what an error of a pose turns them about. */
+  /** \brief Gives the planes of a cloud their ids, once all earlier clouds are done.
+   * \param[in] sensor as in \ref GiveIds. Planes are matched relative to it, as the
+   * rotation error of a pose turns them about the sensor. */
   void
   giveIds (std::size_t i, const Eigen::Vector3d& sensor, Report& report)
   {
@@ -133,12 +133,12 @@ private:
       report.ids_of_whole = track (tracker_of_whole_, report.detected.whole_planes);
   }
 
-  /** \brief The up axes that single clouds have by their planes, in the frame of the
-   * poses. Of long sequences only some clouds are asked, evenly chosen. */
+  /** \brief Estimates the up axis of single clouds from their planes, and returns those
+   * found, in the frame of the poses. A long sequence is sampled evenly. */
   std::vector<UpAxis>
   answersOnUp ()
   {
-    constexpr std::size_t max_asked = 64; // enough for a majority
+    constexpr std::size_t max_asked = 64; // clouds; enough for a majority
     const std::size_t all = batch_.tasks.size();
     const std::size_t asked = std::min (all, max_asked);
     std::vector<std::optional<UpAxis>> found (asked);
@@ -154,7 +154,7 @@ private:
           found[k]->direction = poses_[i].rotation() * found[k]->direction;
       }
       catch (const std::exception&) {
-        // The cloud's own turn tells what is wrong with it.
+        // The error is reported when the cloud is segmented.
       }
     });
     std::vector<UpAxis> answers;
@@ -164,13 +164,13 @@ private:
     return answers;
   }
 
-  /** \brief The mean direction against that of y, which points down in cameras, in the
-   * frame of the poses.
-   * \throws UsageError if the camera was not nearly level all the time */
+  /** \brief Returns the mean of the directions opposite to y, which points down in
+   * camera frames, in the frame of the poses.
+   * \throws UsageError if these directions differ too much to have one up axis */
   Eigen::Vector3d
   upOfCamera () const
   {
-    // Unit vectors that lean to all sides have a shorter mean.
+    // The more the unit vectors differ, the shorter is their mean.
     constexpr double min_length_of_mean = 0.5;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Eigen::Isometry3d& pose : poses_)
@@ -180,8 +180,8 @@ private:
     return sum.normalized();
   }
 
-  /** \brief Sets one up axis for all clouds of a sequence, as many of them cannot tell
-   * theirs. */
+  /** \brief Sets one up axis for all clouds of a sequence, as many single clouds cannot
+   * tell it. */
   void
   setCommonUp ()
   {
@@ -216,7 +216,7 @@ private:
         common->answers % answers);
   }
 
-  /** \brief The options for one cloud: the up axis in its own frame. */
+  /** \brief Returns the options for one cloud, with the up axis in its frame. */
   SegmentOptions
   optionsOf (std::size_t i) const
   {
@@ -229,7 +229,8 @@ private:
     return options;
   }
 
-  /** \brief Segments a cloud. */
+  /** \brief Segments a cloud and returns how that ended; an exception is a status, too.
+   */
   Status
   statusOf (std::size_t i)
   {
@@ -260,8 +261,8 @@ private:
     }
   }
 
-  /** \brief Notes how a cloud ended, and prints what all clouds before have waited for.
-   */
+  /** \brief Stores the status of a cloud. Prints all statuses that now have no gap
+   * before them. */
   void
   finish (std::size_t i, const Status& status)
   {
@@ -300,18 +301,18 @@ private:
   }
 
   const SegmentOptions& options_;
-  /** \brief With the up axis that all clouds of a sequence have. */
+  /** \brief The options with the up axis of the sequence, in the frame of the poses. */
   SegmentOptions in_common_frame_;
   const Batch& batch_;
   PlaneTracker tracker_;
-  /** \brief Of the planes that pieces lie on. */
+  /** \brief Numbers the planes on which pieces lie. */
   PlaneTracker tracker_of_whole_;
   std::vector<Eigen::Isometry3d> poses_;
   Progress progress_;
   std::mutex mutex_;
   std::condition_variable is_next_;
   std::vector<std::optional<Status>> statuses_;
-  /** \brief The first so many clouds have a status, and it is printed. */
+  /** \brief Number of clouds, from the first on, whose status is printed. */
   std::size_t finished_ = 0;
   bool is_given_up_ = false;
   std::array<std::size_t, 3> counts_{};

@@ -6,11 +6,12 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Segments clouds, options.jobs at a time. Goes on after one that fails; ends
- * early when the user interrupts it, with each cloud's outputs either complete or
- * untouched. Prints lines and numbers planes in the order of the tasks: both are the
- * same for any number of jobs.
- * \return the exit code, ExitCode::work_failed if any failed or was left */
+/** \brief Segments clouds, options.jobs at a time. It goes on after a cloud that fails,
+ * and ends early if the user interrupts it, without a half-written file. It prints
+ * lines and numbers planes in the order of the tasks: both are the same for any number
+ * of jobs.
+ * \return the exit code: ExitCode::work_failed if the only input failed
+ * \throws WorkError if one of several inputs failed, or after an interruption */
 int
 runBatch (const SegmentOptions& options, const Batch& batch);
 

@@ -13,7 +13,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Prints what files hold and what is doubtful on the standard error. */
+/** \brief Prints contents of output files and warnings to the standard error. */
 void
 printNotes (const Report& report)
 {
@@ -58,7 +58,7 @@ segment (int argc, const char* const* argv)
     return ExitCode::done;
   if (!options.isBatch())
     return segmentOne (options);
-  // A batch is about its files, whose writing a closed pipe must not cut short.
+  // A closed pipe of the standard output must not end a batch, which writes files.
   ignoreClosedPipes();
   return runBatch (options, batchOf (options));
 }

@@ -26,7 +26,7 @@ namespace {
 constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
-/** \brief What stands for the name of the input in the outputs of a batch. */
+/** \brief Placeholder for the name of the input in output names of a batch. */
 constexpr const char* name_of_input = "{}";
 
 constexpr const char* in_and_out =
@@ -43,11 +43,11 @@ constexpr const char* in_and_out =
 struct OutputOption {
   std::string name;
   std::string Outputs::*output;
-  /** \brief Those a file can have; none for a folder. */
+  /** \brief Allowed extensions of the file; empty for a folder. */
   std::vector<std::string> extensions;
 };
 
-/** \brief All but OUTPUT, whose formats are not the same in every build. */
+/** \brief All outputs except OUTPUT, whose formats depend on the build. */
 const OutputOption output_options[] = {
     {"planes", &Outputs::planes, {".json", ".csv", ".geojson", ".gpkg"}},
     {"image", &Outputs::image, {".png"}},
@@ -134,7 +134,7 @@ declareTracking (CommandLine& line, TrackOptions& options)
       .help ("how far a move from INPUT to INPUT is off (0.05)");
 }
 
-/** \brief Sorts out what the arguments are: INPUT and OUTPUT, or all inputs. */
+/** \brief Stores the arguments: INPUT and OUTPUT, or inputs only with --output-dir. */
 void
 storeArguments (const std::vector<std::string>& arguments, SegmentOptions& options)
 {
@@ -155,7 +155,7 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
     options.outputs.planes = standard_stream;
 }
 
-/** \brief Refuses options that mean nothing without others. */
+/** \brief Throws UsageError for options that have no effect without other options. */
 void
 checkAreAbout (const CommandLine& line, const SegmentOptions& options)
 {
@@ -209,7 +209,8 @@ checkOutputs (const SegmentOptions& options)
         "leaves nothing to do; give OUTPUT.pcd, --planes or another output, too");
 }
 
-/** \brief Refuses names that all inputs would share. */
+/** \brief Throws UsageError for an output that every input of a batch would write, and
+ * for the standard input in a batch. */
 void
 checkBatch (const SegmentOptions& options)
 {
@@ -233,7 +234,7 @@ struct Owner {
   const Task* task;
 };
 
-/** \brief Who writes what, by absolute names. */
+/** \brief The task that writes each file or folder, by absolute name. */
 using Owners = std::map<std::string, Owner>;
 
 void
@@ -262,7 +263,8 @@ struct OwnedOutputs {
   }
 };
 
-/** \brief Refuses two outputs of one name, and an output that is its own input. */
+/** \brief Collects the outputs of all tasks.
+ * \throws UsageError for two outputs of one name, or an output that is its own input */
 OwnedOutputs
 ownOutputs (const std::vector<Task>& tasks, const std::string& fix)
 {
@@ -279,9 +281,10 @@ ownOutputs (const std::vector<Task>& tasks, const std::string& fix)
   return outputs;
 }
 
-/** \brief Refuses outputs that would be written over each other or over an input, or
- * be taken for planes of an earlier run.
- * \param[in] poses an input, too; empty for none */
+/** \brief Checks the names of all outputs.
+ * \param[in] poses file of poses, which counts as an input; empty: no poses
+ * \throws UsageError if an output would overwrite another output or an input, or if
+ * --planes-dir has an output named as a plane file, or an input */
 void
 checkClashes (const std::vector<Task>& tasks,
               const std::string& poses,

@@ -14,13 +14,13 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Where to write what is found in one cloud; empty where not asked for. */
+/** \brief Names of the output files for one cloud; empty if not asked for. */
 struct Outputs {
   std::string cloud;
-  /** \brief .json, .csv or .geojson; "-" for JSON on the standard output. */
+  /** \brief .json, .csv, .geojson or .gpkg; "-" for JSON on the standard output. */
   std::string planes;
   std::string image;
-  /** \brief A page for a browser. */
+  /** \brief An HTML page for a browser. */
   std::string view;
   std::string mesh;
   std::string edges;
@@ -28,24 +28,25 @@ struct Outputs {
   std::string plan;
   std::string rest;
   std::string planes_dir;
-  /** \brief A folder for what each stage made. */
+  /** \brief A folder for the results of each stage. */
   std::string trace;
 
-  /** \brief The files of all that are asked for but planes_dir, whose names depend on
-   * what is found. */
+  /** \brief Returns all files to be written, those in \ref trace too. Those in \ref
+   * planes_dir are left out, as their names depend on the planes. */
   std::vector<std::string>
   files () const;
 };
 
-/** \brief How planes keep their numbers over the clouds of a sequence. */
+/** \brief Options of --track: planes keep their numbers over a sequence of clouds. */
 struct TrackOptions {
   bool is_on = false;
-  /** \brief A file of poses; empty where the sensor hardly moves. */
+  /** \brief A file of sensor poses; empty: all poses are the identity. */
   std::string poses;
-  /** \brief A calib.txt of KITTI: the poses are of its camera, clouds of its lidar. */
+  /** \brief A calib.txt of KITTI, to turn poses of its camera into those of its lidar.
+   */
   std::string calibration;
-  /** \brief Whether \ref poses are used as those of a lidar though they look like those
-   * of KITTI's camera. */
+  /** \brief Whether \ref poses look like those of KITTI's camera but are used as those
+   * of a lidar. */
   bool has_camera_poses = false;
   PlaneMatchingParameters matching;
 };
@@ -53,36 +54,36 @@ struct TrackOptions {
 struct SegmentOptions {
   /** \brief As given: a file or "-"; with \ref output_dir files, folders, patterns. */
   std::vector<std::string> inputs;
-  /** \brief Where the outputs of several inputs go; empty for one input. */
+  /** \brief Folder for the outputs of several inputs; empty for one input. */
   std::string output_dir;
   /** \brief With \ref output_dir, {} stands for the name of each input. */
   Outputs outputs;
   std::string method = "ops";
-  /** \brief What outlines are drawn by: "convex" or "concave". */
+  /** \brief The kind of hull that outlines are: "convex" or "concave". */
   std::string hull = "convex";
-  /** \brief Whether each connected piece of a plane has a label of its own, and the
-   * widest gap within one. */
+  /** \brief Whether each connected piece of a plane has a label of its own, and which
+   * gaps divide pieces. */
   bool pieces = false;
   PlanePiecesParameters of_pieces;
   FloorPlanParameters of_plan;
-  /** \brief Whether the length of a meter was given, 1 or not. */
+  /** \brief Whether --meter was given, even as 1, or a LAS file has another unit. */
   bool has_meter = false;
-  /** \brief Whether planes become exactly parallel, orthogonal and coplanar. */
+  /** \brief Whether to make nearly parallel, orthogonal, coplanar planes exactly so. */
   bool regularize = false;
   PlaneChoice choice;
   MapOptions map;
   DetectorOptions detector;
   TrackOptions track;
-  /** \brief Inputs at a time; 0: as many as there are processors. */
+  /** \brief Number of inputs to work on at a time; 0: one for each processor. */
   unsigned jobs = 1;
   bool keep_color = false;
-  /** \brief Whether OUTPUT tells how far each point is from its plane. */
+  /** \brief Whether OUTPUT has the signed distance of each point to its plane. */
   bool distances = false;
   bool quiet = false;
   /** \brief "pcd" or "ply"; empty where --format is not given. */
   std::string format;
 
-  /** \brief The extension of clouds that are not named one by one. */
+  /** \brief Extension of the clouds that the program names itself. */
   std::string
   fileFormat () const
   {
@@ -96,8 +97,8 @@ struct SegmentOptions {
   }
 };
 
-/** \brief Reads the command line and checks it without a look at files.
- * \return false if --help or --version was answered: nothing is left to do
+/** \brief Reads the command line and checks it, without reading any file.
+ * \return false if it printed --help or --version: nothing is left to do
  * \throws UsageError */
 bool
 readOptions (int argc, const char* const* argv, SegmentOptions& options);
@@ -112,19 +113,20 @@ struct Task {
 
 struct Batch {
   std::vector<Task> tasks;
-  /** \brief What is wrong with inputs that stand for no cloud. */
+  /** \brief One message for each input argument that stands for no cloud. */
   std::vector<std::string> problems;
 };
 
-/** \brief The one task of a command line without --output-dir, checked down to whether
- * its outputs can be written.
- * \throws UsageError or, for an output, WorkError */
+/** \brief Returns the one task of a command line without --output-dir. Creates output
+ * folders and checks that the outputs can be written.
+ * \throws UsageError if two names clash, WorkError if an output cannot be written */
 Task
 taskOf (const SegmentOptions& options);
 
-/** \brief The tasks of a command line with --output-dir, which is created.
+/** \brief Returns the tasks of a command line with --output-dir. Creates that folder if
+ * there is a task.
  * \throws UsageError if two inputs would be written to one file or an input would be
- * written over, WorkError if nothing can be written to the folder */
+ * overwritten, WorkError if the folder cannot be written to */
 Batch
 batchOf (const SegmentOptions& options);
 

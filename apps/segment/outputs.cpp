@@ -33,11 +33,12 @@ namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
-// The files that the options of pcl_ops_segment ask for; report.h declares saveOutputs.
+// Writes all output files of pcl_ops_segment; report.h declares saveOutputs.
 
 namespace {
 
-/** \brief Some points of a cloud. PCL's copyPointCloud counts bytes in 32 bits. */
+/** \brief Copies some points of a cloud. PCL's copyPointCloud is not used, as it counts
+ * bytes in 32 bits. */
 FileCloud
 pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
 {
@@ -51,18 +52,19 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
   return part;
 }
 
-/** \brief Polygons with a color for each corner, or lines. */
+/** \brief A mesh of polygons with a color per corner, or lines without color. */
 struct PolyData {
   bool are_lines;
-  /** \brief PCL's point types cannot read doubles, and single precision loses places
-   * far from zero. */
+  /** \brief Whether coordinates are written as doubles. PCL's point types cannot read
+   * these, but single precision loses digits far from zero. */
   bool is_double;
-  /** \brief The same, as PLY and VTK call it. */
+  /** \brief Name of the coordinate type in PLY and VTK. */
   const char* type = is_double ? "double" : "float";
   std::vector<Eigen::Vector3d> points = {};
   std::vector<pcl::RGB> colors = {};
   std::vector<pcl::Indices> cells = {};
-  /** \brief Of lines: those of each, and how many points are shown by themselves. */
+  /** \brief For lines: the planes of each line, and how many of the first points are
+   * corners, shown as vertices. */
   std::vector<pcl::Indices> planes = {};
   std::size_t corners = 0;
 };
@@ -105,8 +107,8 @@ writePly (const PolyData& data, std::ostream& stream)
       stream << data.cells[i].size() << ' ' << data.cells[i] << '\n';
 }
 
-/** \brief A Wavefront mesh; vertices have their colors after the place, as MeshLab,
- * Blender and Open3D read them. */
+/** \brief Writes a Wavefront mesh. A vertex has its color after its coordinates, as
+ * MeshLab, Blender and Open3D read it. */
 void
 writeObj (const PolyData& data, std::ostream& stream)
 {
@@ -122,7 +124,8 @@ writeObj (const PolyData& data, std::ostream& stream)
   }
 }
 
-/** \brief Cells of a kind, after how many they are and how many numbers they take. */
+/** \brief Writes a section of a VTK file: number of cells, count of all integers, then
+ * the cells. */
 void
 writeSection (const char* kind,
               const std::vector<pcl::Indices>& cells,
@@ -158,8 +161,9 @@ writeVtk (const PolyData& data, std::ostream& stream)
     stream << (color.getRGBVector3i().cast<float>() / 255.0f).format (in_a_row) << '\n';
 }
 
-/** \brief Writes an ASCII file. A .ply or .obj is in the file's frame. A .vtk is moved
- * by the pose of the sensor: pcl_viewer moves clouds by that pose but not meshes. */
+/** \brief Writes an ASCII file. A .ply or .obj is in the frame of the input file. A
+ * .vtk is moved by the pose of the sensor, as pcl_viewer moves clouds by that pose but
+ * not meshes. */
 void
 savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
 {
@@ -170,7 +174,7 @@ savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
   if (is_vtk)
     for (Eigen::Vector3d& point : data.points)
       point = pose * point;
-  // Not by PCL's or VTK's writers, which do not say when the disk is full.
+  // PCL's and VTK's writers are not used: they do not report a full disk.
   writeFile (file, [&] (std::ostream& stream) {
     stream.imbue (std::locale::classic());
     stream.precision (data.is_double ? std::numeric_limits<double>::max_digits10
@@ -184,7 +188,8 @@ savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
   });
 }
 
-/** \brief Triangles of an outline, by its corners, or the outer ring itself. */
+/** \brief Divides an outline into triangles, as indices of its corners. Without
+ * pcl_ops_surface, or if that fails, returns the outer ring as one face. */
 std::vector<pcl::Indices>
 facesOf ([[maybe_unused]] const PlaneSegment& plane,
          [[maybe_unused]] const Eigen::Vector3d& center,
@@ -209,7 +214,8 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane,
   return faces;
 }
 
-/** \brief Corners first, then the ends of edges that are at no corner. */
+/** \brief Returns edges as lines. Points are the corners first, then the ends of edges
+ * that are not at a corner. */
 PolyData
 toLines (const PlaneEdges& found)
 {
@@ -220,7 +226,7 @@ toLines (const PlaneEdges& found)
   for (const PlaneEdge& edge : found.edges) {
     pcl::Indices& line = lines.cells.emplace_back();
     for (const Eigen::Vector3d& end : {edge.from, edge.to}) {
-      // Ends that were drawn to a corner are the corner, to the last digit.
+      // An end that was moved to a corner is exactly equal to it.
       std::size_t i = 0;
       while (i < lines.corners && lines.points[i] != end)
         ++i;
@@ -250,9 +256,9 @@ toJson (const PlaneEdges& found)
   return jsonText (json);
 }
 
-/** \brief For each point of a cloud its signed distance to its plane, positive where
- * the normal points to [m]; NaN on no plane.
- * \param[in] planes in the file's frame */
+/** \brief Returns the signed distance of each point to its plane [m], positive on the
+ * side that the normal points to; NaN for points on no plane.
+ * \param[in] planes in the frame of the file */
 std::vector<float>
 distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
@@ -260,7 +266,7 @@ distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
   std::vector<float> distances (cloud.size(), std::numeric_limits<float>::quiet_NaN());
   for (const PlaneSegment& plane : planes)
     for (const std::size_t i : plane.inliers) {
-      // From the centroid: an equation's offset has few digits left far from zero.
+      // Relative to the centroid: far from zero an equation's offset loses digits.
       distances[i] = plane.normal.dot (place (i) - plane.centroid);
     }
   return distances;
@@ -289,8 +295,8 @@ counted (std::size_t number, const std::string& noun)
   return std::to_string (number) + " " + noun + (number == 1 ? "" : "s");
 }
 
-/** \brief Writes the points on no plane, without those that have no coordinates.
- * \return what the file holds */
+/** \brief Writes the finite points that are on no plane.
+ * \return a description of the contents for messages */
 std::string
 saveRest (const std::string& file,
           const FileCloud& cloud,
@@ -306,9 +312,9 @@ saveRest (const std::string& file,
 }
 
 /** \brief Writes the points of each plane as plane_001_horizontal.pcd and so on, by
- * ids, and removes such files of earlier runs. Nothing changes there until all are
- * written.
- * \return what the folder holds */
+ * ids, and removes plane files of earlier runs. The folder does not change until all
+ * files are written.
+ * \return a description of the contents for messages */
 std::string
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
@@ -326,8 +332,9 @@ savePlaneClouds (const std::string& folder,
   return counted (planes.size(), "plane") + ", each in a file";
 }
 
-/** \brief Writes outlines in the colors of the labeled cloud; none without area.
- * \return what the file holds */
+/** \brief Writes outlines in the colors of the labeled cloud. Planes whose points span
+ * no area have no outline.
+ * \return a description of the contents for messages */
 std::string
 saveMesh (const std::string& file,
           const FileCloud& cloud,
@@ -356,7 +363,7 @@ saveMesh (const std::string& file,
   return counted (outlines, "outline");
 }
 
-/** \return what the file holds */
+/** \return a description of the contents for messages */
 std::string
 saveEdges (const std::string& file,
            const FileCloud& cloud,
@@ -459,7 +466,7 @@ saveOutputs (const SegmentOptions& options,
                                     labelsOf (planes, cloud.size()),
                                     planes,
                                     report.detected.up)));
-  // Last: a pipe gets its JSON when the files are there.
+  // Last, so that a pipe gets its JSON when all files exist.
   if (outputs.planes.empty())
     return written;
   const std::string text = planesFor (outputs.planes, toJson (report), options.map);

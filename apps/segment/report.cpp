@@ -72,8 +72,8 @@ countsOf (const Report& report)
   return points + counted (planes, "piece") + " of " + counted (whole.size(), "plane");
 }
 
-/** \brief Voxel size and threshold that were used, by the names of the options; empty
- * where there are none. */
+/** \brief Returns the voxel size and the threshold that were used, with the names of
+ * their options; empty if there are none. */
 std::string
 lengthsOf (const UsedLengths& used)
 {
@@ -87,7 +87,7 @@ lengthsOf (const UsedLengths& used)
   return lengths;
 }
 
-/** \brief The lines under the table, and after the counts of a summary. */
+/** \brief Returns dropped planes, advice and hints as lines for table and summary. */
 std::vector<std::string>
 remarksOn (const Report& report)
 {
@@ -107,7 +107,8 @@ remarksOn (const Report& report)
   return remarks;
 }
 
-/** \brief How many planes were moved, and by how much at most. */
+/** \brief Returns how many planes were regularized, with the largest angle and offset.
+ */
 std::string
 noteOnMoves (const std::vector<PlaneMove>& moves)
 {
@@ -125,7 +126,8 @@ noteOnMoves (const std::vector<PlaneMove>& moves)
               moved % moves.size() % toDegrees (angle) % distance);
 }
 
-/** \brief Null where a plane without noise would have to move. */
+/** \brief Returns the displacement, or null if it is infinite: of a plane of rms 0 that
+ * would have to move. */
 nlohmann::ordered_json
 displacementOf (const PlaneMove& move)
 {

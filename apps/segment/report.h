@@ -12,27 +12,26 @@ namespace pcl_ops::apps {
 struct Report {
   std::string input;
   std::string method;
-  /** \brief Points of the cloud, those without coordinates included. */
+  /** \brief Number of points of the cloud, including NaN points. */
   std::size_t points = 0;
   Detected detected;
-  /** \brief Of each plane: its label in the cloud. */
+  /** \brief Label of each plane in the labeled cloud. */
   std::vector<std::uint32_t> ids;
-  /** \brief Of each plane that pieces lie on: its number in the cloud. */
+  /** \brief Number of each plane in Detected::whole_planes, on which pieces lie. */
   std::vector<std::uint32_t> ids_of_whole;
   Dropped dropped;
-  /** \brief What makes the cloud look damaged; empty where nothing does. */
+  /** \brief Why the cloud looks damaged (damageOf); empty if it does not. */
   std::string damage;
   /** \brief What is doubtful about the planes and the plan. */
   std::vector<ResultWarning> warnings;
-  /** \brief What files hold of which the table says nothing. */
+  /** \brief Contents of output files that the table does not show (saveOutputs). */
   std::vector<std::string> written;
   /** \brief The floor plan, if one is asked for. */
   std::optional<FloorPlan> plan;
-  /** \brief One for each plane, if an output says where planes end; else none. */
+  /** \brief Extent of each plane. Empty for concave hulls if no output needs them. */
   std::vector<PlaneExtent> extents;
 
-  /** \brief The numbers of the planes that pieces lie on; empty where there are none.
-   */
+  /** \brief Returns for each piece the number of its plane; empty without --pieces. */
   std::vector<std::uint32_t>
   planesOfPieces () const
   {
@@ -43,26 +42,26 @@ struct Report {
   }
 };
 
-/** \brief The table of --help's standard output: planes, then times. */
+/** \brief Prints the table of planes, remarks, and times [ms]. */
 void
 printTable (const Report& report, std::ostream& stream);
 
-/** \brief The run in a few words: points, planes, advice; without times, so that the
- * same run gives the same words. */
+/** \brief Returns the result in a few words: points, planes, advice. It has no times,
+ * so that the same run gives the same words. */
 std::string
 summaryOf (const Report& report);
 
 nlohmann::ordered_json
 toJson (const Report& report);
 
-/** \brief Whether --planes-dir gives such a name, of a file without its folder. */
+/** \brief Whether a file name, without folder, is one that --planes-dir writes. */
 bool
 isPlaneFile (const std::string& name);
 
-/** \brief Writes what was asked for of a cloud, each file or folder in one step.
- * \return what files hold of which the table says nothing: "plan.dxf: 12 walls, 3 rooms,
- * 41.2 m2"
- * \throws WorkError if one cannot be written */
+/** \brief Writes the outputs for one cloud, each file or folder in one step.
+ * \return contents of the files that the table does not show: "plan.dxf: 12 walls, 3
+ * rooms, 41.2 m2"
+ * \throws WorkError if an output cannot be written, Interrupted */
 std::vector<std::string>
 saveOutputs (const SegmentOptions& options,
              const Outputs& outputs,

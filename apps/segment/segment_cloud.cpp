@@ -22,7 +22,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief 1, 2, ... size. */
+/** \brief Returns 1, 2, ... size. */
 std::vector<std::uint32_t>
 numbersUpTo (std::size_t size)
 {
@@ -31,8 +31,8 @@ numbersUpTo (std::size_t size)
   return numbers;
 }
 
-/** \brief Puts the connected pieces of planes in place of the planes, which move to
- * Detected::whole_planes. */
+/** \brief Replaces the planes by their connected pieces. The planes themselves move to
+ * Detected::whole_planes, without inliers. */
 void
 divideIntoPieces (const SegmentOptions& options,
                   const XyzCloud& cloud,
@@ -52,7 +52,8 @@ divideIntoPieces (const SegmentOptions& options,
   detected.settings["piece_gap"] = options.of_pieces.max_gap;
 }
 
-/** \brief Finds planes, in pieces if these are asked for, in the frame of the file. */
+/** \brief Finds planes, or their pieces if asked for, and moves them to the frame of
+ * the file. */
 Detected
 detectPlanes (const SegmentOptions& options,
               const ShiftedCloud& shifted,
@@ -60,9 +61,8 @@ detectPlanes (const SegmentOptions& options,
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
-  // A file without a sensor has it at zero, but that is elsewhere in the shifted cloud:
-  // so the detector takes it for known, and does not turn up what cannot be seen from
-  // there.
+  // A file without a sensor position has the sensor at zero. In the shifted cloud it is
+  // not at zero, so the detector takes it for known and leaves out turnUnseenUp.
   if (!shifted.shift.isZero (0.0) && cloud.origin.head<3>().isZero (0.0f))
     turnUnseenUp (*shifted.cloud,
                   shifted.cloud->sensor_origin_.head<3>().cast<double>(),
@@ -79,8 +79,9 @@ detectPlanes (const SegmentOptions& options,
   return detected;
 }
 
-/** \brief Refuses an output of a format that cannot hold the input and labels.
- * \throws UsageError, WorkError */
+/** \brief Checks that a LAS output can hold the input with labels.
+ * \throws UsageError if the input is no LAS, WorkError if labels cannot be added to it
+ */
 void
 checkTakesLabels (const SegmentOptions& options,
                   const Task& task,
@@ -101,7 +102,7 @@ checkTakesLabels (const SegmentOptions& options,
     throw WorkError (nameOfInput (task), problem);
 }
 
-/** \brief The outline of points on a plane.
+/** \brief Returns the convex or concave hull of points on a plane.
  * \param[in] hull "convex" or "concave", the latter only with pcl_ops_surface */
 PlanarRings
 outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
@@ -113,7 +114,7 @@ outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
   return {convexHull (points)};
 }
 
-/** \brief Where a plane ends, in the frame of the file.
+/** \brief Returns the extent of a plane in the frame of the file.
  * \param[in] shifted the cloud that the plane was found in
  * \param[in] plane in the frame of the file
  * \param[in] hull "convex" or "concave" */
@@ -128,7 +129,7 @@ extentInFile (const ShiftedCloud& shifted,
   return extentOf (outlineOf (points, hull), points, in_file);
 }
 
-/** \brief Moves planes to where they are exactly parallel, orthogonal and coplanar. */
+/** \brief Makes nearly parallel, orthogonal and coplanar planes exactly so. */
 void
 regularize (Detected& detected)
 {
@@ -137,9 +138,9 @@ regularize (Detected& detected)
   detected.moves = std::move (found.moves);
 }
 
-/** \brief Sets the kinds of planes, such as floor and wall, and the convex outlines by
- * which they are told.
- * \param[in] meter the length of a meter in the unit of the cloud */
+/** \brief Sets the kinds of planes, such as floor and wall, and the convex outlines on
+ * which the kinds depend.
+ * \param[in] meter units of the cloud in one meter */
 void
 nameKinds (const FileCloud& cloud,
            const ShiftedCloud& shifted,
@@ -157,8 +158,8 @@ nameKinds (const FileCloud& cloud,
     detected.settings["meter"] = meter;
 }
 
-/** \brief What to do about so few points on planes. Damage of the cloud comes first,
- * then its unit, then parameters that may not suit it. */
+/** \brief Returns the likeliest reason for few points on planes: first damage of the
+ * cloud, then coordinates in degrees, then parameters that do not suit the cloud. */
 std::string
 likeliestCause (const Report& report)
 {
@@ -178,7 +179,7 @@ countOf (PlaneKind kind, const Detected& detected)
 }
 
 /** \brief Finds the floor plan, and warns if it has no wall.
- * \param[in] counts of the planes before any was left out */
+ * \param[in] counts numbers of planes before any was dropped */
 void
 drawPlan (const SegmentOptions& options,
           const ShiftedCloud& shifted,
@@ -197,8 +198,8 @@ drawPlan (const SegmentOptions& options,
   putWarningOnPlan (counts, report.warnings);
 }
 
-/** \brief The options with the reference system and the unit of a LAS file, where the
- * user gives none. */
+/** \brief Returns the options. If the user gave no reference system or no unit, those
+ * of a LAS file are filled in. */
 SegmentOptions
 withSystemOf (const FileCloud& cloud, SegmentOptions options)
 {
@@ -214,8 +215,8 @@ withSystemOf (const FileCloud& cloud, SegmentOptions options)
   return options;
 }
 
-/** \brief The planes of a cloud before any is moved or left out, and what is doubtful
- * about them. */
+/** \brief Finds the planes of a cloud and the warnings on them, before any plane is
+ * regularized or dropped. */
 Report
 reportOn (const SegmentOptions& options,
           const Task& task,
@@ -236,8 +237,8 @@ reportOn (const SegmentOptions& options,
   return report;
 }
 
-/** \brief Regularizes planes, names their kinds, drops those that are not chosen and
- * finds the floor plan, each if it is asked for. */
+/** \brief Names the kinds of planes and drops planes that are not chosen. If asked for,
+ * regularizes planes before that and finds the floor plan after it. */
 void
 choosePlanes (const SegmentOptions& options,
               const Outputs& outputs,
@@ -259,7 +260,8 @@ choosePlanes (const SegmentOptions& options,
     drawPlan (options, shifted, counts, report);
 }
 
-/** \brief Sets where planes end, if that is known already or an output says so. */
+/** \brief Sets the extents: convex ones are known, concave ones are computed only if an
+ * output needs them. */
 void
 setExtents (const SegmentOptions& options,
             const Outputs& outputs,

@@ -11,21 +11,22 @@
 namespace pcl_ops::apps {
 
 /** \brief Sets Report::ids and Report::ids_of_whole of the planes of a cloud.
- * \param[in] sensor its position in the frame of the cloud or, if that is not known, a
- * place among the points */
+ * \param[in] sensor position of the sensor in the frame of the file; if the file has
+ * none, ShiftedCloud::shift: a place near the points, or zero */
 using GiveIds = std::function<void (const Eigen::Vector3d& sensor, Report& report)>;
 
-/** \brief The file of a task, or what messages call the standard input. */
+/** \brief Returns the input file of a task, or the name of the standard input in
+ * messages. */
 std::string
 nameOfInput (const Task& task);
 
 /** \brief Reads a cloud, finds its planes and writes its outputs.
- * \param[in] given the options; a reference system and a unit that they leave out are
- * those of the file
+ * \param[in] given the options; if they leave out the reference system or the unit,
+ * those of a LAS file are used
  * \param[in] give_ids empty: planes are numbered by falling size
- * \param[in] lines prints each stage as it begins; nullptr for none
+ * \param[in] lines prints each stage as it begins; nullptr: prints nothing
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
- * written, Interrupted before anything is written */
+ * written, Interrupted, which leaves no half-written file */
 Report
 segmentCloud (const SegmentOptions& given,
               const Task& task,

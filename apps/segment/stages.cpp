@@ -16,14 +16,14 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief As "1_density". */
+/** \brief Returns "1_density" and so on. */
 std::string
 nameOfStage (Stage stage)
 {
   return std::to_string (static_cast<int> (stage) + 1) + "_" + toString (stage);
 }
 
-/** \brief The coordinates of the points alone, of the type they have. */
+/** \brief Returns a cloud with the fields x, y and z alone, of unchanged type. */
 FileCloud
 coordinatesOf (const FileCloud& cloud)
 {
@@ -48,8 +48,9 @@ coordinatesOf (const FileCloud& cloud)
   return alone;
 }
 
-/** \brief New numbers for regions: of the plane in the result that has most of their
- * points, which then has one color in all pictures; or behind those of all planes. */
+/** \brief Returns a new number for each region: that of the plane that shares most
+ * points with it, so that both have the same color in all pictures. Each plane gives
+ * its number to one region. Other regions get numbers after those of all planes. */
 std::vector<std::int32_t>
 numbersOfRegions (const StageResult& grown,
                   const StageResult& joined,
@@ -80,7 +81,7 @@ numbersOfRegions (const StageResult& grown,
   return numbers;
 }
 
-/** \brief The stages with the numbers of the result for their regions. */
+/** \brief Renumbers the regions of the stages by \ref numbersOfRegions. */
 std::vector<StageResult>
 numberedAlike (std::vector<StageResult> stages)
 {
@@ -98,7 +99,7 @@ numberedAlike (std::vector<StageResult> stages)
   return stages;
 }
 
-/** \brief From 1, 0 for none, as labels of clouds are. */
+/** \brief Converts labels to those of files: from 1 on, 0 for no label. */
 std::vector<std::uint32_t>
 writtenLabels (const pcl_ops::Labels& labels)
 {
@@ -109,8 +110,8 @@ writtenLabels (const pcl_ops::Labels& labels)
   return written;
 }
 
-/** \brief By the value, and gray where a label says that there is none; or else by the
- * label. */
+/** \brief Colors points by their value, or by their label if the stage has no values.
+ * Points labeled no_plane are gray. */
 std::vector<pcl::RGB>
 colorsOf (const StageResult& result, const ColorScale& scale)
 {

@@ -11,15 +11,15 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The files of --trace, without their folder: 1_density.pcd, 1_density.png and
- * so on, two for each stage. */
+/** \brief Returns the names of the files of --trace, without folder: 1_density.pcd,
+ * 1_density.png and so on, two for each stage. */
 std::vector<std::string>
 stageFiles ();
 
-/** \brief Writes a cloud and a picture for each stage into a folder, which is made, in
- * one step. Clouds have x, y, z, rgb, and the fields value or label (0: none) that the
- * stage has; a region has the label of the plane that it becomes.
- * \return what the folder holds
+/** \brief Writes a cloud and a picture for each stage in one step, and creates the
+ * folder. The clouds have the fields x, y, z and rgb, and value, label (0: no label) or
+ * both. Regions have the label of the plane that they become.
+ * \return a description of the contents for messages
  * \throws WorkError that names the folder, Interrupted */
 std::string
 saveStages (const std::string& folder,

@@ -8,8 +8,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Whether the up axis that was used is known, was looked for in vain, or is
- * only assumed. */
+/** \brief Whether the up axis is known, was estimated without success, or is assumed.
+ */
 UpKnowledge
 knowledgeOfUp (const DetectorOptions& detector,
                const FileCloud& cloud,
@@ -18,7 +18,7 @@ knowledgeOfUp (const DetectorOptions& detector,
   if (detector.finds_up || detector.sequence_has_up)
     return detected.settings.at ("up_confidence").is_null() ? UpKnowledge::NotFound
                                                             : UpKnowledge::Known;
-  // z is up in the reference systems of surveys.
+  // A survey is in a reference system, where z is up.
   const bool is_said = detector.up || detector.up_is_camera || cloud.is_survey;
   return is_said ? UpKnowledge::Known : UpKnowledge::Assumed;
 }

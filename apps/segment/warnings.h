@@ -6,9 +6,9 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What is doubtful about the planes of a cloud.
+/** \brief Returns warnings on the planes of a cloud (resultWarnings).
  * \param[in] shifted the cloud as it was searched
- * \param[in] detected before any plane is moved or left out */
+ * \param[in] detected before planes are regularized or dropped */
 std::vector<ResultWarning>
 warningsOn (const SegmentOptions& options,
             const Task& task,

@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** \brief Half the edge of a cube that has some thousand points of the survey.
- * \param[in] share of the survey's points that the sample has */
+/** \brief Half the edge of a cube with some thousand points of the survey [m].
+ * \param[in] share of the survey's points that are in the sample */
 double
 reachAround (const Vector3d& middle, const PlaneSample& sample, double share)
 {
   constexpr double points_of_place = 3000.0;
-  constexpr std::size_t fewest = 8; // of the sample: fewer say little of the density
+  constexpr std::size_t fewest = 8; // sampled points: fewer tell little of density
   std::vector<double> distances;
   for (const SampledPoints& group : sample.points)
     for (const Vector3d& place : group.places)
@@ -32,7 +32,7 @@ reachAround (const Vector3d& middle, const PlaneSample& sample, double share)
   return std::sqrt (distances[last]);
 }
 
-/** \brief Without their points. */
+/** \brief Chooses the boxes, which have no points yet. */
 std::vector<DensePlace>
 chosenPlaces (const PlaneSample& sample)
 {

@@ -11,18 +11,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What is around a place of a survey, as dense as the survey is. */
+/** \brief All survey points in a box around one sampled point. */
 struct DensePlace {
-  /** \brief The group of its middle: the position of its plane, or the number of planes
-   * for none. */
+  /** \brief Group of the sampled point: the position of its plane in the list, or the
+   * number of planes if it is on no plane. */
   std::size_t group = 0;
   Eigen::AlignedBox3d box;
-  /** \brief Relative to the middle of the box; around a point on none only such. */
+  /** \brief Relative to the center of the box. Around a point on no plane, only points
+   * on no plane are kept. */
   std::vector<Eigen::Vector3f> points;
 };
 
-/** \brief Some thousand points each, around points of the largest planes and around
- * some that are on none.
+/** \brief Collects some thousand points around each of a few points of the largest
+ * planes, and of a few points on no plane.
  * \throws WorkError as \p points does */
 std::vector<DensePlace>
 densePlaces (const nlohmann::ordered_json& list,

@@ -12,16 +12,16 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The moments of points on a lattice of \ref unit, in whole numbers about zero:
- * sums of them are those of all their points, whatever was added first.
+/** \brief Moments about zero of points rounded to a lattice of \ref unit, as integers.
+ * Their sums are exact, so that the order of the points does not matter.
  *
- * With units of a ten thousandth of a cell there is room for 10^11 points 10^7 m from
- * zero and cells of a decimeter. */
+ * The integers have room for 10^11 points at 10^7 m from zero, with cells of a
+ * decimeter and a unit of a ten thousandth of a cell. */
 struct ExactMoments {
   using Whole = boost::int128_type;
 
-  /** \brief Edge of the lattice [m], a power of two: places become multiples of it
-   * without error but for the rounding itself. */
+  /** \brief Spacing of the lattice [m], a power of two: rounding to the lattice is then
+   * the only error. */
   double unit = 1.0;
   /** \brief Sum of p p^T over all points p = (x, y, z, 1) [unit]. */
   Eigen::Matrix<Whole, 4, 4> sums = Eigen::Matrix<Whole, 4, 4>::Zero();
@@ -32,7 +32,7 @@ struct ExactMoments {
     return sums (3, 3);
   }
 
-  /** \brief Adds the place of the lattice nearest to this one [m]. */
+  /** \brief Adds a point, rounded to the nearest lattice place. \param[in] place [m] */
   void
   add (const Eigen::Vector3d& place)
   {
@@ -41,8 +41,8 @@ struct ExactMoments {
     sums += p * p.transpose();
   }
 
-  /** \brief The same in meters, about the place of the lattice next to their centroid;
-   * for no points, zero. */
+  /** \brief The moments in meters, about a lattice place next to the centroid; zero if
+   * there are no points. */
   Moments
   toMoments () const
   {
@@ -65,7 +65,7 @@ struct ExactMoments {
   }
 };
 
-/** \brief A lattice finer than a ten thousandth of a cell [m]. */
+/** \brief The largest power of two up to a ten thousandth of a cell [m]. */
 inline double
 latticeFor (double cell)
 {

@@ -36,9 +36,9 @@ struct TilesOptions {
   std::string output_dir;
   PlanOptions plan;
   PlanesOutput planes;
-  /** \brief Where the plan is; empty for the folder of outputs. */
+  /** \brief File of the plan; empty for work/plan.json in the output folder. */
   std::string plan_file;
-  /** \brief Tiles at a time; 0: as many as there are processors. */
+  /** \brief Tiles or inputs processed at a time; 0: one per processor. */
   unsigned jobs = 1;
   bool dry_run = false, quiet = false;
 };
@@ -122,7 +122,7 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
     throw UsageError ("--pieces",
                       "needs all points of a plane at once, which tiles have not; see "
                       "parts in planes.json, or run pcl_ops_segment on one file");
-  // --plan is the plan of the tiles here.
+  // In this program --plan is the plan of the tiles, not a floor plan.
   if (hasExtension (options.plan_file, {".dxf", ".svg", ".geojson", ".gpkg"}))
     throw UsageError ("--plan",
                       "is the plan of the tiles here; give --floor-plan " +
@@ -133,7 +133,8 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   return true;
 }
 
-/** \brief Refuses a name that the lists of inputs and of planes could not have. */
+/** \brief Refuses a path that is not UTF-8, as the JSON of the plan and of planes.json
+ * cannot hold it. \throws WorkError */
 void
 checkName (const std::string& file)
 {
@@ -149,8 +150,8 @@ checkName (const std::string& file)
     }
 }
 
-/** \brief Leaves out links to files that are there already, as their points would count
- * twice. A file goes before links to it, whatever the order of the names. */
+/** \brief Keeps one name of each file, as its points would count twice through a second
+ * name (a link). A file goes before symbolic links to it, whatever the names. */
 std::vector<std::string>
 eachFileOnce (std::vector<std::string> names)
 {
@@ -189,7 +190,7 @@ inputsOf (const TilesOptions& options)
 void
 checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
 {
-  // By names of outputs; empty for that of an input or a list itself.
+  // Key: name of a file. Value: the input written to it, or empty for other files.
   std::map<std::string, std::string> input_of;
   for (const PlannedInput& input : plan.inputs)
     input_of.emplace (resolvedName (input.file), "");
@@ -277,13 +278,13 @@ struct TileRun {
     return times;
   }
 
-  /** \brief Waits until all ranks are through a phase. */
+  /** \brief Waits until all ranks have finished a phase, and notes its time. */
   void
   finish (const std::string& phase)
   {
     ranks.meet();
     const auto now = std::chrono::steady_clock::now();
-    // Of this rank, with all of its threads.
+    // CPU time of this rank, over all of its threads.
     const double processor = static_cast<double> (std::clock()) / CLOCKS_PER_SEC;
     times += str (boost::format ("%s%s in %.1f s (%.1f of the processor)") %
                   (times.empty() ? "" : ", ") % phase %
@@ -293,8 +294,8 @@ struct TileRun {
     processor_start = processor;
   }
 
-  /** \brief Does this rank's share of the parts of a phase that are not done.
-   * \param[in] parts how much work each is */
+  /** \brief Does this rank's share of a phase, without the parts done before.
+   * \param[in] parts amount of work of each part */
   void
   share (const std::vector<std::uint64_t>& parts,
          const std::string& noun,
@@ -323,7 +324,7 @@ struct TileRun {
   }
 };
 
-/** \brief Whether a run has come to its end, and nobody has removed what it wrote. */
+/** \brief Whether a run has finished and all its outputs still exist. */
 bool
 isDone (const Plan& plan, const RunFolder& folder)
 {
@@ -340,9 +341,10 @@ planFileOf (const RunFolder& folder)
           "remove its folder or give another --output-dir"};
 }
 
-/** \brief Gives a folder its plan, the one named or a new one, unless it has one, and
- * empties a folder without a plan.
- * \throws UsageError or WorkError if it has another one, or outputs cannot be written */
+/** \brief Makes sure that a folder has a plan: its own, that of --plan, or a new one. A
+ * folder without a plan first loses what an earlier run left.
+ * \throws UsageError or WorkError if a plan does not fit this run, the folder has
+ * another plan than --plan, or outputs cannot be written */
 void
 preparePlan (const TilesOptions& options, const RunFolder& folder)
 {
@@ -371,7 +373,8 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
       writeTextFile (file.name, toText (plan));
 }
 
-/** \brief What is asked for, by the unit of the plan and the system of its inputs. */
+/** \brief Adds to the options the unit of the plan and, if none is given, the reference
+ * system of its inputs. */
 PlanesOutput
 outputIn (const Plan& plan, PlanesOutput output)
 {
@@ -381,7 +384,8 @@ outputIn (const Plan& plan, PlanesOutput output)
   return output;
 }
 
-/** \brief Times and counts on stdout, what is doubtful on stderr. */
+/** \brief Prints times and counts to stdout; what a floor plan has, and warnings, to
+ * stderr. */
 void
 say (const std::string& folder, const std::string& times, const PlanesSaid& planes)
 {
@@ -396,8 +400,9 @@ say (const std::string& folder, const std::string& times, const PlanesSaid& plan
     warn (line);
 }
 
-/** \brief Does what the command line asks for, together with all other ranks. Phases
- * leave files; what is done by those that are there is not done again. */
+/** \brief Runs the program together with all other ranks. Each phase leaves files; a
+ * later run skips the parts whose files exist.
+ * \return exit code */
 int
 findInTiles (int argc, const char* const* argv, const Ranks& ranks)
 {

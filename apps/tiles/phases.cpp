@@ -16,7 +16,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Of what phases leave, in the order of the phases. */
+/** \brief Folders of the files that phases leave, in the order of the phases. */
 constexpr const char* folders[] = {"cells", "planes", "labelled"};
 
 TilePoints
@@ -39,7 +39,7 @@ pointsOf (const SortedPoints& points, const TileKey& tile)
   return all;
 }
 
-/** \brief A line with the checksum of a text of whole words. */
+/** \brief A line with the checksum of a text, padded by spaces to whole words. */
 std::string
 sumOf (const std::string& file, std::string text)
 {
@@ -60,7 +60,8 @@ saveNumbers (const std::string& file, const std::vector<std::uint32_t>& numbers)
   });
 }
 
-/** \brief Refuses points that are not those that the other phases saw, or will see. */
+/** \brief Refuses an input that has changed since the plan was made, as all phases must
+ * see the same points. \throws WorkError */
 void
 checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
 {
@@ -70,8 +71,8 @@ checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
                          folder.output ("work") + " and run it again");
 }
 
-/** \brief The labels of an input's points in one tile, in their order, of which it
- * reads some at a time. */
+/** \brief Reads the labels of an input's points in one tile, in the order of the
+ * points, with few of them in memory. */
 class TileLabels {
 public:
   TileLabels (const RunFolder& folder, const TileKey& tile, std::size_t input)
@@ -97,8 +98,8 @@ public:
   }
 
 private:
-  /** \brief Reads the next ones, at most so many, and with the last ones the checksum
-   * of all. */
+  /** \brief Reads at most \p most further piece numbers. After the last ones it checks
+   * the checksum of the file. */
   void
   readPieces (std::uint64_t most)
   {
@@ -116,9 +117,9 @@ private:
   }
 
   std::string file_;
-  /** \brief Of the pieces that were read so far. */
+  /** \brief Checksum of the piece numbers read so far. */
   Checksum sum_;
-  /** \brief Of the tile's pieces. */
+  /** \brief The plane of each piece of the tile. */
   std::vector<std::uint32_t> numbers_;
   std::vector<std::uint32_t> pieces_;
   std::uint64_t used_ = 0;
@@ -162,11 +163,11 @@ RunFolder::finish (const std::function<std::string (const std::string&)>& amende
 {
   const std::string file = work (run_file::list);
   std::string list = readTextFile (file, "planes.json");
-  const std::size_t end = list.rfind ('\n', list.size() - 2) + 1; // of all but its sum
+  const std::size_t end = list.rfind ('\n', list.size() - 2) + 1; // begin of its sum
   if (list.size() < 2 || list.substr (end) != sumOf (file, list.substr (0, end)))
     BinaryReader (file).fail();
   list.resize (end);
-  // As a text: a stream that takes another one does not tell that the disk became full.
+  // Writes a string: a stream copied into a stream does not report a full disk.
   writeTextFile (output (planes_file), amended (list));
   writeTextFile (work (run_file::end), "");
 }

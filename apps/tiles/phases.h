@@ -12,8 +12,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Names of \ref RunFolder::work: the plan that all other files are of, what
- * planes.json becomes once all else is done, and the end. */
+/** \brief Names for \ref RunFolder::work: the plan of the run, the list of planes
+ * before it becomes planes.json, the survey's noise, and the mark of a finished run. */
 namespace run_file {
 inline constexpr const char *plan = "plan.json", *list = "planes/planes.json",
                             *noise = "planes/noise", *end = "done";
@@ -21,7 +21,7 @@ inline constexpr const char *plan = "plan.json", *list = "planes/planes.json",
 
 inline constexpr const char* planes_file = "planes.json";
 
-/** \brief Where the files of a run are, which its phases leave for one another. */
+/** \brief Paths of the outputs of a run and of the files its phases leave. */
 struct RunFolder {
   std::string outputs;
 
@@ -31,7 +31,7 @@ struct RunFolder {
     return (std::filesystem::path (outputs) / name).string();
   }
 
-  /** \brief Where a file is that is no output. */
+  /** \brief Path of an intermediate file. */
   std::string
   work (const std::string& name) const
   {
@@ -44,8 +44,8 @@ struct RunFolder {
     return work ("cells/" + std::to_string (input) + ".cells");
   }
 
-  /** \param[in] extension .planes; .numbers of these planes in the list of all; or that
-   * of \ref labels */
+  /** \param[in] extension .planes for the pieces of a tile; .numbers for the number of
+   * each piece's plane in planes.json; or that of \ref labels */
   std::string
   ofTile (const TileKey& tile, const std::string& extension) const
   {
@@ -53,7 +53,8 @@ struct RunFolder {
                  extension);
   }
 
-  /** \brief The labels of a tile's own points of one input, in their order. */
+  /** \brief Path of the labels of a tile's own points of one input, in the order of the
+   * points. */
   std::string
   labels (const TileKey& tile, std::size_t input) const
   {
@@ -70,16 +71,18 @@ struct RunFolder {
   void
   make () const;
 
-  /** \brief Removes all but the plan. \throws WorkError */
+  /** \brief Removes the files of all phases and the mark of a finished run, but not the
+   * plan. \throws WorkError */
   void
   empty () const;
 
-  /** \brief Removes all but the plan and the end. */
+  /** \brief Removes the files of all phases, but neither the plan nor the mark of a
+   * finished run. \return the first error */
   std::error_code
   clean () const;
 
-  /** \brief Writes planes.json and the end: all else is done.
-   * \param[in] amended makes of the list of planes what is written */
+  /** \brief Writes planes.json and the mark of a finished run, as the last phase.
+   * \param[in] amended makes the text of planes.json from the list of planes */
   void
   finish (const std::function<std::string (const std::string&)>& amended) const;
 };
@@ -97,15 +100,15 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 struct SortedPoints {
   SortedPoints (const Plan& plan, const RunFolder& folder);
 
-  /** \brief Of each input. */
+  /** \brief One for each input. */
   std::vector<CellFile> files;
-  /** \brief All tiles with points, sorted, and how many points each has. */
+  /** \brief All tiles with own points, sorted, and the number of own points of each. */
   std::vector<TileKey> tiles;
   std::vector<std::uint64_t> points_of_tile;
 };
 
-/** \brief Leaves what the survey says of its noise, which its tiles are given. One tile
- * finds it out by itself. */
+/** \brief Writes the noise of the whole survey to a file for \ref detectTile. Writes
+ * nothing on voxels, or for a single tile, which measures its own noise. */
 void
 measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
@@ -124,7 +127,7 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 std::string
 outputOf (const Plan& plan, const RunFolder& folder, std::size_t input);
 
-/** \brief Visits all points of a run that is done, with their labels.
+/** \brief Visits all points of the outputs of a finished run, with their labels.
  * \throws WorkError if an output cannot be read or has no labels */
 void
 forLabelledPoints (const Plan& plan,

@@ -24,8 +24,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Of what the phases of a run leave for each other: one more with each change.
- */
+/** \brief Version of the files that phases leave for each other: one more with each
+ * change. */
 constexpr int format_of_files = 6;
 
 PlannedInput
@@ -50,7 +50,7 @@ isEmptyLas (const std::string& file)
   return readLasHeader (reader).pointCount() == 0;
 }
 
-/** \brief By the names of the files, then those of the folders. */
+/** \brief Sorts paths by file name, then by the whole path. */
 std::vector<std::string>
 sorted (std::vector<std::string> files)
 {
@@ -64,8 +64,8 @@ sorted (std::vector<std::string> files)
 std::int64_t
 cellsOfTile (const PlanOptions& options, double cell)
 {
-  // Of points at the usual density half a million, or 2 on voxels, which need less
-  // memory: some 500 and some 300 megabytes.
+  // A tile has half a million points at the usual density, and needs some 500 MB; on
+  // voxels it has 2 million, and needs some 300 MB.
   constexpr std::int64_t usual = 128;
   constexpr std::int64_t usual_on_voxels = 256;
   if (!options.tile)
@@ -83,7 +83,8 @@ cellsOfTile (const PlanOptions& options, double cell)
   return static_cast<std::int64_t> (cells);
 }
 
-/** \brief Refuses cells so small that they do not reach most places of an input. */
+/** \brief Refuses cells so small that \ref TileGrid::reach leaves out more than a tenth
+ * of an input's places. \throws UsageError */
 void
 checkReach (const TileGrid& grid,
             const std::string& file,
@@ -102,7 +103,7 @@ checkReach (const TileGrid& grid,
                          grid.edge % grid.reach() % file));
 }
 
-/** \return 0 where most places are one */
+/** \return edge of a cell by \ref voxelSizeFor [m]; 0 if most places coincide */
 double
 unroundedEdgeFor (const std::vector<Eigen::Vector3d>& places,
                   const Eigen::Vector3d& zero,
@@ -116,11 +117,11 @@ unroundedEdgeFor (const std::vector<Eigen::Vector3d>& places,
   return voxelSizeFor (CloudView (near_zero), std::max (1.0, points / points_of_cell));
 }
 
-/** \brief Edge of cells that hold about 20 points where a surface is: by the density of
- * the points and not by their number. Measured on simulated surveys: larger cells miss
- * planes, smaller ones cost more. Rounded to two digits.
- * \param[in] places spread evenly over the points, most of them at one place or not
- * \param[in] zero near most of them */
+/** \brief Edge of a cell with about 20 points where it crosses a surface [m], rounded
+ * to two digits. It follows from the density of the points, not from their number.
+ * Measured on simulated surveys: larger cells miss planes, smaller ones cost more.
+ * \param[in] places an even sample of the points; most of them may coincide
+ * \param[in] zero a place near most of them */
 double
 cellEdgeFor (std::vector<Eigen::Vector3d> places,
              const Eigen::Vector3d& zero,
@@ -128,7 +129,7 @@ cellEdgeFor (std::vector<Eigen::Vector3d> places,
 {
   double edge = unroundedEdgeFor (places, zero, points);
   if (!(edge > 0.0)) {
-    // Most are at one place: the others tell.
+    // Most places coincide: each counts once instead.
     std::sort (places.begin(), places.end(), [] (const auto& a, const auto& b) {
       return std::lexicographical_compare (
           a.data(), a.data() + 3, b.data(), b.data() + 3);
@@ -145,7 +146,7 @@ cellEdgeFor (std::vector<Eigen::Vector3d> places,
 struct Sample {
   PlannedInput input;
   std::vector<Eigen::Vector3d> some_places;
-  /** \brief Where points are usually: of the first input alone. */
+  /** \brief A place near most points; set for the first input only. */
   Eigen::Vector3d usual = Eigen::Vector3d::Zero();
 };
 
@@ -176,11 +177,11 @@ lookAt (const std::vector<std::string>& files)
   return samples;
 }
 
-/** \brief Of places of each input so many that all inputs are as densely sampled. */
+/** \brief Joins the samples of all inputs, thinned to the same share of the points. */
 std::vector<Eigen::Vector3d>
 evenSample (const std::vector<Sample>& samples)
 {
-  // What the densest input has to say limits all.
+  // The input with the smallest share of its points in its sample limits all.
   double per_point = 1.0;
   for (const auto& [input, places, usual] : samples)
     per_point = std::min (per_point, places.size() / double (input.points));
@@ -194,8 +195,8 @@ evenSample (const std::vector<Sample>& samples)
   return even;
 }
 
-/** \brief What the reference systems of all inputs say; nothing where they differ, or
- * some have none. */
+/** \brief What \p say reads from the reference system of every input; nothing if the
+ * results differ, or an input is missing or no .las. */
 template <typename Said>
 std::optional<Said>
 commonToLas (const std::vector<PlannedInput>& inputs, Said (*say) (LasFile&))
@@ -283,7 +284,7 @@ Plan
 loadPlan (const PlanFile& file)
 {
   try {
-    // A folder, which to read throws, is no plan either.
+    // A folder is no plan either; reading one would throw another exception.
     std::ifstream stream (fs::is_directory (file.name) ? "" : file.name);
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
@@ -309,7 +310,7 @@ loadPlan (const PlanFile& file)
       return plan;
   }
   catch (const nlohmann::json::exception&) {
-    // said below
+    // the error is thrown below
   }
   throw WorkError (file.name, "is no plan; " + file.fix);
 }

@@ -14,7 +14,7 @@ namespace pcl_ops::apps {
 struct PlannedInput {
   std::string file;
   std::uint64_t bytes = 0;
-  /** \brief When it was last written [ns]. */
+  /** \brief Time of the last change [ns]. */
   std::int64_t written = 0;
   std::uint64_t points = 0;
 };
@@ -22,16 +22,17 @@ struct PlannedInput {
 bool
 hasChanged (const PlannedInput& input);
 
-/** \brief What all parts of a run have to agree on. */
+/** \brief What all phases and ranks of a run must agree on. */
 struct Plan {
-  /** \brief Ordered by name. */
+  /** \brief Sorted by file name. */
   std::vector<PlannedInput> inputs;
-  /** \brief Its place is near the points of the first input. */
+  /** \brief Its \ref TileGrid::place is near most points of the first input. */
   TileGrid grid;
   std::uint64_t likely_tiles = 0;
-  /** \brief Planes are looked for on voxels, as their size was given. */
+  /** \brief Whether planes are found on voxels, because --voxel-size was given. */
   bool is_on_voxels = false;
-  /** \brief Its length in the unit of the inputs, for what knows buildings. */
+  /** \brief Length of a meter in the unit of the inputs, for kinds of planes and floor
+   * plans. */
   double meter = 1.0;
 
   std::uint64_t
@@ -44,34 +45,35 @@ struct Plan {
   }
 };
 
-/** \brief A file that has a plan, or will have. */
+/** \brief The file of a plan, which need not exist yet. */
 struct PlanFile {
   std::string name;
-  /** \brief Advice that ends the error message where the file has another plan than it
-   * should. */
+  /** \brief Advice at the end of error messages about the file, as how to replace a
+   * wrong plan. */
   std::string fix;
 };
 
 struct PlanOptions {
-  /** \brief Edges [m]; by the density of the points where not given. */
+  /** \brief Edges of voxels and tiles [m]. If not given, the density of the points
+   * decides on voxels, and a tile has a fixed number of voxels. */
   std::optional<double> voxel_size, tile;
-  /** \brief The length of a meter in the unit of the inputs; where not given by their
-   * reference system. */
+  /** \brief Length of a meter in the unit of the inputs; if not given, their reference
+   * system decides. */
   std::optional<double> meter = std::nullopt;
 };
 
-/** \brief Looks at the headers of all inputs and at some of their points.
+/** \brief Makes a plan from the headers of all inputs and a sample of their points.
  * \param[in] files in any order
  * \throws WorkError if any cannot be read or takes no labels */
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options);
 
-/** \brief The reference system that all inputs are in, "EPSG:N"; empty where they do
- * not say. */
+/** \brief The reference system of all inputs, "EPSG:N"; empty if they differ or have
+ * no number. */
 std::string
 commonCrs (const Plan& plan);
 
-/** \brief The content of a plan file. Runs of plans with equal text leave the same
+/** \brief The text of a plan file. Runs whose plans have the same text write the same
  * files. */
 std::string
 toText (const Plan& plan);
@@ -80,8 +82,8 @@ toText (const Plan& plan);
 Plan
 loadPlan (const PlanFile& file);
 
-/** \brief \throws WorkError if a plan that was made earlier is for other inputs, or
- * other lengths than those given now */
+/** \brief \throws WorkError if an earlier plan is for other inputs or other lengths
+ * than those given now, or an input has changed since */
 void
 checkIsFor (const Plan& plan,
             const PlanFile& file,

@@ -25,7 +25,7 @@ public:
       seen_.push_back (piece.all);
   }
 
-  /** \brief The first piece of a group. */
+  /** \brief The first piece of the group of a piece (union-find). */
   std::size_t
   rootOf (std::size_t piece)
   {
@@ -34,7 +34,7 @@ public:
     return piece;
   }
 
-  /** \brief Makes one of two groups that the merging of the library makes one of. */
+  /** \brief Joins the groups of two pieces if \ref mergePlanes merges them. */
   void
   join (std::size_t a, std::size_t b)
   {
@@ -54,11 +54,11 @@ public:
 
 private:
   std::vector<std::size_t> root_;
-  /** \brief Of each root all its pieces were seen on, in halos, too. */
+  /** \brief For each root: moments of all points of its pieces, with those in halos. */
   std::vector<Moments> seen_;
 };
 
-/** \brief Counts the cells that pieces of two tiles share.
+/** \brief Adds the pairs of pieces of two tiles that share cells, with their number.
  * \param[in] first_of_a, first_of_b positions of the tiles' first pieces */
 void
 countVotes (const std::vector<BorderVoxel>& a,
@@ -81,7 +81,7 @@ countVotes (const std::vector<BorderVoxel>& a,
       pairs.push_back ({first_of_a + pieces.first, first_of_b + pieces.second, count});
 }
 
-/** \brief Pairs of all neighboring tiles, those with most votes first. */
+/** \brief Pairs of pieces of all neighboring tiles, by falling number of votes. */
 std::vector<Pair>
 pairsOf (const std::vector<TileKey>& tiles,
          const std::vector<std::size_t>& first_piece,
@@ -112,7 +112,7 @@ pairsOf (const std::vector<TileKey>& tiles,
   return pairs;
 }
 
-/** \brief A plane gets a piece of a tile; all get theirs in the order of tiles. */
+/** \brief Adds a piece to its plane, without its edges then; called by tile. */
 void
 addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
 {
@@ -125,7 +125,7 @@ addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
   const bool is_same_side = plane.normal.dot (piece.normal) >= 0.0;
   for (const OutlineEdge& edge : piece.edges)
     plane.edges.push_back (is_same_side ? edge : OutlineEdge{edge.to, edge.from});
-  piece.edges = {}; // there are many
+  piece.edges = {}; // frees much memory
   if (plane.tiles.empty() || plane.tiles.back() != tile)
     plane.tiles.push_back (tile);
   for (const std::uint32_t input : piece.inputs)
@@ -134,8 +134,8 @@ addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
       plane.inputs.push_back (input);
 }
 
-/** \brief For each piece the number of its plane, from 1 on by falling size; of equal
- * ones that of the first piece first. */
+/** \brief The number of each piece's plane, from 1 on by falling number of points;
+ * planes of equal size are in the order of their first pieces. */
 std::vector<std::uint32_t>
 numbersOf (const std::vector<Piece>& pieces, PieceGroups& groups)
 {

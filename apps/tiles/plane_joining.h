@@ -11,31 +11,31 @@ namespace pcl_ops::apps {
 struct JoinedPlane {
   ExactMoments moments;
   PlaneFit fit;
-  /** \brief Towards where \ref edges are seen from. */
+  /** \brief Seen from the side it points to, the plane is to the left of its edges. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  /** \brief Of all its pieces, with opposite ones at their borders. */
+  /** \brief Edges of all pieces; between two tiles they come in opposite pairs. */
   std::vector<OutlineEdge> edges;
   std::vector<TileKey> tiles;
   std::vector<std::uint32_t> inputs;
 };
 
 struct JoinedPlanes {
-  /** \brief By falling size. */
+  /** \brief By falling number of points. */
   std::vector<JoinedPlane> planes;
   /** \brief For each tile, for each of its pieces, the number of its plane from 1 on.
    */
   std::vector<std::vector<std::uint32_t>> numbers;
 };
 
-/** \brief Makes one plane of pieces on both sides of a border.
+/** \brief Joins pieces of neighboring tiles that are on the same plane.
  *
- * Tiles look at points beyond their borders. Where pieces of two tiles are on points of
- * the same cells there, each such cell is a vote for the pair; pairs with enough votes
- * are one plane if the library's merging says so of all that has been joined with
- * either before, pairs with most votes first.
+ * A tile also sees points of its halo. Each cell where pieces of two tiles both have
+ * points is a vote for the pair. Pairs with three votes or more are examined, most
+ * votes first: they are joined if \ref mergePlanes merges the moments of the groups
+ * that either piece has been joined with before.
  * \param[in] tiles sorted
- * \param[in] load the planes of a tile; asked several times, so that not all of them are
- * in memory */
+ * \param[in] load returns the pieces of a tile; called several times for each, so that
+ * the border voxels of two tiles at most are in memory */
 JoinedPlanes
 joinPlanes (const std::vector<TileKey>& tiles,
             const std::function<TilePlanes (const TileKey&)>& load);

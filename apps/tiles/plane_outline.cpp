@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boost 1.74 remarks in every build on a header it includes itself.
+// Silences a note of Boost 1.74 on a deprecated header that it includes itself.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
@@ -39,10 +39,10 @@ struct Site {
   }
 };
 
-/** \brief The points sorted by squares as wide as a cell, each place once. They are
- * projected along the coordinate axis nearest to the normal, so that all tiles see the
- * same places. Weights keep roofs of 45 degrees, and walls between two axes, from
- * having one axis in a tile and another in the next. */
+/** \brief Projects points along the coordinate axis nearest to the normal, so that all
+ * tiles get the same places. Returns each place once, sorted by squares as wide as a
+ * cell. Weights decide between two axes, else a roof of 45 degrees, or a wall between
+ * two axes, could have one axis in a tile and another in the next. */
 std::vector<Site>
 sitesOf (const std::vector<OutlinePoint>& points,
          const Eigen::Vector3d& normal,
@@ -76,7 +76,8 @@ sitesOf (const std::vector<OutlinePoint>& points,
 
 struct TakenSquare {
   bool has_own = false, has_others = false;
-  /** \brief An edge may be in it, or a triangle that another tile has as well. */
+  /** \brief Its points are not thinned: an edge of the outline may be in it, or a
+   * triangle that another tile has, too. */
   bool stays_whole = false;
 };
 
@@ -96,7 +97,8 @@ squaresOf (const std::vector<Site>& sites)
   return squares;
 }
 
-/** \brief Calls visit (square) for those so near, with nullptr for one not taken. */
+/** \brief Calls visit (taken) for all squares up to \p reach squares away along u and
+ * v, with nullptr for a square without points. */
 template <typename Visit>
 void
 forSquaresAround (const Square& square,
@@ -111,14 +113,14 @@ forSquaresAround (const Square& square,
     }
 }
 
-/** \brief Finds the squares at the rim, and those near a border of tiles, where each
- * has triangles of the same points: one that is a point of the plane to one of the
- * tiles alone must not change which others are left. */
+/** \brief Marks the squares that are not thinned: those at the rim of the plane, and
+ * those near a border of tiles. There both tiles must have the same triangles: a point
+ * that only one tile has on the plane must not change which others are left. */
 void
 markWhole (TakenSquares& squares)
 {
-  // A triangle of a dense plane (radiusFor) reaches three cells, and the circle around
-  // it no farther. Planes of fewer points have hardly a square to thin.
+  // The circumcircle of a triangle of a dense plane (radiusFor) is at most three cells
+  // wide. Sparser planes have hardly a square to thin.
   constexpr std::int64_t reach_of_triangles = 4;
   for (auto& [square, taken] : squares) {
     bool is_at_rim = false;
@@ -136,7 +138,7 @@ markWhole (TakenSquares& squares)
   }
 }
 
-/** \brief Leaves one site of each square that need not stay whole. */
+/** \brief Keeps only the first site of each square that need not stay whole. */
 std::vector<Site>
 thinned (const std::vector<Site>& sites, TakenSquares& squares)
 {
@@ -153,8 +155,8 @@ thinned (const std::vector<Site>& sites, TakenSquares& squares)
   return left;
 }
 
-/** \brief The largest radius of a triangle [cells]: a circle of it has some hundred
- * points, whatever their density, in steps, so that neighboring tiles mostly agree. */
+/** \brief The largest circumradius of a triangle [cells]: its circle has some hundred
+ * points at any density. It changes in steps, so that tiles mostly use the same. */
 double
 radiusFor (std::size_t sites, std::size_t squares)
 {
@@ -164,9 +166,9 @@ radiusFor (std::size_t sites, std::size_t squares)
   return density >= dense ? 1.5 : density >= sparse ? 3.0 : 6.0;
 }
 
-/** \brief Whether the sites around a vertex of the diagram make a triangle, or a
- * polygon of sites on one circle, that is small enough and whose first site is the
- * tile's own. */
+/** \brief Whether the sites around a Voronoi vertex (a Delaunay triangle, or a polygon
+ * of sites on one circle) have a circumradius of at most \p radius [lattice places] and
+ * a first site that is the tile's own. */
 bool
 isKept (const Vertex& vertex, const std::vector<Site>& sites, double radius)
 {
@@ -184,14 +186,15 @@ isKept (const Vertex& vertex, const std::vector<Site>& sites, double radius)
   return first->point.is_own && du * du + dv * dv <= radius * radius;
 }
 
-/** \brief Where edges meet, and where those that no ring has taken go. */
+/** \brief A corner of the outline, and the ends of its edges that no ring has yet. */
 struct Corner {
   Eigen::Vector2d point;
   std::vector<Corner*> next;
   bool is_on_path = false;
 
-  /** \brief Where several edges leave, takes the one that stays at the same part of
-   * the plane: the next one clockwise from where the path comes from, if anywhere. */
+  /** \brief Removes an edge from the corner and returns its end. Of several edges it
+   * takes the one along the same part of the plane: the next one clockwise from the
+   * direction to \p previous, unless that is nullptr. */
   Corner*
   takeNext (const Corner* previous)
   {
@@ -214,7 +217,8 @@ struct Corner {
   }
 };
 
-/** \brief Goes along edges until none is left to come back by. */
+/** \brief Follows edges until a corner has none left, and takes a ring off the path
+ * whenever it comes back to one of its corners. */
 void
 follow (Corner* corner, std::vector<PlanarPoints>& rings)
 {
@@ -240,8 +244,8 @@ follow (Corner* corner, std::vector<PlanarPoints>& rings)
     on_path->is_on_path = false;
 }
 
-/** \brief Closed lines along edges that have no opposite and never meet a corner twice.
- */
+/** \brief Rings along the edges that are left after opposite ones cancel. A ring
+ * visits no corner twice. */
 std::vector<PlanarPoints>
 ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, double unit)
 {
@@ -270,8 +274,8 @@ ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, doub
   return rings;
 }
 
-/** \brief Takes off corners that a ring goes to and comes back from: where two tiles
- * round a point to different places of the lattice. */
+/** \brief Removes spikes, where a ring goes to a corner and straight back. They arise
+ * where two tiles round a point to different lattice places. */
 PlanarPoints
 withoutSpikes (const PlanarPoints& ring, double unit)
 {
@@ -282,7 +286,7 @@ withoutSpikes (const PlanarPoints& ring, double unit)
     while (left.size() > 2 && (left[left.size() - 3] - left.back()).norm() < near)
       left.resize (left.size() - 2);
   }
-  // The ring is closed: its last or first corner may be the tip of one.
+  // The ring is closed: its last or first corner may be the tip of a spike.
   while (left.size() > 2 && (left[left.size() - 2] - left.front()).norm() < near)
     left.resize (left.size() - 2);
   while (left.size() > 2 && (left.back() - left[1]).norm() < near)
@@ -290,7 +294,8 @@ withoutSpikes (const PlanarPoints& ring, double unit)
   return left;
 }
 
-/** \brief Moves each corner to the right of both of its sides. */
+/** \brief Moves each corner to the right of its sides, along their bisector: a part
+ * grows, a hole shrinks. \param[in] distance [m] */
 PlanarPoints
 movedOut (const PlanarPoints& ring, double distance)
 {
@@ -324,8 +329,8 @@ struct SignedRing {
     }
   }
 
-  /** \brief Whether a hole is in a part. They may share corners, so that the middle of
-   * a side is asked. */
+  /** \brief Whether this hole is in a part. The middle of a side is tested, as the two
+   * may share corners. */
   bool
   isIn (const SignedRing& part) const
   {
@@ -335,7 +340,7 @@ struct SignedRing {
   }
 };
 
-/** \brief By falling area. */
+/** \brief The rings without spikes, by falling absolute area. */
 std::vector<SignedRing>
 signedRings (const std::vector<PlanarPoints>& traced, double unit)
 {
@@ -391,8 +396,8 @@ outlineEdges (const std::vector<OutlinePoint>& points,
     const bool is_inside = begin != nullptr && begin->color() == kept;
     if (!is_inside || (end != nullptr && end->color() == kept))
       continue;
-    // Such an edge crosses an edge of the outline, which goes from the site to its
-    // right to the one to its left.
+    // This Voronoi edge crosses an edge of the outline, which goes from the site on its
+    // right to the site on its left.
     edges.push_back ({sites[edge.twin()->cell()->source_index()].point.place,
                       sites[edge.cell()->source_index()].point.place});
   }
@@ -401,9 +406,9 @@ outlineEdges (const std::vector<OutlinePoint>& points,
 
 namespace {
 
-/** \brief One more than the position of the smallest part around a hole; 0 if there are
- * no parts. Parts are by falling size. The largest, which is slow to look at, is taken
- * where no other is around the hole. */
+/** \return 1 + position of the smallest part around a hole; 0 if there are no parts. If
+ * no other part is around the hole, the largest is returned untested, as that is slow.
+ * \param[in] parts by falling area */
 std::size_t
 partAround (const SignedRing& hole, const std::vector<SignedRing>& parts)
 {

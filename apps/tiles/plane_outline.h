@@ -22,39 +22,39 @@ struct OutlineEdge {
 /** \brief A point on a plane that a tile sees. */
 struct OutlinePoint {
   LatticePlace place{};
-  /** \brief Of the tile itself, not of its halo. */
+  /** \brief Whether it is in the tile itself, not in its halo. */
   bool is_own = false;
 };
 
-/** \brief Edge of the lattice that outlines are on [m]: a hundredth of a cell. */
+/** \brief Spacing of the lattice of outlines [m]: about a hundredth of a cell. */
 double
 outlineUnit (double cell);
 
-/** \brief A tile's share of the edges around a plane's alpha shape (Edelsbrunner,
- * Kirkpatrick & Seidel, On the shape of a set of points in the plane, 1983), which has
- * the triangles between neighboring points whose circumscribed circle has a radius of
- * one and a half cells at most, or more where points are few.
+/** \brief A tile's share of the boundary edges of a plane's alpha shape (Edelsbrunner,
+ * Kirkpatrick & Seidel, On the shape of a set of points in the plane, 1983): of the
+ * Delaunay triangles with a circumradius of one and a half cells at most, or more where
+ * points are sparse.
  *
- * Each triangle belongs to the tile that owns the first of its points, so that the
- * edges between tiles that both have vanish together: those that are left of all tiles
- * are the outline of the whole. Points with all cells around them taken are thinned to
- * one of a cell first.
- * \param[in] points all that a tile and its halo have on the plane
- * \param[in] normal towards where the plane is seen from: edges go round it to the left
+ * Each triangle belongs to the tile that owns its first point. Along the border two
+ * tiles return the same edges in opposite directions. These cancel, and the edges left
+ * of all tiles are the outline of the whole plane. Away from the rim and from borders,
+ * points are first thinned to one per square of the size of a cell.
+ * \param[in] points all points on the plane in a tile and its halo
+ * \param[in] normal on the side from which the plane is to the left of its edges
  * \param[in] cell edge of a cell [lattice places] */
 std::vector<OutlineEdge>
 outlineEdges (const std::vector<OutlinePoint>& points,
               const Eigen::Vector3d& normal,
               double cell);
 
-/** \brief The parts of a plane, each with its holes, by falling area. The outermost
- * points are within the plane's edge by a third of their spacing in the mean; corners
- * are moved out by as much.
- * \param[in] edges of all tiles; of two that are opposite none is left
- * \param[in] frame in the plane, seen from where the edges go round to the left
+/** \brief The parts of a plane, each with its holes, by falling area. On average the
+ * outermost points are 0.3 of their spacing inside the plane's edge; corners are moved
+ * out by that distance.
+ * \param[in] edges of all tiles; opposite ones cancel
+ * \param[in] frame of the plane, seen from where the plane is to the left of the edges
  * \param[in] unit of the lattice [m]
- * \param[in] points on the plane, which give their spacing
- * \param[in] min_area of a part beside the largest, and of a hole [m^2] */
+ * \param[in] points number of points on the plane, which gives their spacing
+ * \param[in] min_area of a hole, and of a part other than the largest [m^2] */
 std::vector<PlanarRings>
 outlineOf (const std::vector<OutlineEdge>& edges,
            const PlaneFrame& frame,

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief With the shape of all points of the plane, and the count of those that are
- * its inliers here: their spacing is that of the sample. */
+/** \brief A plane with the centroid and covariance of all its points, but the count of
+ * its sampled ones, so that the spacing of points is that of the sample. */
 PlaneSegment
 sampledSegment (const Json& plane, std::size_t count)
 {
@@ -31,7 +31,7 @@ sampledSegment (const Json& plane, std::size_t count)
   return segment;
 }
 
-/** \brief The groups of a sample: the position of each plane by its label. */
+/** \brief The group of each plane, its position in the list, by its label. */
 std::map<std::uint32_t, std::size_t>
 groupsIn (const Json& planes)
 {
@@ -61,7 +61,7 @@ sampledPoints (const Json& list, const LabelledPoints& points, std::size_t max_p
   return sample.take();
 }
 
-/** \brief A place near the points, for single precision. */
+/** \brief A place near the points: relative to it floats keep their digits. */
 Eigen::Vector3d
 originOf (const std::vector<SampledPoints>& samples)
 {
@@ -93,7 +93,7 @@ samplePlanes (const Json& list, const LabelledPoints& points, std::size_t max_po
   const Eigen::Vector3d shift = originOf (sample.points);
   sample.shifted = {XyzCloud::Ptr (new XyzCloud), shift};
   XyzCloud& cloud = *sample.shifted.cloud;
-  // No single place: pictures are from above then.
+  // A survey has no single sensor: with one far above, pictures are views from above.
   constexpr float far_above = 1e9f;
   cloud.sensor_origin_.z() = far_above;
   const Json& planes = list.at ("planes");

@@ -19,20 +19,22 @@ using LabelledPoints = std::function<void (const VisitLabelled&)>;
 
 /** \brief Planes with some of their points. */
 struct PlaneSample {
-  /** \brief The sample as a cloud: plane after plane, then what is on none. */
+  /** \brief The sample as a cloud: plane after plane, then the points on no plane. */
   ShiftedCloud shifted;
-  /** \brief In the frame of the survey; moments are as of the sample alone. */
+  /** \brief In the frame of the survey. Inliers are indices into the sample; moments
+   * count the sample's points alone. */
   std::vector<PlaneSegment> planes;
-  /** \brief The same points, of each plane, then of none. */
+  /** \brief The same points in the frame of the survey, grouped as in the cloud. */
   std::vector<SampledPoints> points;
 };
 
-/** \brief A plane of a list, as far as it can be chosen by. */
+/** \brief Reads normal, centroid, number of points and orientation of a plane in a
+ * list. */
 PlaneSegment
 segmentIn (const nlohmann::ordered_json& plane);
 
-/** \brief Keeps points of the planes in a list (\ref PointSample); those of planes that
- * are not in it are on none.
+/** \brief Samples the points of the planes in a list (\ref PointSample). Points of
+ * planes that are not in the list count as points on no plane.
  * \throws WorkError as \p points does */
 PlaneSample
 samplePlanes (const nlohmann::ordered_json& list,

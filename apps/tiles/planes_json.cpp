@@ -25,7 +25,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief The normal of a vertical plane is towards the zero of the frame. */
+/** \brief The plane with its normal towards the zero of the frame, where it stays for
+ * vertical planes (\ref turnUp). */
 PlaneSegment
 segmentOf (const JoinedPlane& plane)
 {
@@ -38,7 +39,8 @@ segmentOf (const JoinedPlane& plane)
   return segment;
 }
 
-/** \brief The largest part, with area and rectangle of all parts, and the others. */
+/** \return the outline of the largest part with the area and the rectangle of all
+ * parts, and the outlines of the other parts */
 std::pair<PlaneExtent, Polygons>
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {
@@ -91,7 +93,7 @@ toObject (const Plan& plan,
   return object;
 }
 
-/** \return what was dropped */
+/** \brief Removes planes from a list. \return how many, and why */
 Dropped
 choosePlanes (const PlaneChoice& choice, Json& list)
 {
@@ -174,7 +176,7 @@ saveFloorPlan (const PlanesOutput& output,
                const Json& list,
                const LabelledPoints& points)
 {
-  // Some hundred on a square meter of the walls of a large building.
+  // Some hundred points per square meter of the walls of a large building.
   constexpr std::size_t enough = 4'000'000;
   const PlaneSample sample = samplePlanes (list, points, enough);
   std::vector<PlaneKind> kinds;

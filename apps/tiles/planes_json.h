@@ -16,19 +16,19 @@ std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);
 
 struct PlanesOutput {
-  /** \brief .json, .csv, .geojson or .gpkg; empty for nowhere. */
+  /** \brief A list of planes, .json, .csv, .geojson or .gpkg; empty for none. */
   std::string file;
-  /** \brief A picture of them, .png; empty for nowhere. */
+  /** \brief A picture of the planes, .png; empty for none. */
   std::string image;
-  /** \brief A page for a browser; empty for nowhere. */
+  /** \brief A page for a browser, .html; empty for none. */
   std::string view;
-  /** \brief .dxf, .svg, .geojson or .gpkg; empty for nowhere. */
+  /** \brief A floor plan, .dxf, .svg, .geojson or .gpkg; empty for none. */
   std::string floor_plan;
   FloorPlanParameters of_plan;
   PlaneChoice choice;
   MapOptions map;
 
-  /** \brief Those that are asked for, with the options that do. */
+  /** \brief The requested files, each as a pair of its option and its name. */
   std::vector<std::pair<std::string, std::string>>
   files () const
   {
@@ -43,18 +43,18 @@ struct PlanesOutput {
   }
 };
 
-/** \brief What is said of the planes of a run and of what was written of them. */
+/** \brief Messages about the planes of a run and the files written from them. */
 struct PlanesSaid {
-  /** \brief How many there are, and how many of them were written, in words. */
+  /** \brief Text: how many planes were found, and how many were written. */
   std::string counts;
   /** \brief "plan.dxf: 12 walls, 3 rooms, 41.2 m2" */
   std::vector<std::string> written;
   std::vector<ResultWarning> warnings;
 };
 
-/** \brief Writes what is asked for of the planes of a run.
+/** \brief Writes the requested files from the planes of a run.
  * \param[in] list_file the list of all planes
- * \param[in] points with their labels, the ids of the planes
+ * \param[in] points all points with their labels, which are the ids of the planes
  * \throws WorkError if the list cannot be read or the file cannot be written */
 PlanesSaid
 saveChosenPlanes (const std::string& list_file,

@@ -16,7 +16,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The points of a file; those of a .las are read as they are asked for. */
+/** \brief The points of a file: read on demand from a .las, else all in memory. */
 struct PointFile {
   /** \throws UsageError or WorkError as \ref loadCloud */
   explicit PointFile (const std::string& file)
@@ -68,9 +68,10 @@ struct PointFile {
     }
   }
 
-  /** \brief Writes all there is in the file with a label for each point.
+  /** \brief Writes a copy of the file with a label for each point; in a .pcd also with
+   * a color by label, in place of that of the file.
    * \param[in] output a .las for a .las, else a .pcd
-   * \param[in] label asked for each point, in their order
+   * \param[in] label called for each point, in the order of the file
    * \throws WorkError if it cannot be written */
   void
   saveLabelled (const std::string& output, const LabelOfPlace& label)

@@ -26,7 +26,7 @@ struct Ranks::State {
 Ranks::Ranks()
 {
 #ifdef PCL_OPS_WITH_MPI
-  // Starting MPI takes its time.
+  // MPI is slow to start: only processes of mpirun, which have one of these, do so.
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
     if (!state_ && std::getenv (variable) != nullptr)
       state_ = std::make_shared<State>();
@@ -43,7 +43,7 @@ Ranks::meet() const
 #ifdef PCL_OPS_WITH_MPI
   if (!state_)
     return;
-  // A plain barrier would keep a processor busy that others could use.
+  // A plain barrier would keep a processor busy while it waits.
   constexpr std::chrono::milliseconds nap (1);
   MPI_Request request;
   MPI_Ibarrier (state_->world, &request);

@@ -9,15 +9,15 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The processes that mpirun started to do one run together; one, rank 0, where
- * nobody did or this build is without MPI. */
+/** \brief The MPI processes that share one run. Without mpirun, or in a build without
+ * MPI, there is one process, of rank 0. */
 struct Ranks {
   Ranks();
 
   void
   meet () const;
 
-  /** \brief Ends all at once, by an exit code but 0; returns where only one is. */
+  /** \brief Aborts all ranks with an exit code; returns if there is only one rank. */
   void
   endAll (int exit_code) const;
 
@@ -28,9 +28,9 @@ private:
   std::shared_ptr<State> state_;
 };
 
-/** \brief Which parts of some work are a rank's, so that all have about as much to do;
- * the largest first.
- * \param[in] parts how much work each is */
+/** \return positions of the parts that a rank works on, the largest first; all ranks
+ * have about the same amount of work
+ * \param[in] parts amount of work of each part */
 std::vector<std::size_t>
 shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts);
 

@@ -18,16 +18,16 @@
 #include <utility>
 #include <vector>
 
-// Files that only a run and its continuation read. Each has checksums, also of its
-// name: what a bad disk or a copy changed is refused.
+// Files that only a run and its continuation read. Checksums of contents and names
+// detect files that a bad disk has changed or that were copied to another name.
 
 namespace pcl_ops::apps {
 
-/** \brief Of bytes in words of four, as FNV-1a has it: no two files that differ in one
- * word have the same. */
+/** \brief FNV-1a over 32-bit words instead of bytes: files that differ in exactly one
+ * word have different checksums. */
 class Checksum {
 public:
-  /** \param[in] file whose name counts, not its folder */
+  /** \param[in] file its name is part of the checksum, its folder is not */
   explicit Checksum (const std::string& file)
   {
     for (const char c : std::filesystem::path (file).filename().string())
@@ -63,7 +63,7 @@ private:
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-/** \brief Writes numbers as this machine has them. */
+/** \brief Writes numbers in this machine's representation, and their checksum. */
 struct BinaryWriter {
   /** \param[in] file the name it will have */
   BinaryWriter (std::ostream& output, const std::string& file)
@@ -101,7 +101,7 @@ struct BinaryWriter {
   Checksum sum;
 };
 
-/** \brief Reads them, or throws a WorkError that names the file. */
+/** \brief Reads what \ref BinaryWriter wrote. \throws WorkError that names the file */
 struct BinaryReader {
   explicit BinaryReader (const std::string& name)
   : file (name), stream (name, std::ios::binary | std::ios::ate), sum (name)
@@ -144,7 +144,7 @@ struct BinaryReader {
       fail();
   }
 
-  /** \brief That, and then the end of the file. */
+  /** \throws WorkError unless \ref expectSum succeeds and the file ends after that */
   void
   finish ()
   {
@@ -165,18 +165,18 @@ struct BinaryReader {
   Checksum sum;
 };
 
-/** \brief x and y of a tile, and 0 for its own points or 1 for those of its halo. */
+/** \brief \ref TileKey of a tile, then 0 for its own points or 1 for its halo. */
 using BlockKey = std::array<std::int64_t, 3>;
 
-/** \brief Some of the points of a key in a file, in the order of the input. */
+/** \brief A run of points with the same key in a file, in the order of the input. */
 struct Block {
   BlockKey key{};
   std::uint64_t offset = 0, points = 0;
-  /** \brief A \ref Checksum. */
+  /** \brief \ref Checksum of the points. */
   std::uint64_t sum = 0;
 };
 
-/** \brief Writes points sorted into blocks, with few of them in memory. */
+/** \brief Writes points sorted into blocks, with two million in memory at most. */
 class CellFileWriter {
 public:
   /** \param[in] file the name it will have */
@@ -196,7 +196,7 @@ public:
       flush();
   }
 
-  /** \brief Writes what is left, and where all is. */
+  /** \brief Writes the remaining points and the index of blocks. */
   void
   finish ()
   {
@@ -226,7 +226,7 @@ private:
   std::ostream& stream_;
   std::string file_;
   std::map<BlockKey, std::vector<Eigen::Vector3f>> waiting_;
-  /** \brief Those of the last key, which the next point mostly has, too. */
+  /** \brief Entry of the last key, as the next point mostly has the same key. */
   decltype (waiting_)::iterator last_ = waiting_.end();
   std::size_t points_waiting_ = 0;
   std::uint64_t offset_ = 0;
@@ -261,7 +261,7 @@ struct CellFile {
     return points;
   }
 
-  /** \brief Appends all points of a key, in their order. */
+  /** \brief Appends all points of a key, in the order of the input. */
   void
   read (const BlockKey& key, std::vector<Eigen::Vector3f>& points) const
   {
@@ -280,7 +280,7 @@ struct CellFile {
     }
   }
 
-  /** \brief Where the index of blocks begins: the last number of the file. */
+  /** \brief Offset of the index of blocks, which the last number of the file says. */
   std::uint64_t
   endOfPoints () const
   {
@@ -292,7 +292,7 @@ struct CellFile {
   }
 
   std::string file;
-  /** \brief By key, those of one in the order of their points. */
+  /** \brief Blocks by key; those of one key are in the order of their points. */
   std::map<BlockKey, std::vector<Block>> blocks;
 };
 

@@ -13,7 +13,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief An octave of densities as a file has it. */
+/** \brief An entry of CloudNoise::usual_of_octave, as stored in a file. */
 struct OctaveNoise {
   std::int64_t octave = 0;
   double usual = 0.0;
@@ -24,8 +24,8 @@ struct OctaveNoise {
 std::vector<std::size_t>
 tilesThatTell (const std::vector<std::uint64_t>& points)
 {
-  // They take less time than the planes of one large tile, and tell densities of a few
-  // per cent of the points.
+  // Measuring these points takes less time than finding the planes of one large tile.
+  // They show densities that only a few per cent of all points have.
   constexpr std::uint64_t enough = 400'000;
   const std::uint64_t all =
       std::accumulate (points.begin(), points.end(), std::uint64_t (0));

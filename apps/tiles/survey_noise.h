@@ -13,18 +13,18 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The tiles that tell the noise of all: evenly spread, with some hundred
- * thousand points together, or all of a small survey.
- * \param[in] points of each tile */
+/** \return positions of the tiles in which the noise of the survey is measured: evenly
+ * spread, with some hundred thousand points together; all tiles of a small survey
+ * \param[in] points number of points of each tile */
 std::vector<std::size_t>
 tilesThatTell (const std::vector<std::uint64_t>& points);
 
-/** \brief Gets the own points of a tile in its frame. */
+/** \brief Returns the own points of a tile, in the frame of the tile. */
 using PointsOfTile = std::function<std::vector<Eigen::Vector3f> (const TileKey& tile)>;
 
-/** \brief What the survey says of its noise, which each tile is given: by itself a tile
- * of hills finds planes that the whole has not.
- * \param[in] tiles that tell it */
+/** \brief Measures the noise of the survey, for detection in all tiles. With the noise
+ * of a tile of hills alone, planes are found that the whole survey does not have.
+ * \param[in] tiles in which it is measured */
 CloudNoise
 noiseOfSurvey (const Plan& plan,
                const std::vector<TileKey>& tiles,

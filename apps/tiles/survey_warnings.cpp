@@ -15,7 +15,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief By the reference system of the first input; all have the same frame. */
+/** \brief Unit of the first input's reference system; all inputs share a frame. */
 CoordinateUnit
 unitOfSurvey (const Plan& plan)
 {
@@ -32,7 +32,7 @@ viewOf (const DensePlace& place)
   return {points.data(), 0, sizeof (Eigen::Vector3f), points.size()};
 }
 
-/** \brief The noise of the largest plane of a place, if one is known. */
+/** \brief The noise of the largest plane found in a place, if both exist. */
 std::optional<double>
 noiseOf (const DensePlace& place)
 {
@@ -52,7 +52,8 @@ upperMedianOf (std::vector<double> numbers)
   return *middle;
 }
 
-/** \brief Gives planes the noise of places on them, others that of all places. */
+/** \brief Sets the noise of each plane to the median of the places on it, or of the
+ * places on all planes if it has none. */
 void
 addNoise (const std::vector<DensePlace>& places, std::vector<PlaneSegment>& planes)
 {
@@ -93,7 +94,7 @@ withWarnings (const Plan& plan,
               const std::string& list_text,
               const LabelledPoints& points)
 {
-  // Enough for a share to be right within one per cent.
+  // Enough points for shares of points to be right within one per cent.
   constexpr std::size_t looked_at = 40'000;
   auto list = nlohmann::ordered_json::parse (list_text);
   PlaneSample sample = samplePlanes (list, points, looked_at);

@@ -11,9 +11,9 @@
 
 namespace pcl_ops::apps {
 
-/** \brief A list of planes with what is doubtful about them, by some labelled points;
- * the same text where nothing is.
- * \param[in] has_meter whether the length of a meter was given, 1 or not
+/** \brief Adds warnings to a list of planes, found in a sample of the labelled points.
+ * \return the new text of the list; the same text if there are no warnings
+ * \param[in] has_meter whether the user gave the length of a meter, even if it is 1
  * \throws WorkError as \p points does */
 std::string
 withWarnings (const Plan& plan,
@@ -21,7 +21,7 @@ withWarnings (const Plan& plan,
               const std::string& list_text,
               const LabelledPoints& points);
 
-/** \brief Those that \ref withWarnings put into a list. */
+/** \brief The warnings that \ref withWarnings has added to a list. */
 std::vector<ResultWarning>
 warningsIn (const nlohmann::ordered_json& list);
 

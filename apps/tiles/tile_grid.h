@@ -17,13 +17,14 @@ using CellKey = std::array<std::int64_t, 3>;
  * TileGrid::cells_of_tile. */
 using TileKey = std::array<std::int64_t, 2>;
 
-/** \brief Cells on a lattice from absolute zero, and square tiles of whole columns of
- * them. Cells and tiles are half-open: a point is in exactly one. */
+/** \brief A lattice of cells from zero of the inputs' frame, and square tiles of whole
+ * columns of cells. Intervals are half-open: a point is in one cell and one tile. */
 struct TileGrid {
-  /** \brief Voxels of the coarsest resolution of normals are so many cells wide. */
+  /** \brief Width of the voxels of the coarsest resolution of normals [cells]. */
   static constexpr std::int64_t cells_of_coarsest = 4;
-  /** \brief How far around a tile points are looked at: normals come from the nearest
-   * three of the coarsest voxels, and planes grow and are joined voxel by voxel. */
+  /** \brief Width of the border around a tile from which it sees points, too: normals
+   * come from the nearest three of the coarsest voxels; planes grow and are joined
+   * voxel by voxel. */
   static constexpr std::int64_t halo = 12;                 // [cells]
   static constexpr std::int64_t max_cells = 1'000'000'000; // from zero
 
@@ -32,8 +33,8 @@ struct TileGrid {
   /** \brief Cells along an edge of a tile: a multiple of \ref cells_of_coarsest and at
    * least \ref halo. */
   std::int64_t cells_of_tile = 0;
-  /** \brief A cell near the points, the same for all tiles, from which frames are
-   * counted: a whole number of coarsest voxels along each axis. */
+  /** \brief A cell near the points, for the frames of tiles (\ref frameOf). Each number
+   * is a multiple of \ref cells_of_coarsest. */
   CellKey place{};
 
   /** \brief Edge of a tile [m]. */
@@ -50,7 +51,7 @@ struct TileGrid {
     return max_cells * edge;
   }
 
-  /** \brief Whether a point has coordinates, and such that cells can be counted. */
+  /** \brief Whether a point is finite and within \ref reach along each axis. */
   bool
   reaches (const Eigen::Vector3d& point) const
   {
@@ -76,7 +77,7 @@ struct TileGrid {
     return {along (cell[0]), along (cell[1])};
   }
 
-  /** \brief Whether a cell is a tile's and in the halo of no other. */
+  /** \brief Whether a cell is in a tile and in the halo of no other tile. */
   bool
   isInside (const TileKey& tile, const CellKey& cell) const
   {
@@ -87,8 +88,8 @@ struct TileGrid {
     return along (0) && along (1);
   }
 
-  /** \brief The cell at the zero of a tile's frame: \ref place, along x and y moved to
-   * the nearest edge of the tile where it is outside, in whole coarsest voxels. */
+  /** \brief The cell at the zero of a tile's frame: \ref place, clamped to the tile
+   * along x and y. Each number is a multiple of \ref cells_of_coarsest. */
   CellKey
   frameOf (const TileKey& tile) const
   {
@@ -105,8 +106,7 @@ struct TileGrid {
     return edge * Eigen::Vector3d (cell[0], cell[1], cell[2]);
   }
 
-  /** \brief Calls visit (tile) for each other tile that looks at a point of this cell.
-   */
+  /** \brief Calls visit (tile) for each other tile that has this cell in its halo. */
   template <typename Visit>
   void
   forTilesAround (const CellKey& cell, Visit&& visit) const

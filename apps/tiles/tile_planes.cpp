@@ -34,7 +34,7 @@ detectIn (const Plan& plan,
           const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
-  // Too few points tell nothing.
+  // Noise of zero points means that there were too few to measure it.
   if (noise && noise->points > 0.0)
     parameters.noise_of_whole = noise;
   if (plan.is_on_voxels)
@@ -45,7 +45,7 @@ detectIn (const Plan& plan,
   return detectPlanes ({all.data(), 0, sizeof (all[0]), all.size()}, parameters);
 }
 
-/** \brief The inputs that the own points of a plane, its first inliers, are from. */
+/** \brief The inputs of a plane's own points, which are its first inliers. */
 std::vector<std::uint32_t>
 inputsOf (const PlaneSegment& plane, const TilePoints& points)
 {
@@ -62,9 +62,9 @@ inputsOf (const PlaneSegment& plane, const TilePoints& points)
   return inputs;
 }
 
-/** \param[in] own how many of the inliers, the first, are the tile's own
- * \param[in] number of the piece
- * \param[in,out] border_voxels get the cells of the plane that other tiles look at, too */
+/** \param[in] own how many inliers are the tile's own points; they come first
+ * \param[in] number position of the piece in the tile
+ * \param[in,out] border_voxels gets the cells of the piece that other tiles see, too */
 Piece
 pieceOf (const PlaneSegment& plane,
          const TilePoints& points,

@@ -14,20 +14,20 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What a tile has of a plane. */
+/** \brief The part of a plane that a tile sees. */
 struct Piece {
-  /** \brief Of the tile's own points on it, in the frame of the inputs. */
+  /** \brief Moments of the tile's own points on it, in the frame of the inputs. */
   ExactMoments own;
-  /** \brief Of those of the halo, too. */
+  /** \brief The same with the points of the halo. */
   Moments all;
-  /** \brief Towards where the plane is seen from; edges go round it to the left. */
+  /** \brief Seen from the side it points to, the plane is to the left of its edges. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   std::vector<OutlineEdge> edges;
-  /** \brief The inputs that its own points are from, by their position in the plan. */
+  /** \brief Positions in the plan of the inputs with own points on it. */
   std::vector<std::uint32_t> inputs;
 };
 
-/** \brief A cell near the border of a tile with points on a piece. */
+/** \brief A cell with points on a piece that another tile sees, too. */
 struct BorderVoxel {
   std::array<std::int32_t, 3> cell{};
   std::uint32_t piece = 0;
@@ -39,9 +39,9 @@ struct BorderVoxel {
   }
 };
 
-/** \brief All planes of a tile that have points of its own. */
+/** \brief The pieces of a tile that have own points. */
 struct TilePlanes {
-  /** \brief By falling size as seen in the tile and its halo. */
+  /** \brief By falling number of points in the tile and its halo. */
   std::vector<Piece> pieces;
   /** \brief Sorted, each once. */
   std::vector<BorderVoxel> border_voxels;
@@ -55,25 +55,23 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes);
 TilePlanes
 loadTilePlanes (const std::string& file);
 
-/** \brief What a tile looks at, in its frame: its own points by input, then the halo.
- */
+/** \brief The points a tile sees, in its frame: its own by input, then the halo. */
 struct TilePoints {
   TileKey tile;
   std::vector<Eigen::Vector3f> points;
-  /** \brief The inputs with points in the tile, and how many of the points are theirs.
-   */
+  /** \brief The inputs with own points of the tile, and how many each has. */
   std::vector<std::pair<std::uint32_t, std::uint64_t>> own_of_input;
 };
 
 struct TileDetection {
   TilePlanes planes;
-  /** \brief Of the tile's own points: 0, or a piece's number from 1 on. */
+  /** \brief Per own point: 0 for no plane, else the position of its piece plus 1. */
   std::vector<std::uint32_t> labels;
 };
 
 /** \brief Finds planes with the library's recommended preset, in voxels of the grid if
  * their size was given.
- * \param[in] noise of the survey, unless it is one tile */
+ * \param[in] noise of the survey; nothing for a single tile or on voxels */
 TileDetection
 detectInTile (const Plan& plan,
               const std::optional<CloudNoise>& noise,

@@ -16,10 +16,10 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What the keys and clicks of the viewer change, but for the camera. */
+/** \brief The state that keys and clicks change, except for the camera. */
 struct ViewState {
   std::string method = "ops";
-  /** \brief Of which keys change the preset. */
+  /** \brief Keys change only its preset. */
   DetectorOptions detector;
   /** \brief What colors show: "planes" or "orientations". */
   std::string coloring = "planes";
@@ -42,7 +42,8 @@ r  view as at the start
 q  quit
 shift and click  say which plane this is)";
 
-/** \brief Changes a state as a key asks for; other planes have none selected.
+/** \brief Changes a state by a key. Another method or preset finds other planes, and so
+ * clears the selection.
  * \return false if the key changes no state */
 inline bool
 pressKey (char key, ViewState& state)
@@ -89,7 +90,7 @@ findPlanes (const ViewState& state, const XyzCloud::ConstPtr& cloud)
   return found;
 }
 
-/** \brief The color of a point; where another plane is selected, light gray. */
+/** \brief The color of a point; light gray if another plane is selected. */
 inline pcl::RGB
 colorOfPoint (const FoundPlanes& found, const ViewState& state, std::size_t point)
 {
@@ -119,7 +120,7 @@ planeText (const FoundPlanes& found,
               plane.offset);
 }
 
-/** \brief What the window says: keys, planes, advice where none was found, and the
+/** \brief The text in the window: keys, planes, advice if none was found, and the
  * selected plane. */
 inline std::string
 statusText (const FoundPlanes& found,

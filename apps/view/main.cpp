@@ -78,8 +78,8 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   return true;
 }
 
-/** Whether a window can be shown. From 9.4 on VTK turns to one that draws into memory
- * where there is no display, and PCL's window of that kind crashes. */
+/** \brief Whether a window can be shown. Without a display, VTK 9.4 and later make a
+ * window that draws into memory, with which PCL crashes. */
 bool
 canShow (vtkRenderWindow& window)
 {
@@ -92,11 +92,12 @@ canShow (vtkRenderWindow& window)
   return window.SupportsOpenGL() != 0;
 }
 
-/** Where VTK finds no display or driver, it aborts: a child process tries, silently. */
+/** \brief Tries out the display in a silent child process, as VTK aborts where it finds
+ * no display or driver. \throws WorkError if no window can be shown */
 void
 checkDisplay ()
 {
-#ifndef __APPLE__ // whose windows need no X11 display, and no child may draw
+#ifndef __APPLE__ // macOS needs no X11 display, and a child process may not draw
   const pid_t child = fork();
   if (child == 0) {
     const rlimit no_core{0, 0};
@@ -123,7 +124,7 @@ checkDisplay ()
 
 class Window {
 public:
-  /** \param[in] finite the points with coordinates: VTK would stumble over the others
+  /** \param[in] finite indices of the points with coordinates, as VTK handles no others
    */
   Window (const ViewOptions& options, const ShiftedCloud& shifted, pcl::Indices finite)
   : options_ (options)
@@ -133,7 +134,7 @@ public:
   , viewer_ ("pcl_ops_view " + options.input, false)
   , window_ (*viewer_.getRenderWindow())
   {
-    window_.SetMultiSamples (0); // without a graphics card they cost most of the time
+    window_.SetMultiSamples (0); // they are slow without a graphics card
     window_.SetOffScreenRendering (options.screenshot.empty() ? 0 : 1);
     viewer_.setSize (width, height);
     viewer_.setBackgroundColor (1.0, 1.0, 1.0);
@@ -184,11 +185,11 @@ public:
   }
 
 private:
-  /** \return whether PCLVisualizer does not get the key */
+  /** \return true for a key of the viewer, which PCLVisualizer then does not get */
   bool
   onKey (vtkObject* /*caller*/, unsigned long event, void* /*data*/)
   {
-    if (event == vtkCommand::CharEvent) // follows the same press of a key
+    if (event == vtkCommand::CharEvent) // comes second for the same key
       return is_own_key_;
     vtkRenderWindowInteractor& interactor = *window_.GetInteractor();
     const char key = interactor.GetKeyCode();
@@ -202,7 +203,7 @@ private:
     return is_own_key_;
   }
 
-  /** The window stays as it was where a detector refuses its parameters. */
+  /** \brief Shows a state; keeps the old one if a detector refuses its parameters. */
   void
   show (const ViewState& state)
   {
@@ -233,7 +234,7 @@ private:
     viewer_.addText (statusText (found_, options_.state, shift_), 12, 12, 15, 0, 0, 0);
   }
 
-  /** Looks at the cloud as its picture does (\ref chooseView). */
+  /** \brief Sets the camera to the view of \ref chooseView, as in pictures. */
   void
   resetCamera ()
   {
@@ -245,7 +246,7 @@ private:
     const Eigen::Vector3d down = view.axes.row (1).cast<double>();
     const Eigen::Vector3d ahead = view.axes.row (2).cast<double>();
     const double depth = ahead.dot (centroid.head<3>() - eye);
-    // What the mouse turns the cloud around.
+    // The mouse turns the cloud around this place.
     const Eigen::Vector3d target = eye + (depth > 0.0 ? depth : 1.0) * ahead;
     const double angle = 2.0 * std::atan (0.5 * height / view.focal);
     vtkRenderer& renderer = *viewer_.getRendererCollection()->GetFirstRenderer();
@@ -259,7 +260,7 @@ private:
     renderer.ResetCameraClippingRange();
   }
 
-  /** With the state that is shown. */
+  /** \brief Options, with the state that is shown now. */
   ViewOptions options_;
   Eigen::Vector3d shift_;
   pcl::Indices finite_;

@@ -26,7 +26,7 @@
 namespace pcl_ops::internal {
 namespace {
 
-/** \brief Threads that take what is posted to them. */
+/** \brief The worker threads and the queue of tasks posted to them. */
 struct Workers {
   boost::asio::io_context tasks;
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> more_to_come{
@@ -34,7 +34,8 @@ struct Workers {
   std::mutex guard;
   std::size_t started = 0;
 
-  // The next task of a detector mostly comes at once: sooner than a thread wakes up.
+  // Runs tasks forever. Polls for a while before it sleeps: the next task of a detector
+  // mostly comes sooner than a sleeping thread wakes up.
   void
   serve ()
   {
@@ -52,10 +53,10 @@ struct Workers {
 
 using PieceBody = std::function<void (std::size_t, std::size_t)>;
 
-/** \brief The pieces of one call, which whoever has time takes in turn. */
+/** \brief The pieces of one call of parallelFor, each done by one of its threads. */
 class Pieces {
 public:
-  /** \param[in] body used until all pieces are done */
+  /** \param[in] body must live until all pieces are done */
   Pieces (std::size_t size, std::size_t grain, const PieceBody& body)
   : size_ (size)
   , grain_ (grain)
@@ -64,8 +65,9 @@ public:
   , is_taken_ (number_)
   {}
 
-  /** \brief Does pieces until all have been taken. Each thread begins elsewhere, in
-   * every call at the same place: what it made in the last one is in its cache. */
+  /** \brief Does pieces, from piece \p first on, until all have been taken. Threads
+   * begin at different pieces, the same in each call of this size: so the data of the
+   * call before may still be in a thread's cache. */
   void
   takeTurns (std::size_t first = 0)
   {
@@ -76,14 +78,16 @@ public:
     }
   }
 
-  /** \brief The same by one of some helpers, each of which begins elsewhere. */
+  /** \brief Calls \ref takeTurns as one of \p helpers threads, with a first piece of
+   * its own. */
   void
   help (std::size_t helpers)
   {
     takeTurns (number_ * ++helping_ / (helpers + 1));
   }
 
-  /** \brief Waits for those that others have taken, and throws what one has thrown. */
+  /** \brief Waits until all pieces are done. Rethrows an exception of a piece: the last
+   * one if there are several. */
   void
   waitForOthers ()
   {
@@ -134,9 +138,9 @@ availableProcessors ()
 
 namespace {
 
-/** \brief Those of this process. They are never destroyed: the threads end with the
- * process. A process that is forked off has none of the threads, and maybe a lock that
- * one of them held: it begins with others. */
+/** \brief Returns the workers of this process. They are never destroyed: the threads
+ * end with the process. A forked process gets new ones: it has none of the threads of
+ * its parent, and the copied mutex may be locked. */
 Workers&
 workersOfThisProcess ()
 {
@@ -162,7 +166,7 @@ callOnWorkers (std::size_t number, const std::function<void()>& task)
         std::thread ([&workers] { workers.serve(); }).detach();
     }
     catch (const std::system_error&) {
-      // As many as there are will do.
+      // The system starts no more threads: go on with the started ones.
     }
   }
   for (std::size_t i = 0; i < number; ++i)
@@ -177,10 +181,10 @@ parallelFor (unsigned threads,
 {
   if (size == 0)
     return;
-  // Shared with helpers that come when all is done: nobody waits for a thread that the
-  // system has no processor for.
+  // Shared ownership: a helper may come after all pieces are done and this call has
+  // returned. So the call never waits for a thread without a processor.
   const auto pieces = std::make_shared<Pieces> (size, grain, body);
-  constexpr std::size_t max_threads = 256; // more only cost
+  constexpr std::size_t max_threads = 256; // more only cost time
   const std::size_t wanted = threads ? threads : availableProcessors();
   const std::size_t number = (size + grain - 1) / grain;
   const std::size_t helpers = std::min ({wanted, number, max_threads}) - 1;

@@ -8,29 +8,30 @@
 
 namespace pcl_ops::internal {
 
-/** \brief How many threads can run at the same time. */
+/** \brief Returns how many threads can run at the same time, at least 1. */
 std::size_t
 availableProcessors ();
 
-/** \brief Has a task, which must not throw, called by up to so many other threads, each
- * when it has time: after this has returned, and perhaps never. The threads are started
- * when first needed, fewer where the system starts no more, and sleep in between. */
+/** \brief Posts \p number calls of a task to the worker threads and returns at once.
+ * A call runs when a worker has time: perhaps late, perhaps never. Workers are started
+ * when first needed, fewer if the system refuses more; idle workers sleep.
+ * \param[in] task must not throw */
 void
 callOnWorkers (std::size_t number, const std::function<void()>& task);
 
-/** \brief Calls \p body (begin, end) for pieces of 0 .. size - 1 that cover it once:
- * the only place of the library that knows threads. The pieces depend on \p size and \p
- * grain alone, so what a body computes per piece is the same for any thread count.
- * \param[in] threads 0: as many as the machine has; fewer where the system starts no more
- * \param[in] grain items per piece, 1 or more
- * \param[in] body what it throws is thrown on after the other pieces are done */
+/** \brief Calls \p body (begin, end) in parallel for consecutive pieces of the range
+ * 0 .. size - 1. All parallel loops of the library use it. The pieces depend on
+ * \p size and \p grain only: results per piece are the same for any thread count.
+ * \param[in] threads largest number of threads; 0: one per available processor
+ * \param[in] grain items per piece, 1 or more; the last piece may have fewer
+ * \param[in] body if it throws, the exception is rethrown after all pieces are done */
 void
 parallelFor (unsigned threads,
              std::size_t size,
              std::size_t grain,
              const std::function<void (std::size_t begin, std::size_t end)>& body);
 
-/** \brief Calls \p visit (i) for all of 0 .. size - 1, as \ref parallelFor does. */
+/** \brief Calls \p visit (i) for each i in 0 .. size - 1 by \ref parallelFor. */
 template <typename Visit>
 void
 forEach (unsigned threads, std::size_t size, Visit&& visit)
@@ -42,8 +43,8 @@ forEach (unsigned threads, std::size_t size, Visit&& visit)
   });
 }
 
-/** \brief What \p body (begin, end) returns for each piece, in the order of the pieces;
- * the rest as \ref parallelFor. */
+/** \brief Calls \p body (begin, end) for each piece as \ref parallelFor does.
+ * \return the results of \p body in the order of the pieces */
 template <typename Body>
 auto
 parallelChunks (unsigned threads, std::size_t size, std::size_t grain, Body&& body)

@@ -12,14 +12,14 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Bits of a digit of a key: its counts, 2^11 of 4 bytes, fit the fastest cache.
- */
+/** \brief Number of bits of one digit of a key: the 2^11 counters of 4 bytes fit into
+ * the L1 cache. */
 inline constexpr int bits_of_digit = 11;
 
-/** \brief Sorts items by one digit of their keys; those that agree stay in their order.
- * Other parameters are those of \ref radixSort.
- * \param[in] lowest_bit of the digit
- * \param[out] sorted room for as many items */
+/** \brief Sorts items by one digit of their keys; the sort is stable. See
+ * \ref radixSort for the other parameters.
+ * \param[in] lowest_bit position of the lowest bit of the digit in the key
+ * \param[out] sorted gets the sorted items; has room for \p size items */
 template <typename Item, typename KeyOf>
 void
 sortByDigit (unsigned threads,
@@ -30,11 +30,11 @@ sortByDigit (unsigned threads,
              Item* sorted)
 {
   constexpr std::size_t digits = 1 << bits_of_digit;
-  constexpr std::size_t items_per_piece = 1 << 15; // much more than there are digits
+  constexpr std::size_t items_per_piece = 1 << 15; // many more than digits
   const auto digitOf = [&] (const Item& item) {
     return static_cast<std::size_t> (keyOf (item) >> lowest_bit & (digits - 1));
   };
-  // For each piece of the items: how many have each digit.
+  // The histogram of the digit for each piece of the items.
   using PerDigit = std::array<std::uint32_t, digits>;
   std::vector<PerDigit> per_piece =
       parallelChunks (threads, size, items_per_piece, [&] (auto begin, auto end) {
@@ -43,7 +43,7 @@ sortByDigit (unsigned threads,
           ++counts[digitOf (items[i])];
         return counts;
       });
-  // In place of each count, where its items begin in the sorted ones.
+  // Replace each count by the position in sorted where its items begin.
   std::uint32_t next = 0;
   for (std::size_t digit = 0; digit < digits; ++digit)
     for (PerDigit& of_piece : per_piece) {
@@ -58,13 +58,13 @@ sortByDigit (unsigned threads,
   });
 }
 
-/** \brief Sorts items by rising keys, digit by digit from the lowest; those of one key
- * stay in their order. Ends at the highest digit in which keys differ.
- * \param[in,out] items they are overwritten
- * \param[in] size fewer than 2^32
- * \param[in] spare room for as many items
- * \param[in] keyOf returns the key of an item, 64 bits without a sign
- * \return the sorted items: \p items or \p spare */
+/** \brief Sorts items by ascending key: a stable LSD radix sort that ends at the
+ * highest digit in which keys differ.
+ * \param[in,out] items the items to sort; overwritten
+ * \param[in] size number of items, below 2^32
+ * \param[in] spare buffer with room for \p size items; overwritten
+ * \param[in] keyOf returns the key of an item, an unsigned integer of 64 bits
+ * \return the buffer that holds the sorted items: \p items or \p spare */
 template <typename Item, typename KeyOf>
 Item*
 radixSort (

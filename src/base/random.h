@@ -7,12 +7,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The generator of every random choice. std::mt19937's output is fixed by the
- * C++ standard, the std:: distributions' is not: hence the draws below. */
+/** \brief The generator of all random numbers. The C++ standard fixes the output of
+ * std::mt19937, but not that of the std:: distributions: the functions below replace
+ * these distributions. */
 using RandomGenerator = std::mt19937;
 
-/** \brief Unbiased draw from 0 .. bound - 1, of bound 0 as of 1 (Lemire 2019, multiply
- * and reject). */
+/** \brief Returns an unbiased draw from 0 .. bound - 1 (Lemire 2019, multiply and
+ * reject); 0 for bound 0. */
 inline std::uint32_t
 drawBelow (RandomGenerator& generator, std::uint32_t bound)
 {

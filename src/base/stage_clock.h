@@ -6,10 +6,10 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A stop watch that is read between stages. */
+/** \brief Stopwatch for the stages of a detection; runs from its construction. */
 class StageClock {
 public:
-  /** \brief Adds the wall time since the last lap, or the start, to a duration [ms]. */
+  /** \brief Adds to \p duration the wall time since the last lap or the start [ms]. */
   void
   lap (double& duration)
   {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/** \brief Compiles a function a second time for wider vectors, and takes that where the
- * processor has them. Neither version fuses multiplications with additions or reorders
- * sums: both give the same digits. Sanitizers do not cope with functions that are
- * chosen when the library is loaded, and GCC exports them, unless they are in an
- * unnamed namespace: that is where such functions belong. Defined empty by the
- * compiler's command line it leaves the second version out. */
+/** \brief Attribute that compiles a function twice: for the default target and for
+ * AVX2. The loader picks AVX2 if the processor has it. Neither version fuses
+ * multiplications with additions or reorders sums: both give the same digits. Put the
+ * function into an unnamed namespace, else GCC exports it. The attribute is empty but
+ * for GCC on x86-64 GNU/Linux, and with sanitizers, which do not cope with functions
+ * that the loader picks. Define the macro as empty to build without AVX2. */
 #ifndef PCL_OPS_VECTORIZED
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) &&              \
     !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&                           \

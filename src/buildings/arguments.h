@@ -11,7 +11,7 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Throws std::invalid_argument if there is a problem. */
+/** \brief Throws std::invalid_argument with this message unless it is empty. */
 inline void
 throwIfWrong (const std::string& problem)
 {
@@ -19,7 +19,7 @@ throwIfWrong (const std::string& problem)
     throw std::invalid_argument (problem);
 }
 
-/** \brief Throws std::invalid_argument if an inlier is no point of the cloud. */
+/** \brief Throws std::invalid_argument if an inlier is no index into the cloud. */
 inline void
 checkInliers (const CloudView& cloud, const PlaneSegment& plane)
 {

@@ -15,7 +15,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** \brief From above; 0 within the outline, which is convex. */
+/** \brief Returns the horizontal distance of a place to a convex outline [m]; 0 inside.
+ */
 double
 distanceToOutline (const std::vector<Vector3d>& hull, const Vector2d& place)
 {
@@ -37,7 +38,8 @@ distanceToOutline (const std::vector<Vector3d>& hull, const Vector2d& place)
   return is_left_of_all || is_right_of_all ? 0.0 : nearest;
 }
 
-/** \brief From above, a circle around the outline. */
+/** \brief Returns the radius of the horizontal circle around the center of a plane that
+ * contains its outline [m]. */
 double
 reachOf (const PlaneFromAbove& plane)
 {
@@ -70,7 +72,7 @@ placesAlong (const std::vector<Vector3d>& hull)
     length += (hull[(i + 1) % hull.size()] - hull[i]).norm();
   std::vector<Vector3d> places;
   const double step = length / static_cast<double> (constants.places_of_outline);
-  double next = 0.5 * step; // along the outline, from the corner on
+  double next = 0.5 * step; // distance from the corner along the outline
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vector3d side = hull[(i + 1) % hull.size()] - hull[i];
     const double end = side.norm();
@@ -88,8 +90,9 @@ heightAt (const PlaneFromAbove& plane, const Vector3d& place)
   return plane.center.z() - plane.normal.head<2>().dot (off) / plane.normal.z();
 }
 
-/** \brief Whether a plane is far above a place beside it, and stays so: the other side
- * of a gable falls from the ridge. */
+/** \brief Returns whether a plane is higher than a place beside it by headroom or more,
+ * both there and at its center. The other side of a gable is not: it falls from the
+ * ridge. */
 bool
 risesAbove (const Vector3d& place, const PlaneFromAbove& plane)
 {
@@ -136,7 +139,7 @@ isLowest (const PlaneFromAbove& plane,
   const std::vector<PlaneFromAbove> neighbors = neighborsOf (plane, all);
   const std::vector<Vector3d> outline = placesAlong (plane.hull);
   const auto isAbove = [&] (const Vector3d& corner) {
-    // Halfway in: along its outline a plane may reach over others.
+    // Halfway to the center: near its outline a plane may overhang others.
     const Vector3d place = 0.5 * (plane.center + corner);
     return std::any_of (
         neighbors.begin(), neighbors.end(), [&] (const PlaneFromAbove& other) {

@@ -8,25 +8,28 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A plane that is not vertical, in meters, z up. */
+/** \brief A plane in meters, z up. The hull of a steep plane is empty. */
 struct PlaneFromAbove {
-  /** \brief Up. */
+  /** \brief Unit normal that points up. */
   Eigen::Vector3d normal;
   Eigen::Vector3d center;
   std::vector<Eigen::Vector3d> hull;
   double area;
 };
 
-/** \brief Whether a plane is a part of the ground. Along the outline of a roof
- * something is far below it; beside a part of the ground others go on at its height and
- * nearly its slope, or are far above it, as the slope over a terrace. It is one if at
- * least half as many places along the outline are of the second kind as of the first.
+/** \brief Returns whether a plane is a part of the ground and not a roof. Samples along
+ * its outline decide. Where another plane lies far below a sample, the plane is like a
+ * roof. Elsewhere it is like the ground if another plane continues it at nearly its
+ * height and slope, or lies far above the sample, as the slope over a terrace does. The
+ * plane is ground if more than half as many samples are like the ground as like a roof;
+ * a sample that is like the ground for both reasons counts twice.
  * \param[in] plane one of \p all */
 bool
 isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
 
-/** \brief Whether no other plane lies below most of a plane, as below the ground.
- * \param[in] min_drop planes less far below do not count, as the next field of a
+/** \brief Returns whether less than half of a plane has another plane below it, as the
+ * ground has nothing below it.
+ * \param[in] min_drop planes less far below do not count, such as the next field of a
  * slope [m] */
 bool
 isLowest (const PlaneFromAbove& plane,

@@ -24,7 +24,8 @@ namespace {
 using namespace internal::buildings;
 using Eigen::Vector3d;
 
-/** \brief Finite points of a cloud in the frame of the plan, but for the shift. */
+/** \brief Finite points of a cloud in the frame of the plan, without the shift that
+ * moveBy adds at the end. */
 class PlanCloud {
 public:
   PlanCloud (const CloudView& cloud, const Eigen::Matrix3d& to_plan)
@@ -70,7 +71,8 @@ private:
   Eigen::Matrix3d to_plan_;
 };
 
-/** \brief Planes with their kinds and their points in the frame of the plan. */
+/** \brief A plane with its kind. In the frame of the plan: its normal, its finite
+ * inliers and their mean height [m]. */
 struct Seen {
   PlaneKind kind;
   Vector3d normal;
@@ -94,8 +96,9 @@ seenPlanes (const PlanCloud& cloud,
   return all;
 }
 
-/** \brief The height of the lowest floor that is no small part; without one that of the
- * lowest point of a wall. */
+/** \brief Returns the height of the lowest floor with min_share_of_lowest_floor of the
+ * points of the largest floor, or more [m]. Without a floor it is the height of the
+ * lowest point of a wall, or 0 without walls. */
 double
 lowestFloor (const std::vector<Seen>& planes)
 {
@@ -123,7 +126,7 @@ lowestFloor (const std::vector<Seen>& planes)
   return lowest;
 }
 
-/** \brief The floor that is next below the cut. */
+/** \brief Returns the height of the highest floor below the cut [m]. */
 double
 floorBelow (const std::vector<Seen>& planes, double height, double lowest)
 {
@@ -131,7 +134,7 @@ floorBelow (const std::vector<Seen>& planes, double height, double lowest)
   for (const Seen& plane : planes)
     if (plane.kind == PlaneKind::Floor && plane.height < height)
       floor = std::max (floor, plane.height);
-  // Parts of one floor are not at one height.
+  // Parts of one floor differ in height by less than a step.
   return floor - lowest < constants.step ? lowest : floor;
 }
 
@@ -147,7 +150,7 @@ isLevel (PlaneKind kind)
   return kind == PlaneKind::Table || kind == PlaneKind::Slab || kind == PlaneKind::Ramp;
 }
 
-/** \brief The points of all planes that are such. */
+/** \brief Returns the points of all planes for which \p isSuch is true. */
 template <typename IsSuch>
 PlanPoints
 pointsOf (const std::vector<Seen>& planes, const IsSuch& isSuch)
@@ -159,7 +162,7 @@ pointsOf (const std::vector<Seen>& planes, const IsSuch& isSuch)
   return points;
 }
 
-/** \brief Squares of a grid from above, as wide as eaves are. */
+/** \brief Squares of a horizontal grid with edges of length max_eaves. */
 using EavesSquares = std::set<std::pair<long, long>>;
 
 std::pair<long, long>
@@ -169,7 +172,7 @@ eavesSquareAt (const Vector3d& point)
           std::lround (point.y() / constants.max_eaves)};
 }
 
-/** \brief Those with points of roofs, and those beside them. */
+/** \brief Returns the squares with points of roofs, and the squares next to them. */
 EavesSquares
 squaresUnder (const PlanPoints& roofs)
 {
@@ -184,8 +187,8 @@ squaresUnder (const PlanPoints& roofs)
   return under;
 }
 
-/** \brief Whether a building stands under roofs: most points of its walls do, or are
- * below the eaves. A sloping piece of a room's ceiling covers few of them. */
+/** \brief Returns whether a building stands under roofs: most wall points are below the
+ * roofs or their eaves. A sloping piece of a room's ceiling covers few wall points. */
 bool
 coverWalls (const PlanPoints& roofs, const std::vector<Seen>& planes)
 {
@@ -201,9 +204,9 @@ coverWalls (const PlanPoints& roofs, const std::vector<Seen>& planes)
   return under > constants.min_walls_under_roofs * all;
 }
 
-/** \brief What covers the rooms at a cut: roofs where there are no ceilings and a
- * building stands under them, as the ground lies around a house; else floors and
- * ceilings. */
+/** \brief Returns the points that cover the rooms at a cut: of roofs if there is no
+ * ceiling and a building stands under the roofs, because floors then are ground around
+ * it; otherwise of floors, ceilings and other level planes. */
 Cover
 coverAt (const std::vector<Seen>& planes, double floor, double height)
 {
@@ -234,8 +237,8 @@ coverAt (const std::vector<Seen>& planes, double floor, double height)
   return cover;
 }
 
-/** \brief Has fronts and sides of furniture be no walls, however large: the ceiling
- * goes on over them. */
+/** \brief Changes walls to PlaneKind::Other if the ceiling continues over them. They
+ * are fronts and sides of furniture, however large. */
 void
 denyFurniture (const Cover& cover, std::vector<Seen>& planes)
 {
@@ -246,7 +249,8 @@ denyFurniture (const Cover& cover, std::vector<Seen>& planes)
       plane.kind = PlaneKind::Other;
 }
 
-/** \brief Turns the walls to the rooms whose floors and ceilings end at them. */
+/** \brief Flips normals of walls so that they point to the rooms whose floors and
+ * ceilings end at the walls. */
 void
 turnToRooms (const RoomSides& rooms, std::vector<Seen>& planes)
 {
@@ -256,8 +260,8 @@ turnToRooms (const RoomSides& rooms, std::vector<Seen>& planes)
       plane.normal = -plane.normal;
 }
 
-/** \brief Tells of each wall that is seen over furniture at the cut whether floors and
- * ceilings end there. */
+/** \brief Sets WallFace::ends_rooms: true for a wall that is seen over furniture at the
+ * cut and at which floors and ceilings end. */
 void
 findEnds (const RoomSides& rooms,
           const std::vector<Seen>& planes,
@@ -280,7 +284,7 @@ findEnds (const RoomSides& rooms,
   }
 }
 
-/** \brief One for each plane that is such. */
+/** \brief Returns a face for each plane with points for which \p isSuch is true. */
 template <typename IsSuch>
 std::vector<WallFace>
 facesOf (const std::vector<Seen>& planes, double height, const IsSuch& isSuch)
@@ -298,7 +302,7 @@ isSeenWall (const Seen& plane)
   return plane.kind == PlaneKind::Wall;
 }
 
-/** \brief What may be the leaf of a door, or a pane. */
+/** \brief Returns whether a plane may be a door leaf or a window pane. */
 bool
 isUpright (const Seen& plane)
 {
@@ -306,8 +310,9 @@ isUpright (const Seen& plane)
          std::abs (plane.normal.z()) < constants.max_sine_of_upright;
 }
 
-/** \brief Tells by the points at the height of the cut: something before or in most of
- * a gap hides it, unless as much is seen through it. */
+/** \brief Returns a test of gaps by points at the height of the cut. A gap is hidden if
+ * more than half of its length has points before or in it, and at most half of its
+ * length has points behind it. */
 IsHidden
 hiddenBy (PlanPoints points)
 {
@@ -333,7 +338,8 @@ hiddenBy (PlanPoints points)
   };
 }
 
-/** \brief Moves what was found from the frame of the cloud to that of the planes. */
+/** \brief Moves a plan from the frame of the cloud to that of the planes.
+ * \param[in] shift along the axes of the plan [m] */
 void
 moveBy (const Vector3d& shift, FloorPlan& plan)
 {
@@ -414,7 +420,7 @@ validate (const FloorPlanParameters& parameters)
     return "how far ends of walls are moved must be a length above 0";
   if (!is_length (parameters.min_room))
     return "the smallest room must have an area above 0";
-  // Lengths of other units would be zero or infinite in meters.
+  // Beyond these limits lengths in meters would become zero or infinite.
   constexpr double longest = 1e9;
   if (!(parameters.meter <= longest && parameters.meter >= 1.0 / longest))
     return "a meter must be a length from 1e-9 to 1e9";

@@ -12,8 +12,8 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-/** \brief In whole units, so that sums are exact and equal cuts are told the same way.
- */
+/** \brief Capacities are integers, so that sums are exact and ties between cuts are
+ * always broken the same way. */
 using Capacity = long long;
 
 using CutTraits =
@@ -37,11 +37,11 @@ using CutGraph = boost::adjacency_list<
 Capacity
 toCapacity (double square_meters)
 {
-  constexpr double units = 1e6; // of a square millimeter
+  constexpr double units = 1e6; // square millimeters per square meter
   return std::llround (units * square_meters);
 }
 
-/** \brief Two arcs, each the reverse of the other. */
+/** \brief Adds two arcs, each the reverse of the other. */
 void
 addArcs (
     std::size_t from, std::size_t to, Capacity there, Capacity back, CutGraph& graph)

@@ -7,28 +7,30 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief What speaks for a cell to be in a room, and against it. */
+/** \brief Evidence for and against a cell being in a room. */
 struct CellEvidence {
-  /** \brief Of its area, what is under ceilings or over floors, and the rest [m^2]. */
+  /** \brief Area of the cell that floors, ceilings or roofs cover, and the rest [m^2].
+   */
   double covered = 0.0;
   double uncovered = 0.0;
-  /** \brief Length of its border to outside of all cells [m]. */
+  /** \brief Length of the cell's border on the rim of the plan [m]; for a cell within a
+   * wall the length of its whole border. */
   double rim = 0.0;
 };
 
-/** \brief Two cells side by side. */
+/** \brief Two cells with a common side, by their indices in the list of cells. */
 struct CellBorder {
   std::size_t first, second;
-  /** \brief Length of their border without a wall [m]. */
+  /** \brief Length of the common side that has no wall [m]. */
   double open;
 };
 
-/** \brief Which cells are in rooms: for each 1 if it is, else 0. A minimum graph cut,
- * after Ochmann et al. 2016 without their walls, of the cost
- *   covered area outside + uncovered area inside
+/** \brief Returns for each cell 1 if it is in a room, else 0. The labels are a minimum
+ * graph cut, after Ochmann et al. 2016 without their walls, with the cost
+ *   covered area outside of rooms + uncovered area inside of rooms
  *     + max_unseen [m] of constants.h * length of the border of rooms without a wall.
- * So a room goes on to a wall over a floor that was not seen, and ends at a wall though
- * a floor was seen beyond it. */
+ * So a room extends over unseen floor up to a wall. It can end at a wall even if some
+ * floor was seen beyond the wall. */
 std::vector<char>
 cellsInside (const std::vector<CellEvidence>& cells,
              const std::vector<CellBorder>& borders);

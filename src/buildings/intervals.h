@@ -8,7 +8,7 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A part of a line, by places along it [m]. */
+/** \brief A part of a line between two places, measured along the line [m]. */
 struct Interval {
   double from, to;
 
@@ -22,7 +22,7 @@ struct Interval {
 /** \brief Ascending, none touching another. */
 using Intervals = std::vector<Interval>;
 
-/** \brief Those of both lists as one, with gaps up to \p max_gap closed. */
+/** \brief Returns the union of both lists, with gaps up to \p max_gap [m] closed. */
 inline Intervals
 unionOf (Intervals intervals, const Intervals& others, double max_gap)
 {
@@ -39,8 +39,8 @@ unionOf (Intervals intervals, const Intervals& others, double max_gap)
   return all;
 }
 
-/** \brief Intervals from place to place; a gap that is larger than \p max_gap begins
- * another. */
+/** \brief Returns the intervals that places cover. A gap between neighboring places
+ * larger than \p max_gap [m] separates two intervals. */
 inline Intervals
 intervalsOf (const std::vector<double>& places, double max_gap)
 {
@@ -51,7 +51,7 @@ intervalsOf (const std::vector<double>& places, double max_gap)
   return unionOf (std::move (points), {}, max_gap);
 }
 
-/** \brief What of some intervals others do not cover. */
+/** \brief Returns the parts of \p intervals that \p others do not cover. */
 inline Intervals
 without (const Intervals& intervals, const Intervals& others)
 {
@@ -70,7 +70,7 @@ without (const Intervals& intervals, const Intervals& others)
   return left;
 }
 
-/** \brief How much of an interval the others cover [m]. */
+/** \brief Returns the length of the parts of an interval that \p others cover [m]. */
 inline double
 lengthWithin (const Interval& interval, const Intervals& others)
 {

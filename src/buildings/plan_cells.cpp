@@ -11,20 +11,21 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-/** \brief What is nearer to a line than this lies on it [m]. */
+/** \brief Points within this distance of a line lie on it [m]. */
 constexpr double on_line = 1e-7;
 
-/** \brief Whether a line lies between two points, by their signed distances to it. */
+/** \brief Returns whether two points lie on different sides of a line, by their signed
+ * distances to it. */
 bool
 isBetween (double begin, double end)
 {
   return (begin > on_line && end < -on_line) || (begin < -on_line && end > on_line);
 }
 
-/** \brief The part of a cell on one side of a line.
- * \param[in] sign 1: before it, -1: behind it
- * \param[in] number of the line
- * \return without corners where there is none */
+/** \brief Returns the part of a cell on one side of a line.
+ * \param[in] sign 1 for the part before the line, -1 for the part behind it
+ * \param[in] number index of the line
+ * \return a cell without corners if there is no part, or hardly any */
 PlanCell
 partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t number)
 {
@@ -39,7 +40,7 @@ partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t num
     const bool is_next_in = end >= -on_line;
     if (is_in) {
       part.corners.push_back (from);
-      // Along the line itself the side stays what it was.
+      // A side that already lies on the line keeps its own line.
       const bool leaves = !is_next_in && begin <= on_line;
       part.lines.push_back (leaves ? number : cell.lines[i]);
     }
@@ -68,7 +69,8 @@ divides (const PlanLine& line, const PlanCell& cell)
   return is_before && is_behind;
 }
 
-/** \brief What tells a side, whichever cell has it. */
+/** \brief A side of a cell. Its line and the rounded sum of its ends (x, y) are equal
+ * for both cells that share it. */
 struct SideKey {
   std::size_t line;
   long long x, y;
@@ -120,7 +122,7 @@ commonSides (const std::vector<PlanCell>& cells)
   std::sort (keys.begin(), keys.end(), [] (const SideKey& a, const SideKey& b) {
     return std::tie (a.line, a.x, a.y, a.cell) < std::tie (b.line, b.x, b.y, b.cell);
   });
-  // Middles may be rounded apart by one step.
+  // Rounding may separate the sums of one side by one step.
   std::vector<CommonSide> sides;
   std::vector<char> is_taken (keys.size(), 0);
   for (std::size_t i = 0; i < keys.size(); ++i)

@@ -10,26 +10,27 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A convex part of a plan between lines. */
+/** \brief A convex cell of a plan, bounded by lines and by the rim of the plan. */
 struct PlanCell {
   /** \brief Counter-clockwise. */
   PlanarPoints corners;
-  /** \brief Of the side from each corner to the next: its line, a position in the list
-   * of them, or no_line at the rim. */
+  /** \brief For each side, from a corner to the next: the index of its line in the list
+   * of lines, or no_line at the rim. */
   std::vector<std::size_t> lines;
 };
 
 constexpr std::size_t no_line = static_cast<std::size_t> (-1);
 
-/** \brief Cuts a box by all lines, each from rim to rim. */
+/** \brief Divides a box into cells by all lines, each extended to the rim. */
 std::vector<PlanCell>
 cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines);
 
 /** \brief Two cells with a common side. */
 struct CommonSide {
-  /** \brief Positions in the list of cells; the first has the side as its own. */
+  /** \brief Indices of the two cells in the list of cells. */
   std::size_t first, second;
-  /** \brief Of the first: from this corner to the next. */
+  /** \brief The side of the first cell: it runs from its corner of this index to the
+   * next. */
   std::size_t side;
 };
 

@@ -22,7 +22,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/** \brief Points on a square meter, of those that have some; of no points infinite. */
+/** \brief Returns the mean number of points in the box per square meter with points
+ * [1/m^2]; infinite without points. */
 double
 densityOf (const PlanPoints& points, const Eigen::AlignedBox2d& box)
 {
@@ -38,10 +39,10 @@ densityOf (const PlanPoints& points, const Eigen::AlignedBox2d& box)
   return inside / static_cast<double> (meters.size());
 }
 
-/** \brief How many points squares of a grid have. */
+/** \brief Numbers of points in the squares of a horizontal grid. */
 class CoveredSquares {
 public:
-  /** \param[in] edge of a square, larger where there would be too many */
+  /** \param[in] edge of a square [m]; enlarged if there would be too many squares */
   CoveredSquares (const PlanPoints& points, const Eigen::AlignedBox2d& box, double edge)
   {
     const Vector2d sizes = box.sizes();
@@ -56,14 +57,14 @@ public:
         ++points_[squareAt (point.head<2>())];
   }
 
-  /** \brief How much of a convex cell has points, 0 to 1. */
+  /** \brief Returns the share of a convex cell whose squares have points, 0 to 1. */
   double
   shareOf (const PlanCell& cell) const
   {
     return meanOf (cell, [] (std::uint32_t points) { return points > 0 ? 1.0 : 0.0; });
   }
 
-  /** \brief Points on a square meter of a convex cell. */
+  /** \brief Returns the density of points in a convex cell [1/m^2]. */
   double
   densityOf (const PlanCell& cell) const
   {
@@ -83,7 +84,7 @@ private:
       box.extend (corner);
       middle += corner / static_cast<double> (cell.corners.size());
     }
-    // Samples in proportion to the cell; of a sliver that none is in, its middle.
+    // Samples on a grid; in a sliver that contains no sample, only its middle.
     constexpr int max_samples = constants.max_samples_of_cell;
     const Vector2d wanted = (box.sizes() / edge_).array().ceil();
     const int columns = std::clamp (static_cast<int> (wanted.x()), 1, max_samples);
@@ -133,7 +134,7 @@ private:
   std::vector<std::uint32_t> points_;
 };
 
-/** \brief The cells of each room: sets that no wall divides. */
+/** \brief Union-find of cells: the cells of one room are one set. */
 class CellSets {
 public:
   explicit CellSets (std::size_t cells) : parents_ (cells)
@@ -163,13 +164,14 @@ private:
   std::vector<std::size_t> parents_;
 };
 
-/** \brief A line that cells end at, and where it has walls. */
+/** \brief A line that bounds cells, and the intervals of walls on it. */
 struct CellLine {
   PlanLine line;
   Intervals walls = {};
 };
 
-/** \brief Whether a wall on another line passes a place, or ends next to it. */
+/** \brief Returns whether a wall on another line passes through a place, or ends less
+ * than margin_of_plan from it. */
 bool
 hasWallAt (const CellLine& other, const Vector2d& place)
 {
@@ -183,7 +185,8 @@ hasWallAt (const CellLine& other, const Vector2d& place)
              });
 }
 
-/** \brief How far walls go on beyond a place, in a direction [m]. */
+/** \brief Returns how far the farthest wall reaches beyond a place in a direction [m];
+ * 0 if no wall does. */
 double
 farthestBeyond (const std::vector<CellLine>& lines,
                 const Vector2d& place,
@@ -197,9 +200,10 @@ farthestBeyond (const std::vector<CellLine>& lines,
   return farthest;
 }
 
-/** \brief Lines across the outermost walls, where these end at no other wall: a room
- * whose outer wall was not seen ends there, too, and not at the rim. Lines at all
- * ends (Mura et al. 2014) divided real rooms: one of 49 m^2 had 30. */
+/** \brief Returns lines perpendicular to walls, at outermost ends that meet no other
+ * wall. A room whose outer wall was not seen ends there and not at the rim of the plan.
+ * Lines at all free ends (Mura et al. 2014) cut off parts of real rooms: of one of
+ * 49 m^2, 30 m^2 were left. */
 std::vector<CellLine>
 linesAcrossFreeEnds (const std::vector<CellLine>& lines)
 {
@@ -213,7 +217,7 @@ linesAcrossFreeEnds (const std::vector<CellLine>& lines)
                        constants.max_off_line;
         for (std::size_t j = 0; j < lines.size(); ++j)
           is_free = is_free && (i == j || !hasWallAt (lines[j], end));
-        // Both sides of a wall end at one place.
+        // Both sides of a wall end at one place and share one line.
         for (const CellLine& other : across)
           is_free = is_free &&
                     (std::abs (other.line.distance (end)) > constants.max_off_line ||
@@ -225,7 +229,8 @@ linesAcrossFreeEnds (const std::vector<CellLine>& lines)
   return across;
 }
 
-/** \brief The lines that divide a plan: those of walls first. */
+/** \brief Returns the lines that divide a plan: lines of walls, then lines across free
+ * ends. The latter are left out if there would be more than max_walls lines. */
 std::vector<CellLine>
 cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
 {
@@ -250,7 +255,7 @@ struct Side {
   std::size_t line;
 };
 
-/** \brief How much of a side is a wall [m]. */
+/** \brief Returns the length of the parts of a side that are walls [m]. */
 double
 walledLength (const Side& side, const std::vector<CellLine>& lines)
 {
@@ -269,7 +274,7 @@ sideOf (const PlanCell& cell, std::size_t i)
   return {cell.corners[i], cell.corners[(i + 1) % cell.corners.size()], cell.lines[i]};
 }
 
-/** \brief A ring without corners on straight sides. */
+/** \brief Returns a ring without the corners at which it does not turn. */
 PlanarPoints
 withoutStraightCorners (const PlanarPoints& ring)
 {
@@ -284,7 +289,7 @@ withoutStraightCorners (const PlanarPoints& ring)
   return corners;
 }
 
-/** \brief Sides by where they begin, each to be taken once. */
+/** \brief Finds sides by their first corner; each side can be taken once. */
 class SidesByBegin {
 public:
   explicit SidesByBegin (const std::vector<Side>& sides) : is_used_ (sides.size(), 0)
@@ -302,7 +307,8 @@ public:
     return true;
   }
 
-  /** \brief A side that begins at an end and is left. */
+  /** \brief Returns a side that begins at \p end and was not taken; nothing if there is
+   * none. */
   std::optional<std::size_t>
   nextOf (const Vector2d& end) const
   {
@@ -339,7 +345,7 @@ private:
   std::vector<char> is_used_;
 };
 
-/** \brief Sides put end to end. */
+/** \brief Joins sides end to end; rings with fewer than 3 corners are left out. */
 PlanarRings
 ringsOf (const std::vector<Side>& sides)
 {
@@ -356,7 +362,7 @@ ringsOf (const std::vector<Side>& sides)
   return rings;
 }
 
-/** \brief The center of area of a room, where that is in it. */
+/** \brief Returns the centroid of the area of a room; nothing if it is not inside. */
 std::optional<Vector2d>
 centerOf (const PlanarRings& rings)
 {
@@ -377,8 +383,9 @@ centerOf (const PlanarRings& rings)
   return center;
 }
 
-/** \brief Outline and holes of a room, and a place in it; no area if there is none.
- * \param[in] largest its largest cell */
+/** \brief Returns a room with outline, holes, area and a place inside; its area is 0 if
+ * the sides form no ring.
+ * \param[in] largest the largest cell of the room */
 PlanRoom
 roomWithin (const std::vector<Side>& sides, const PlanCell& largest)
 {
@@ -409,9 +416,10 @@ medianOf (std::vector<double>& values)
   return *middle;
 }
 
-/** \brief The median height of the points in a ring, each square of a grid counted
- * once: beside the sensor are most points, and a scan that drifted is bent. By points,
- * the height of a measured room was wrong by 3.4 cm, by squares it is by less than 1.
+/** \brief Returns the median over grid squares of the median height of the points in a
+ * ring [m]; nothing without points. Each square counts once, because most points are
+ * near the sensor and a scan that drifted is bent. By the median of all points the
+ * height of a measured room was wrong by 3.4 cm, by that of squares by less than 1 cm.
  */
 std::optional<double>
 heightIn (const PlanarPoints& ring, const PlanPoints& points)
@@ -455,19 +463,20 @@ cellsBetween (const std::vector<CellLine>& lines, const Eigen::AlignedBox2d& box
   return cellsOf (box, all);
 }
 
-/** \brief Walls and the cells that their lines divide a plan into. */
+/** \brief Lines with their walls, and the cells into which the lines divide a plan. */
 struct DividedPlan {
   std::vector<CellLine> lines;
   std::vector<PlanCell> cells;
   std::vector<char> is_inside; // of each cell
 };
 
-/** \brief How much of the border of a cell is what. */
+/** \brief Length of the border of a cell, and of its parts on walls and on the rim of
+ * the plan [m]. */
 struct CellOutline {
   double length = 0.0;
   double walled = 0.0;
   double rim = 0.0;
-  /** \brief Without the side that has most of a wall. */
+  /** \brief The same without the side that has the greatest length of walls. */
   double other_length = 0.0;
   double other_walled = 0.0;
 };
@@ -495,8 +504,9 @@ borderOfCell (const PlanCell& cell, const DividedPlan& plan)
   return outline;
 }
 
-/** \brief What speaks for a cell, and against it. Narrow ones with walls on both sides
- * are within a wall. */
+/** \brief Returns the evidence for and against a cell being in a room. A narrow cell
+ * with walls on both sides is within a wall: all its area and border count against it.
+ */
 CellEvidence
 evidenceOfCell (const PlanCell& cell,
                 const DividedPlan& plan,
@@ -511,8 +521,8 @@ evidenceOfCell (const PlanCell& cell,
   return {share * area, (1.0 - share) * area, outline.rim};
 }
 
-/** \brief Whether a cell is as narrow as walls are thick, and behind the walls on the
- * lines of its long sides. */
+/** \brief Returns whether a cell is as narrow as walls are thick, has two long sides on
+ * lines of walls, and lies behind both lines. */
 bool
 isWithinWall (const PlanCell& cell, const DividedPlan& plan)
 {
@@ -527,7 +537,7 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
     const Side side = sideOf (cell, i);
     if (4.0 * (side.to - side.from).norm() < length)
-      continue; // an end of it
+      continue; // a short end of the cell
     const bool is_behind = side.line != no_line &&
                            !plan.lines[side.line].walls.empty() &&
                            plan.lines[side.line].line.distance (middle) < 0.0;
@@ -536,7 +546,7 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
   return behind == 2 && before == 0;
 }
 
-/** \brief Which cells are in rooms, by what covers them and where walls are. */
+/** \brief Returns for each cell whether it is in a room, by its cover and its walls. */
 std::vector<char>
 cellsInRooms (const DividedPlan& plan,
               const PlanPoints& cover,
@@ -560,8 +570,9 @@ cellsInRooms (const DividedPlan& plan,
   return cellsInside (evidence, borders);
 }
 
-/** \brief Has no room go through a wall where neither of its sides was seen, as at a
- * door beside a piece that is missing: floors and ceilings end there all the same. */
+/** \brief Takes cells within walls out of rooms, so that no room goes through a wall
+ * where neither side of the wall was seen, as at a door beside a missing piece. Floors
+ * and ceilings end there all the same: such a cell has few points of the cover. */
 void
 leaveOutCellsWithinWalls (const PlanPoints& cover,
                           const Eigen::AlignedBox2d& box,
@@ -575,7 +586,7 @@ leaveOutCellsWithinWalls (const PlanPoints& cover,
       plan.is_inside[i] = 0;
 }
 
-/** \brief Cells that no wall divides are of one room. */
+/** \brief Joins cells in rooms whose common side is mostly without a wall. */
 CellSets
 joinCells (const DividedPlan& plan)
 {
@@ -590,7 +601,7 @@ joinCells (const DividedPlan& plan)
   return sets;
 }
 
-/** \brief The cell beyond each side of a cell, by the numbers of both. */
+/** \brief Maps (cell, side of it) to the cell beyond the side, all by index. */
 std::map<std::pair<std::size_t, std::size_t>, std::size_t>
 cellsBeyondSides (const std::vector<PlanCell>& cells)
 {
@@ -608,10 +619,10 @@ cellsBeyondSides (const std::vector<PlanCell>& cells)
   return neighbors;
 }
 
-/** \brief What the cells of one room have together. */
+/** \brief The largest cell of a room, by index, and the outline of all its cells. */
 struct JoinedCells {
   std::size_t largest;
-  std::vector<Side> outline; // between the room and what is not of it
+  std::vector<Side> outline; // sides with no other cell of the room beyond them
 };
 
 std::map<std::size_t, JoinedCells>
@@ -637,7 +648,8 @@ outlinesOf (const DividedPlan& plan, CellSets& sets)
   return rooms;
 }
 
-/** \brief The parts of a side that are no wall, by places along a line it lies on. */
+/** \brief Returns the parts of a side that are no wall, by places along another line on
+ * which the side lies. */
 Intervals
 partsWithoutWall (const Side& side, const PlanLine& along, const DividedPlan& plan)
 {
@@ -654,7 +666,8 @@ partsWithoutWall (const Side& side, const PlanLine& along, const DividedPlan& pl
   return parts;
 }
 
-/** \brief The parts of rings that are no wall, along each of them. */
+/** \brief Returns the parts of rings that are no wall and not shorter than
+ * min_unseen_part, two ends each. */
 std::vector<std::pair<Vector2d, Vector2d>>
 partsWithoutWall (const PlanarRings& rings,
                   const std::vector<Side>& outline,
@@ -680,8 +693,8 @@ partsWithoutWall (const PlanarRings& rings,
   return parts;
 }
 
-/** \brief A room of joined cells; without rings where walls are too few or it is
- * smaller than asked. */
+/** \brief Returns the room of joined cells; without rings if it is smaller than
+ * \p smallest [m^2] or too narrow, or too little of its outline is walls. */
 PlanRoom
 roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest)
 {

@@ -8,16 +8,18 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief What is under a ceiling, a roof or over a floor, from above. */
+/** \brief Points of the planes that cover rooms, in the frame of the plan. */
 struct Cover {
-  /** \brief Points of planes that cover rooms. */
+  /** \brief Points of all planes that cover rooms: either of roofs, or of floors,
+   * ceilings and other level planes. */
   PlanPoints points;
-  /** \brief Points of floors and of ceilings, to tell their heights. */
+  /** \brief Points of floors and of ceilings, for the heights of rooms. */
   PlanPoints floor, ceiling;
 };
 
-/** \brief Rooms by falling area.
- * \param[in] smallest of them [m^2] */
+/** \brief Returns the rooms by descending area; empty for no walls or more than
+ * max_walls walls.
+ * \param[in] smallest smallest area of a room [m^2] */
 std::vector<PlanRoom>
 roomsOf (const std::vector<WallFace>& faces,
          const std::vector<WallSpan>& spans,

@@ -13,7 +13,8 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-/** \brief Where along a line it meets another one; nothing for nearly parallel ones. */
+/** \brief Returns the place along \p line where \p other crosses it [m]; nothing for
+ * nearly parallel lines. */
 std::optional<double>
 meetingPlace (const PlanLine& line, const PlanLine& other)
 {
@@ -23,8 +24,9 @@ meetingPlace (const PlanLine& line, const PlanLine& other)
   return cross (other.origin - line.origin, other.along) / sine;
 }
 
-/** \brief The place of an end of a wall: where the nearest other wall crosses its line,
- * if it has points that near; else the end itself. */
+/** \brief Returns the place to which an end of a wall is moved: the nearest crossing
+ * with the line of another face, within \p max_snap [m] of the end and of points of
+ * that face. Without such a crossing it is the end itself. */
 double
 snapped (double end,
          const WallFace& face,
@@ -50,8 +52,8 @@ snapped (double end,
   return nearest;
 }
 
-/** \brief Parts of a face that are one wall: gaps between them are openings at most,
- * and no other wall ends in them. */
+/** \brief Returns the walls on a face. A wall includes gaps that are no longer than
+ * max_opening and have no end that another wall meets. */
 Intervals
 wallsOn (const WallFace& face,
          const std::vector<WallFace>& faces,
@@ -71,7 +73,7 @@ wallsOn (const WallFace& face,
   return walls;
 }
 
-/** \brief What of a wall is not covered at the height of the cut. */
+/** \brief Returns the parts of a wall without points at the height of the cut. */
 Intervals
 gapsOf (const Interval& whole, const Intervals& cut)
 {
@@ -89,7 +91,8 @@ gapsOf (const Interval& whole, const Intervals& cut)
   return gaps;
 }
 
-/** \brief Heights of the wall over the middle of an opening, next to the cut. */
+/** \brief Returns the opening of a gap. Its sill and head are the heights over the
+ * floor of the wall points next below and above the cut, in the middle of the gap. */
 PlanOpening
 openingOf (const WallFace& face, const Interval& gap, double floor, double height)
 {
@@ -110,7 +113,8 @@ openingOf (const WallFace& face, const Interval& gap, double floor, double heigh
   return opening;
 }
 
-/** \brief How far behind a wall the nearest one is that faces the other way. */
+/** \brief Returns the distance from a wall to the nearest wall behind it that faces the
+ * other way [m]; nothing if there is none. */
 std::optional<double>
 thicknessOf (const WallSpan& wall,
              const std::vector<WallFace>& faces,
@@ -148,7 +152,7 @@ spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& paramete
     for (const Interval& wall : wallsOn (faces[i], faces, parameters)) {
       const Interval whole{snapped (wall.from, faces[i], faces, parameters.max_snap),
                            snapped (wall.to, faces[i], faces, parameters.max_snap)};
-      // What is as short as the way its ends are moved is no wall.
+      // A part no longer than the way by which ends may be moved is no wall.
       const bool has_cut =
           lengthWithin (whole, faces[i].cut) > constants.min_cut_share * whole.length();
       if (whole.length() > parameters.max_snap && (has_cut || faces[i].ends_rooms))

@@ -10,34 +10,36 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Whether something stands before a part of a wall, at the height of the cut,
- * so that a gap there is no opening. */
+/** \brief Returns whether something in a gap of a wall, or in front of it, hides the
+ * gap at the height of the cut. A hidden gap is no opening. */
 using IsHidden = std::function<bool (const PlanLine& line, const Interval& gap)>;
 
-/** \brief A wall, from corner to corner, on the line of a face. */
+/** \brief One wall from corner to corner, on the line of a face. */
 struct WallSpan {
-  /** \brief Its face, a position in the list of them. */
+  /** \brief Index of the wall's face in the list of faces. */
   std::size_t face;
   Interval whole;
   Intervals openings;
-  /** \brief It has next to no points at the height of the cut. */
+  /** \brief At most a quarter of its length (min_cut_share) has points at the cut. */
   bool is_hidden = false;
 };
 
-/** \brief The walls of each face, with ends drawn to, or cut off at, the walls they
- * meet there. */
+/** \brief Returns the walls on each face. An end that is within
+ * FloorPlanParameters::max_snap of the line of another face is moved to that line. */
 std::vector<WallSpan>
 spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& parameters);
 
-/** \brief Adds to each wall the gaps in it that are openings. */
+/** \brief Adds its openings to each wall that is not hidden: gaps of suitable length at
+ * the height of the cut for which \p is_hidden is false. */
 void
 addOpenings (const std::vector<WallFace>& faces,
              const FloorPlanParameters& parameters,
              const IsHidden& is_hidden,
              std::vector<WallSpan>& spans);
 
-/** \brief The walls as a plan has them.
- * \param[in] floor, height of the floor and of the cut */
+/** \brief Returns one wall of the plan for each span.
+ * \param[in] floor height of the floor [m]
+ * \param[in] height height of the cut [m] */
 std::vector<PlanWall>
 toWalls (const std::vector<WallFace>& faces,
          const std::vector<WallSpan>& spans,

@@ -9,26 +9,27 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Twice the area between two directions; above 0 where the second is to the
- * left of the first. */
+/** \brief Cross product of two vectors: twice the signed area of their triangle,
+ * positive if the second one is to the left of the first. */
 inline double
 cross (const Eigen::Vector2d& first, const Eigen::Vector2d& second)
 {
   return first.x() * second.y() - first.y() * second.x();
 }
 
-/** \brief Area of a polygon; above 0 where it runs counter-clockwise. */
+/** \brief Signed area of a polygon: positive if it runs counter-clockwise. */
 inline double
 areaOf (const std::vector<Eigen::Vector2d>& polygon)
 {
   double twice = 0.0;
-  // From the first corner: areas far from zero would have few digits left.
+  // Relative to the first corner: products of large coordinates would cancel.
   for (std::size_t i = 2; i < polygon.size(); ++i)
     twice += cross (polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
   return 0.5 * twice;
 }
 
-/** \brief Whether a place is within a polygon, whichever way that runs. */
+/** \brief Returns whether a place is inside a polygon, clockwise or counter-clockwise.
+ */
 inline bool
 isWithinRing (const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& place)
 {

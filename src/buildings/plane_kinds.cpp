@@ -24,22 +24,23 @@ using Viewpoint = std::optional<Vector3d>;
 /** \brief How a sensor saw a plane. */
 struct Sight {
   bool is_below = false;
-  double solid_angle = 0.0; // [sr], of a plane that is small for its distance
+  double solid_angle = 0.0; // [sr], as if the plane were small for its distance
 };
 
-/** \brief A plane as the rules see it, in meters. */
+/** \brief Measures of a plane that the rules use, in meters. */
 struct PlaneShape {
   Orientation orientation;
   Vector3d normal, center, long_axis, short_axis;
   double length, width, area;
-  /** \brief Between the plane and the horizontal [rad]. */
+  /** \brief Angle between the plane and the horizontal [rad]. */
   double slope;
-  /** \brief Heights of the middle and of the lowest and highest corner. */
+  /** \brief Heights of the centroid, and of the lowest and highest corner of the hull.
+   */
   double middle, low, high;
   bool faces_down;
   Sight sight;
 
-  /** \brief Of a vertical plane: its level side. */
+  /** \brief Horizontal length of a vertical plane. */
   double
   span () const
   {
@@ -72,12 +73,12 @@ sightOf (const PlaneSegment& plane,
 
 struct Scene {
   std::vector<PlaneShape> shapes;
-  /** \brief Unit vector that their heights are along. */
+  /** \brief Unit vector; heights of the shapes are along it. */
   Vector3d up;
 };
 
-/** \brief Nothing where a sensor is farther away than any sees, as zero is from a map.
- */
+/** \brief Returns the sensor, or nothing if it is farther away than sensors see, as the
+ * zero of map coordinates is. */
 Viewpoint
 nearSensor (const Viewpoint& sensor, const std::vector<PlaneExtent>& extents)
 {
@@ -121,7 +122,7 @@ shapeOf (const PlaneSegment& plane,
   return shape;
 }
 
-/** \brief Heights that are no numbers have no order, and make stories without end. */
+/** \brief Throws if a shape is not finite: levelsOf would loop forever for NaN. */
 void
 checkIsFinite (const PlaneShape& shape)
 {
@@ -147,8 +148,9 @@ shapesOf (const std::vector<PlaneSegment>& planes,
   return shapes;
 }
 
-/** \brief The ground under a sensor that leans: what it saw most of below it, level but
- * for some degrees, where it saw hardly anything that is more level. */
+/** \brief Returns the ground under a sensor that leans: the plane below the sensor with
+ * the largest solid angle, which slopes by min_lean to max_lean. Returns nullptr if the
+ * sensor saw no such plane, or saw much of one that is more level. */
 const PlaneShape*
 leaningGround (const std::vector<PlaneShape>& shapes)
 {
@@ -179,7 +181,7 @@ storiesIn (const std::vector<PlaneShape>& shapes)
     if (shape.orientation == Orientation::Horizontal)
       level.push_back (
           {shape.middle, shape.area, shape.faces_down, shape.sight.is_below});
-    // A road falls by more than a step, and lies no deeper for it.
+    // A long road falls by more than a step; its lower end is no deeper floor.
     const double bottom =
         shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
     if (shape.area >= constants.min_area_of_depth)
@@ -196,8 +198,8 @@ isInRectangle (const PlaneShape& shape, const Vector3d& point)
          std::abs (off.dot (shape.short_axis)) <= 0.5 * shape.width;
 }
 
-/** \brief Whether most of a vertical plane stands close before a larger one that faces
- * the same way, as the front of a cupboard before a wall. */
+/** \brief Returns whether most of a vertical plane stands close before a larger one
+ * that is as high and faces the same way, as the front of a cupboard before a wall. */
 bool
 standsBefore (const PlaneShape& front, const PlaneShape& wall)
 {
@@ -242,7 +244,8 @@ isWall (const PlaneShape& shape,
   });
 }
 
-/** \brief Whether a floor above others has no wall that rises from it. */
+/** \brief Returns whether an upper floor at this height is a roof: no vertical plane
+ * rises from it. */
 bool
 isRoofAt (double height, const std::vector<PlaneShape>& shapes)
 {
@@ -341,8 +344,8 @@ kindOf (const PlaneShape& shape,
   return isSlopingRoof (shape, story) ? PlaneKind::Roof : PlaneKind::Other;
 }
 
-/** \brief Whether a plane has a relief of its own, as a hillside has: it is no part of
- * a building. */
+/** \brief Returns whether the rms distance of a plane is too large for a part of a
+ * building, as that of a hillside is. */
 bool
 hasRelief (const PlaneSegment& plane, double meter)
 {
@@ -351,7 +354,8 @@ hasRelief (const PlaneSegment& plane, double meter)
          (plane.noise && rms > constants.max_noises_of_roof * *plane.noise);
 }
 
-/** \brief One for each plane, in a frame whose z is up; walls without an outline. */
+/** \brief Returns all planes in a frame whose z is up [m]. Planes steeper than 60
+ * degrees get no outline. */
 std::vector<PlaneFromAbove>
 planesFromAbove (const Scene& scene,
                  const std::vector<PlaneExtent>& extents,
@@ -373,8 +377,8 @@ planesFromAbove (const Scene& scene,
   return planes;
 }
 
-/** \brief Whether a vertical plane comes down from a level, as walls do from a ceiling.
- */
+/** \brief Returns whether a vertical plane reaches down from a level plane, as a wall
+ * does from a ceiling. */
 bool
 hasWallsBelow (const PlaneShape& level, const std::vector<PlaneShape>& shapes)
 {
@@ -387,7 +391,8 @@ hasWallsBelow (const PlaneShape& level, const std::vector<PlaneShape>& shapes)
   });
 }
 
-/** \brief Whether a level stands on no floor and hangs over none, at any height. */
+/** \brief Returns whether a level plane is ground: less than half of it has another
+ * plane below it, and no wall reaches down from it. */
 bool
 isGround (const PlaneShape& level,
           PlaneKind kind,
@@ -395,13 +400,13 @@ isGround (const PlaneShape& level,
           const std::vector<PlaneFromAbove>& all,
           const std::vector<PlaneShape>& shapes)
 {
-  // A platform stands on the floor; a ceiling is over heads.
+  // The smallest height of a platform over the floor, and that of a ceiling.
   const double min_drop = kind == PlaneKind::Slab ? constants.step : constants.headroom;
   return isLowest (from_above, all, min_drop) && !hasWallsBelow (level, shapes);
 }
 
-/** \brief Has the ground be no ceiling and no slab, as a field on a hill is far above
- * another one: a floor, or other where it has a relief. */
+/** \brief Changes ceilings and slabs that are ground, such as a field on a hill far
+ * above another field, to Floor. Those with the relief of a hillside become Other. */
 void
 nameGround (const std::vector<PlaneSegment>& planes,
             const Scene& scene,
@@ -422,8 +427,8 @@ nameGround (const std::vector<PlaneSegment>& planes,
   }
 }
 
-/** \brief Has hillsides be no roofs. Walls keep their names: in depth images they bend
- * by as much; of 20 rooms .17 of the walls were left. */
+/** \brief Changes roofs that are hillsides to Other. Walls are not tested: in depth
+ * images they bend by as much, and of 20 rooms .17 of the walls were left. */
 void
 denyHills (const std::vector<PlaneSegment>& planes,
            const std::vector<PlaneFromAbove>& from_above,
@@ -436,7 +441,7 @@ denyHills (const std::vector<PlaneSegment>& planes,
       kinds[i] = PlaneKind::Other;
 }
 
-/** \brief Whether a vertical plane is a part of another one, in its plane. */
+/** \brief Returns whether a vertical plane lies in the plane of a wall. */
 bool
 isPartOfWall (const PlaneShape& part, const PlaneShape& wall)
 {
@@ -445,7 +450,8 @@ isPartOfWall (const PlaneShape& part, const PlaneShape& wall)
              constants.max_off_wall;
 }
 
-/** \brief Parts of walls that are too small to be told by themselves. */
+/** \brief Changes vertical planes in the plane of a wall to Wall: they may be parts too
+ * small for isWall. */
 void
 nameParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
 {
@@ -474,7 +480,9 @@ checkArguments (const std::vector<PlaneSegment>& planes,
     throw std::invalid_argument ("the viewpoint must be finite");
 }
 
-/** \brief Over the ground where a sensor leans. \param[in] up unit vector */
+/** \brief Returns the shapes with heights along \p up, or along the ground's normal if
+ * the sensor leans.
+ * \param[in] up unit vector */
 Scene
 uprightScene (const std::vector<PlaneSegment>& planes,
               const std::vector<PlaneExtent>& extents,

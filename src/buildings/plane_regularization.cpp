@@ -17,15 +17,15 @@ namespace {
 using namespace internal::buildings;
 using Eigen::Vector3d;
 
-/** \brief Planes of one direction. */
+/** \brief Nearly parallel planes with their common direction and number of points. */
 struct DirectionGroup {
   Vector3d direction;
   double points = 0.0;
-  /** \brief Positions in the list of planes. */
+  /** \brief Indices of the planes in the list of planes. */
   std::vector<std::size_t> members = {};
 };
 
-/** \brief A direction towards the side that another one points to. */
+/** \brief Returns \p direction, negated if it points away from \p side. */
 Vector3d
 towards (const Vector3d& direction, const Vector3d& side)
 {
@@ -43,8 +43,8 @@ bySize (const std::vector<PlaneSegment>& planes)
   return order;
 }
 
-/** \brief The direction that normals have in common, whatever their signs: that with
- * the largest sum of squared cosines, weighted by points. */
+/** \brief Returns the mean direction of normals of any sign: the eigenvector with the
+ * largest sum of squared cosines to them, weighted by points. */
 Vector3d
 meanDirection (const std::vector<PlaneSegment>& planes,
                const std::vector<std::size_t>& members)
@@ -56,8 +56,9 @@ meanDirection (const std::vector<PlaneSegment>& planes,
   return towards (axes.eigenvectors().col (2), planes[members.front()].normal);
 }
 
-/** \brief Groups of nearly parallel planes, each within the angle of its largest one.
- */
+/** \brief Returns groups of nearly parallel planes, the group with most points first.
+ * All planes of a group are within \p max_angle [rad] of its largest plane.
+ * \param[in] order indices of planes, the largest plane first */
 std::vector<DirectionGroup>
 parallelGroups (const std::vector<PlaneSegment>& planes,
                 const std::vector<std::size_t>& order,
@@ -83,8 +84,9 @@ parallelGroups (const std::vector<PlaneSegment>& planes,
   return groups;
 }
 
-/** \brief Makes each direction orthogonal to larger ones that it nearly is orthogonal
- * to: to two of them, which are so to each other, as their cross product. */
+/** \brief Makes each direction orthogonal to directions of larger groups to which it is
+ * orthogonal within \p max_angle. If there are two that are orthogonal to each other,
+ * it becomes their cross product. */
 void
 orthogonalize (std::vector<DirectionGroup>& groups, double max_angle)
 {
@@ -106,8 +108,7 @@ orthogonalize (std::vector<DirectionGroup>& groups, double max_angle)
   }
 }
 
-/** \brief Whether a direction, turned to a right angle, became that of a larger group:
- * then they are one. */
+/** \brief Joins groups whose directions became equal in orthogonalize. */
 void
 joinEqual (std::vector<DirectionGroup>& groups)
 {
@@ -128,22 +129,22 @@ joinEqual (std::vector<DirectionGroup>& groups)
   groups = std::move (joined);
 }
 
-/** \brief How far a plane is moved by a turn about its centroid and an offset along the
- * new normal. */
+/** \brief Returns how far a plane moves if it is turned about its centroid to \p normal
+ * and then shifted along it by \p offset. */
 PlaneMove
 moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
 {
   PlaneMove move;
   move.angle = slopeOf (plane.normal, normal);
   move.offset = offset;
-  // The difference of a point's distances is linear in its place.
+  // The change of a point's distance to the plane is linear in its place.
   const Vector3d turn = normal - plane.normal;
   const Vector3d mean = plane.moments.centroid() - plane.centroid;
   const double of_mean = turn.dot (mean) - offset;
   const double spread = turn.dot (plane.moments.covariance() * turn);
   const double squared = of_mean * of_mean + std::max (0.0, spread);
   if (squared > 0.0)
-    move.displacement = std::sqrt (squared) / plane.rms(); // infinite without noise
+    move.displacement = std::sqrt (squared) / plane.rms(); // infinite for rms 0
   return move;
 }
 
@@ -159,7 +160,7 @@ public:
   RegularizedPlanes
   run ()
   {
-    // Planes that cannot follow have no say in the directions of the others.
+    // Planes that would move too far do not count for the directions of others.
     std::vector<std::size_t> members = bySize (planes_);
     std::vector<DirectionGroup> groups;
     for (std::size_t before = members.size() + 1; members.size() < before;) {
@@ -186,8 +187,8 @@ private:
     return move.displacement <= parameters_.max_displacement;
   }
 
-  /** \brief Of each group all but the one that would have to move farthest, if that is
-   * too far: without it the others may do. */
+  /** \brief Returns the members without, for each group, the plane that moves farthest
+   * if that is too far. Without this plane the others may move less. */
   std::vector<std::size_t>
   thoseThatFollow (const std::vector<DirectionGroup>& groups,
                    const std::vector<std::size_t>& members)
@@ -227,8 +228,8 @@ private:
         std::hypot (planes_[first].rms(), planes_[second].rms()));
   }
 
-  /** \brief Gives the planes of a direction their normals, and those of one level one
-   * offset. */
+  /** \brief Gives the planes of a group its direction as normal, and planes of one
+   * level a common offset. */
   void
   levelOut (const DirectionGroup& group)
   {
@@ -246,8 +247,8 @@ private:
     }
   }
 
-  /** \brief Whether a plane is as near to all of a level as planes that are one, so
-   * that levels do not grow from plane to plane. */
+  /** \brief Returns whether a plane is within maxOffset of all planes of a level. The
+   * nearest one does not suffice: levels would grow from plane to plane. */
   bool
   areLevel (const std::vector<std::size_t>& level,
             std::size_t plane,
@@ -278,7 +279,7 @@ private:
       const double offset = level.size() > 1 ? side * (mean - placeOf (i, group)) : 0.0;
       PlaneMove move = moveTo (planes_[i], normal, offset);
       move.level = number;
-      if (!isWithin (move)) { // it is parallel, but at a place of its own
+      if (!isWithin (move)) { // it is turned, but keeps its own offset
         move = moveTo (planes_[i], normal, 0.0);
         move.level = next_++;
       }

@@ -15,8 +15,8 @@ namespace {
 using namespace internal::buildings;
 using Eigen::Vector2d;
 
-/** \brief The room at the first place where there is one, on the way from \p nearest
- * to \p farthest off a wall [m]. */
+/** \brief Returns the index of the first room met on the way from \p nearest to
+ * \p farthest off a wall [m]; nothing if there is no room. */
 std::optional<std::size_t>
 firstRoom (const std::vector<PlanRoom>& rooms,
            const Vector2d& on_wall,

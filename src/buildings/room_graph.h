@@ -8,11 +8,12 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Whether a place is within the outline of a room, and in no hole of it. */
+/** \brief Returns whether a place is inside the outline of a room and outside of its
+ * holes. */
 bool
 isInRoom (const PlanRoom& room, const Eigen::Vector2d& place);
 
-/** \brief Tells each opening which rooms are before and behind its wall. */
+/** \brief Sets the indices of the rooms before and behind the wall of each opening. */
 void
 findRoomsOfOpenings (const std::vector<PlanRoom>& rooms, std::vector<PlanWall>& walls);
 

@@ -11,7 +11,7 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-/** \brief Levels that count beside the largest one. */
+/** \brief Returns the levels that are large enough to make stories. */
 std::vector<Level>
 largeOnes (const std::vector<Level>& levels)
 {
@@ -26,9 +26,9 @@ largeOnes (const std::vector<Level>& levels)
   return large;
 }
 
-/** \brief What a level that was seen from above, or from an unknown side, is to the
- * story below it.
- * \param[in] next the large level above it; nullptr for none */
+/** \brief Adds a level that was not seen from below: as the ceiling of the last story
+ * or as the floor of a new one. A small highest level may be ignored.
+ * \param[in] next the next large level above; nullptr for the highest level */
 void
 addUpperLevel (const Level& level, const Level* next, std::vector<Story>& stories)
 {
@@ -86,7 +86,7 @@ storiesOf (const std::vector<Level>& levels, double lowest)
     const Level& level = large[i];
     Story& story = stories.back();
     const double rise = level.height - story.floor;
-    // Although the foot of a wall or a ditch is deeper.
+    // It is the ground even if the foot of a wall or a ditch is deeper.
     const bool is_ground = level.area >= constants.min_ground_area;
     const bool is_near = rise < (is_ground ? constants.headroom : constants.step) ||
                          (is_ground && level.is_below_sensor);

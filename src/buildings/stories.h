@@ -7,44 +7,49 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A level plane: its height, its area and the side it was seen from. */
+/** \brief A level plane: its height [m], its area [m^2] and the side it was seen from.
+ */
 struct LevelPlane {
   double height, area;
   bool faces_down;
-  /** \brief Seen from above for certain, which no ceiling is. */
+  /** \brief Whether it is known to be seen from above; then it is no ceiling. */
   bool is_below_sensor = false;
 };
 
-/** \brief Level planes at one height, within a hand. */
+/** \brief Level planes within 15 cm of height: their mean height, weighted by area, and
+ * total area. The flags are set if they are set for more than half of the area. */
 struct Level {
   double height, area;
   bool faces_down;
   bool is_below_sensor = false;
 };
 
-/** \brief Heights of what is stood on and of what is overhead. */
+/** \brief Heights of the floor and of the ceiling of a story [m]. */
 struct Story {
   double floor;
   std::optional<double> ceiling = {};
-  /** \brief Of the floor's level [m^2]; 0 where no floor was seen. */
+  /** \brief Area of the floor's level [m^2]; 0 if no floor was seen. */
   double area = 0.0;
 };
 
-/** \brief Level planes by height, those within 15 cm together, ascending. */
+/** \brief Groups level planes within 15 cm of height; returns levels ascending. */
 std::vector<Level>
 levelsOf (std::vector<LevelPlane> planes);
 
-/** \brief Stories from the lowest up, at least one: a level of less than a fifth of the
- * largest one's area, or of less than a square meter, makes none. The lowest level is
- * the first floor if it is a step above the lowest plane, or less, or as large as no
- * furniture is. What lies below the sensor is no ceiling.
- * \param[in] levels ascending [m]
- * \param[in] lowest of all planes, of level ones their middle: the floor of the first
- * story where none was seen */
+/** \brief Returns the stories from the lowest up, at least one. A level smaller than a
+ * fifth of the largest level, or than a square meter, is ignored. The lowest other one
+ * is the first floor if it was not seen from below and is less than a step above
+ * \p lowest. If it is larger than furniture (min_ground_area), it may be up to headroom
+ * above \p lowest, or higher if it is below the sensor. A level below the sensor is no
+ * ceiling.
+ * \param[in] levels ascending
+ * \param[in] lowest height of the lowest plane, for level planes of their middle [m]:
+ * the floor of the first story if no floor was seen */
 std::vector<Story>
 storiesOf (const std::vector<Level>& levels, double lowest);
 
-/** \brief The one a height belongs to: the highest with its floor below. */
+/** \brief Returns the story that a height belongs to: the highest one whose floor is
+ * not above \p height + 15 cm, or else the first. */
 const Story&
 storyAt (const std::vector<Story>& stories, double height);
 

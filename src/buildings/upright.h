@@ -6,17 +6,19 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief The smallest rotation that takes up, any length but 0, to z: x and y stay
- * where up is z.
+/** \brief Returns the smallest rotation that turns \p up, of any length but 0, to the
+ * z axis; the identity if \p up is along z.
  *
- * With up = (a, b, c), as the axis of the rotation is perpendicular to up and z:
+ * With the unit vector up = (a, b, c), as the axis of the rotation is perpendicular to
+ * up and z:
  *
  *     | 1 - a^2 / (1 + c)    -a b / (1 + c)    -a |
  *     |   -a b / (1 + c)   1 - b^2 / (1 + c)   -b |
  *     |         a                  b            c |
  *
- * Where up is nearly -z, which has no shortest way, half a turn about x comes before.
- * Eigen's Quaternion::FromTwoVectors does the same, and compiles for 6 seconds. */
+ * For up = -z the smallest rotation is not unique. If up is nearly -z, half a turn
+ * about x comes first. Eigen's Quaternion::FromTwoVectors does the same, but takes 6
+ * seconds to compile. */
 inline Eigen::Matrix3d
 turnUpright (const Eigen::Vector3d& up)
 {

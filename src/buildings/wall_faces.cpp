@@ -11,8 +11,8 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-/** \brief Mean distance between neighboring points of a face, by the cells of a coarse
- * grid that have points. */
+/** \brief Returns the mean distance between neighboring points of a face [m]: the root
+ * of area / points, with the area of the cells of a coarse grid that have points. */
 double
 spacingOf (const std::vector<Eigen::Vector2d>& points)
 {
@@ -34,7 +34,7 @@ isParallel (const WallFace& first, const WallFace& second)
   return first.line.along.dot (second.line.along) >= constants.min_cosine_of_parallel;
 }
 
-/** \brief Intervals of a face by places on the line of another one. */
+/** \brief Converts intervals of a face to places on another line. */
 Intervals
 on (const PlanLine& line, const WallFace& face, const Intervals& intervals)
 {
@@ -45,7 +45,8 @@ on (const PlanLine& line, const WallFace& face, const Intervals& intervals)
   return moved;
 }
 
-/** \brief Whether both ends of a face are on the line of another one. */
+/** \brief Returns whether a face is parallel to another one and has both ends on its
+ * line. */
 bool
 continues (const WallFace& part, const WallFace& face)
 {
@@ -70,8 +71,9 @@ addTo (WallFace& face, const WallFace& part)
   face.planes.insert (face.planes.end(), part.planes.begin(), part.planes.end());
 }
 
-/** \brief How much of what is seen of a leaf, without its rim, has points of the wall
- * before it, 0 to 1: few of furniture that touches the wall, many of its other side. */
+/** \brief Returns the share of a leaf, without its rim, that has points of the wall in
+ * front of it, 0 to 1; 1 if the rim is all. The share is small if the points are of
+ * furniture that touches the wall, and large if the leaf is the wall's other side. */
 double
 shareBefore (const WallFace& leaf, const WallFace& wall)
 {
@@ -105,7 +107,8 @@ shareBefore (const WallFace& leaf, const WallFace& wall)
   return all > 0.0 ? common / all : 1.0;
 }
 
-/** \brief Without their ends, which noise moves and the wall itself tells better. */
+/** \brief Shortens intervals by noise_of_ends at both ends, and drops shorter ones.
+ * Noise moves the ends of a leaf; points of the wall show better where the gap ends. */
 Intervals
 insideOf (const Intervals& intervals)
 {
@@ -133,7 +136,7 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
          shareBefore (leaf, wall) <= constants.max_share_before_leaf;
 }
 
-/** \brief The height of the highest point. */
+/** \brief Returns the height of the highest point [m]. */
 double
 topOf (const WallFace& face)
 {
@@ -143,7 +146,8 @@ topOf (const WallFace& face)
   return top;
 }
 
-/** \brief Whether a wall of the same story is seen above most of a face before it. */
+/** \brief Returns whether a face stands before a wall that is seen above most of it. A
+ * wall without points at the cut is of another story and does not count. */
 bool
 isFrontBefore (const WallFace& front, const WallFace& wall)
 {

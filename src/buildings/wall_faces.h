@@ -12,10 +12,10 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Points in the frame of a plan: x, y, and the height. */
+/** \brief Points in the frame of a plan: x, y and height [m]. */
 using PlanPoints = std::vector<Eigen::Vector3d>;
 
-/** \brief A line from above, with its front to the left of its direction. */
+/** \brief A directed line in a plan, along a unit vector; its front is to its left. */
 struct PlanLine {
   Eigen::Vector2d origin, along;
 
@@ -29,7 +29,8 @@ struct PlanLine {
   {
     return along.dot (point - origin);
   }
-  /** \brief How far before it a point is; below 0 behind. */
+  /** \brief Signed distance of a point [m]: positive in front of the line, negative
+   * behind it. */
   double
   distance (const Eigen::Vector2d& point) const
   {
@@ -42,45 +43,49 @@ struct PlanLine {
   }
 };
 
-/** \brief One side of walls that continue one another. */
+/** \brief One side of the walls on one line that face the same way. */
 struct WallFace {
   PlanLine line;
-  /** \brief Where there are points at any height, and at that of the cut. */
+  /** \brief Intervals of the line with points at any height, and with points at the
+   * height of the cut. */
   Intervals seen, cut;
-  /** \brief Points of the wall, as (place, height). */
+  /** \brief Points of the wall, as (place along the line, height) [m]. */
   std::vector<Eigen::Vector2d> points;
-  /** \brief Gaps up to this long are between neighboring points [m]. */
+  /** \brief Longest gap that may be mere distance between neighboring points [m]. */
   double spacing = 0.0;
-  /** \brief Whether rooms end here: it is a wall, too, where furniture hides it at the
-   * cut, and no lintel over an open way. */
+  /** \brief Whether rooms end at the face. Then it is a wall even if furniture hides it
+   * at the cut, and not a lintel over an open passage. */
   bool ends_rooms = false;
-  /** \brief Positions in the list of planes, ascending. */
+  /** \brief Indices of its planes in the list of planes, ascending. */
   std::vector<std::size_t> planes;
 };
 
-/** \brief The side of a wall that one plane is.
- * \param[in] normal of the plane, in the frame of the plan
- * \param[in] points its inliers
- * \param[in] height of the cut */
+/** \brief Returns the face of one wall plane.
+ * \param[in] normal of the plane, in the frame of the plan; points to the front
+ * \param[in] points inliers of the plane, in the frame of the plan
+ * \param[in] plane index in the list of planes
+ * \param[in] height of the cut [m] */
 WallFace
 faceOf (const Eigen::Vector3d& normal,
         const PlanPoints& points,
         std::size_t plane,
         double height);
 
-/** \brief Faces that lie on one line, and face the same way, as one; the line is that
- * of the larger one. Ascending by their first planes. */
+/** \brief Joins faces that lie on one line and face the same way. The joined face has
+ * the line of the face with most points. Faces are returned in order of their planes.
+ */
 std::vector<WallFace>
 joinFaces (std::vector<WallFace> faces);
 
-/** \brief Leaves out fronts of furniture: faces that stand before another one that
- * faces the same way, and is seen above most of them. */
+/** \brief Returns the faces without fronts of furniture. A face is such a front if it
+ * stands before a wall that faces the same way and is seen above most of the front. */
 std::vector<WallFace>
 withoutFurniture (const std::vector<WallFace>& faces);
 
-/** \brief Leaves out leaves and panes: faces that lie, set back, in the gaps of larger
- * ones that face the same way. Walls have gaps where such ones are seen at the height
- * of the cut, even where furniture before a gap touches the wall.
+/** \brief Returns the faces without door leaves and window panes. A leaf or pane lies
+ * set back in a gap of a larger face that faces the same way. Where it is seen at the
+ * height of the cut, WallFace::cut of the wall gets a gap, even if furniture in front
+ * of the gap touches the wall.
  * \param[in] upright other faces that may be leaves or panes */
 std::vector<WallFace>
 withoutRecesses (const std::vector<WallFace>& faces,

@@ -66,7 +66,7 @@ RoomSides::countBeside (const Eigen::Vector2d& front,
                         double low) const
 {
   std::pair<std::size_t, std::size_t> beside (0, 0);
-  double offset = 0.0; // of the line of the wall
+  double offset = 0.0; // mean place of the points of the wall along front [m]
   for (const Eigen::Vector3d& point : wall)
     offset += front.dot (point.head<2>()) / static_cast<double> (wall.size());
   SquaredPoints places = pointsBySquare ({&wall});

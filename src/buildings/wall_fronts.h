@@ -9,37 +9,40 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Points in order of the squares of a grid from above. */
+/** \brief Points, each with its square in a horizontal grid, sorted by square. */
 using SquaredPoints = std::vector<std::pair<std::pair<long, long>, Eigen::Vector3d>>;
 
-/** \brief Where floors and ceilings are, to tell which side of a wall is its front: the
- * points of a cloud do not say so where it was not seen from one known place. */
+/** \brief Floors and ceilings beside walls. They show which side of a wall is its front
+ * if the viewpoint of the cloud is unknown. In all functions \p front is the horizontal
+ * unit vector to the supposed front, and \p wall are the inliers of the wall. */
 class RoomSides {
 public:
   /** \param[in] level points of floors and ceilings */
   explicit RoomSides (const std::vector<const PlanPoints*>& level);
 
-  /** \brief Whether floors and ceilings end at a wall from behind, and hardly begin
-   * before it. */
+  /** \brief Returns whether floors and ceilings lie behind a wall and hardly any in
+   * front of it, so that the wall faces the wrong way. */
   bool
   areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
-  /** \brief Whether they go on, from one side to the other, over what ends below them:
-   * that is furniture, as a wall ends at its ceiling and the ceiling at the wall. */
+  /** \brief Returns whether floors or ceilings continue from one side to the other
+   * above the top of \p wall. Then it is furniture: a ceiling ends at a wall. */
   bool
   goOnOver (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
-  /** \brief Whether hardly any of them are behind a wall: nothing goes on there. */
+  /** \brief Returns whether floors and ceilings end at a wall: hardly any lie behind
+   * it. */
   bool
   endAt (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
 private:
-  /** \brief How many places beside a wall have points above a height: before it, and
-   * behind it. */
+  /** \brief Returns at how many places along a wall there are points higher than \p low
+   * [m] beside it: in front of the wall, and behind it. */
   std::pair<std::size_t, std::size_t>
   countBeside (const Eigen::Vector2d& front, const PlanPoints& wall, double low) const;
 
-  /** \brief Whether a point above a height is near a place. */
+  /** \brief Returns whether a point higher than \p low [m] lies within
+   * reach_beside_wall of a place. */
   bool
   hasPointAt (const Eigen::Vector2d& place, double low) const;
 

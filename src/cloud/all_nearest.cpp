@@ -14,8 +14,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// A squared distance above its point's number: the order of these is that of the
-// distances, which are not negative, and of numbers where those are equal.
+// Sort key: the bits of the squared distance above the index of the point. Keys sort by
+// distance, which is never negative, and for equal distances by index.
 std::uint64_t
 keyOf (float squared_distance, std::uint32_t number)
 {
@@ -35,11 +35,11 @@ squaredDistanceOf (std::uint64_t key)
   return squared_distance;
 }
 
-/** \brief Sorts keys of squared distances, which are nearly uniform on a surface: each
- * goes to the place that its distance lets expect, and from there to its own. */
+/** \brief Sorts keys by a bucket sort, then an insertion sort. Squared distances to
+ * points on a surface are nearly uniform, so that few keys share a bucket. */
 class KeySort {
 public:
-  // Of distances up to a bound.
+  // Sorts keys of squared distances up to bound.
   void
   sort (float bound, std::vector<std::uint64_t>& keys)
   {
@@ -47,7 +47,7 @@ public:
     std::array<std::uint32_t, bins + 1> begin{};
     bin_.resize (keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      // Squares of the largest distances are infinite, and their place is no number.
+      // An infinite squared distance makes the place NaN; it goes to the last bin.
       const float place = scale * squaredDistanceOf (keys[i]);
       bin_[i] = place < last_bin ? static_cast<std::uint32_t> (place)
                                  : static_cast<std::uint32_t> (last_bin);
@@ -75,7 +75,7 @@ private:
   std::vector<std::uint64_t> sorted_;
 };
 
-/** \brief Looks for the nearest of the points of leaves, one leaf after the other. */
+/** \brief Finds the nearest neighbors of the points of leaves, one leaf at a time. */
 class LeafSearch {
 public:
   LeafSearch (const PointTree& tree, std::size_t number, Indices& nearest)
@@ -88,11 +88,11 @@ public:
     open_.clear();
     for (std::uint32_t p = leaf.node->begin; p < leaf.node->end; ++p)
       open_.push_back (p);
-    // The last leaf's reach is right for most points of the next one.
+    // Mean distance to the last neighbor in the previous leaf: right for most points.
     constexpr float spare = 1.15F;
     constexpr float growth = 1.5F;
     float reach = spare * usual_reach_;
-    // Of equal points, or such as are apart by less than single precision can square.
+    // The previous leaf had equal points, or points so close that squares underflow.
     if (!(reach * reach > 0.0F))
       reach = leaf.reach;
     reach = std::min (leaf.reach, reach);
@@ -114,7 +114,8 @@ public:
   }
 
 private:
-  // The points of a dense place are too many for those of a sparse one beside it.
+  // Largest number of shared candidates of a leaf. A sparse leaf beside a dense region
+  // would have more; its points are searched one by one.
   std::size_t
   maxCandidates () const
   {
@@ -158,7 +159,7 @@ private:
     }
   }
 
-  // Squared distance from a leaf to its farthest candidate, at least.
+  // Upper bound of the squared distance from any point of a leaf to any candidate.
   float
   farthest (const PointTree::Node& leaf) const
   {
@@ -177,7 +178,8 @@ private:
     return most;
   }
 
-  // Whether enough candidates are within the bound.
+  // Finds the nearest neighbors of a point among the candidates; false if there are too
+  // few within the squared distance bound.
   bool
   findNearest (std::uint32_t position, float bound, float& sum_of_reaches)
   {
@@ -192,7 +194,8 @@ private:
     if (found < number_)
       return false;
     keys_.resize (found);
-    // Beside a denser place there may be many times as many, all about as far away.
+    // Beside a denser region there may be many more candidates than wanted, all about
+    // as far away. Then only the nearest ones are sorted.
     constexpr std::size_t few = 4;
     if (found > few * number_) {
       const auto last = keys_.begin() + static_cast<std::ptrdiff_t> (number_ - 1);

@@ -8,12 +8,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The nearest others of every point, so many of each, nearest first; of equally
- * near ones those with the lowest numbers. By number of the point.
+/** \brief Finds the \p number nearest neighbors of every point of a k-d tree, without
+ * the point itself. Of points at equal distance the lowest indices win.
  *
- * The points of a leaf look among the same candidates, which are gathered once: that
- * takes a third of the time of a walk through the tree for each point.
- * \param[in] tree of more points than \p number */
+ * All points of a leaf share the same candidates, which are gathered once. This takes a
+ * third of the time of one tree search per point.
+ * \param[in] tree must have more than \p number points
+ * \return neighbors of point i, nearest first, from position i * number on */
 Indices
 findAllNearest (const PointTree& tree, std::size_t number, unsigned threads);
 

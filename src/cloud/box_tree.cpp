@@ -18,7 +18,8 @@ using Child = BoxTree::Child;
 
 using Distances = Eigen::Array<float, BoxTree::max_children, 1>;
 
-// Rounded as the distances of points are, it is never more than theirs.
+// Squared distances to the boxes of the children. The rounding is that of the distances
+// of points, so no point in a box is nearer than the box.
 Distances
 squaredDistances (const Node& node, const Eigen::Vector3f& position)
 {
@@ -56,19 +57,19 @@ visitLeaf (const Child& leaf,
   candidates.add (distances.data(), &index[leaf.first], leaf.size);
 }
 
-/** \brief What is still to be visited, the next one on top: in one number the distance,
- * as sorting goes by it, and which child of which node it is. */
+/** \brief Stack of children still to be visited, the next one on top. The upper bits
+ * are the squared distance, to sort by it; the lower node * max_children + child. */
 struct Postponed {
   static constexpr int child_bits = 32;
-  // Dividing by 4 / 3 or more leaves one of 2^32 points after 78 times; a level of
-  // nodes divides three times.
+  // Each division leaves at most 3/4 of the points on a side, so one of 2^32 points is
+  // left after 78 divisions. A level of nodes makes three divisions.
   static constexpr std::size_t max_levels = 78 / 3;
 
   std::array<std::uint64_t, max_levels * BoxTree::max_children> children;
   std::size_t number = 0;
 };
 
-// Those of a node come before what was there, nearer before farther ones.
+// Pushes the children of a node on top of the stack, the nearest one topmost.
 void
 postponeChildren (const std::vector<Node>& nodes,
                   std::uint32_t number,
@@ -98,7 +99,7 @@ struct Item {
   pcl::index_t index;
 };
 
-/** \brief Items with the box around them. */
+/** \brief A range of items with its bounding box. */
 struct Range {
   Item* begin;
   Item* end;
@@ -121,7 +122,7 @@ struct Range {
 };
 
 // Divides items at the middle of the longest side of their box, which makes compact
-// boxes; at the median where most are on one side of that.
+// boxes; at the median if one side would get less than a quarter of the items.
 Item*
 divide (const Range& items)
 {
@@ -135,7 +136,7 @@ divide (const Range& items)
   constexpr std::ptrdiff_t min_share = 4;
   if (min_share * std::min (middle - items.begin, items.end - middle) >= size)
     return middle;
-  // Equal ones by their indices: a search among them ends with the lowest.
+  // Equal coordinates are sorted by index: a search among equal points can stop early.
   Item* const median = items.begin + size / 2;
   std::nth_element (
       items.begin, median, items.end, [=] (const Item& first, const Item& second) {
@@ -166,7 +167,8 @@ split (const Range& items)
   return ranges;
 }
 
-// Adds a node over items, reordered leaf after leaf, and others below it.
+// Adds a node over items and the nodes below it; returns its index. Reorders the items
+// leaf by leaf.
 std::uint32_t
 grow (const Item* first, const Range& items, std::vector<Node>& nodes)
 {

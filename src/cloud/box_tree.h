@@ -16,42 +16,43 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A tree of boxes over points that finds the neighbors of any position exactly.
- * Once built it never changes, so that any number of threads may search it. */
+/** \brief A tree of bounding boxes for exact nearest neighbor and radius search around
+ * any position. It never changes once built, so any number of threads may search it. */
 class BoxTree {
 public:
   static constexpr std::size_t max_children = 8;
-  /** \brief A leaf has up to so many points, whose distances are computed at once. */
+  /** \brief Largest number of points of a leaf; all distances are computed at once. */
   static constexpr std::uint32_t max_points_of_leaf = 40;
 
-  /** \brief Where the points of a child are. */
+  /** \brief A child of a node: a leaf or another node. */
   struct Child {
-    /** \brief Position of a leaf's first point, or number of a node. */
+    /** \brief Leaf: position of its first point. Node: index of the node. */
     std::uint32_t first = 0;
-    /** \brief Number of a leaf's points; 0: a node. */
+    /** \brief Leaf: number of its points. Node: 0. */
     std::uint32_t size = 0;
   };
 
-  /** \brief A node has the bounding boxes of its children, a row each: one loop tests
-   * them all. */
+  /** \brief A node stores the bounding boxes of its children, one row each, so that one
+   * vectorized loop tests all of them. */
   struct Node {
     Eigen::Array<float, max_children, 3> low, high;
     std::array<Child, max_children> children;
     /** \brief For each child, the lowest index of its points. */
     std::array<pcl::index_t, max_children> lowest_index;
+    /** \brief Number of children. */
     std::uint32_t number = 0;
   };
 
-  /** \param[in] points finite points in their local frame
+  /** \param[in] points the finite points of \p cloud; only their indices are used
    * \param[in] cloud the cloud of these points. Queries and distances are in its frame,
-   * so that rounding to another frame does not change distances. The tree keeps no
-   * reference to it. */
+   * so that distances have no rounding error of the local frame. The tree keeps no
+   * reference to the cloud. */
   BoxTree (const Points& points, const CloudView& cloud);
 
   /** \brief Finds the nearest points within the radius. Of several points at the same
    * distance it takes those with the lowest indices.
-   * \param[in] query its position is finite
-   * \param[out] indices of the neighbors; what it held is replaced
+   * \param[in] query must have a finite position
+   * \param[out] indices of the neighbors in the cloud; former contents are replaced
    * \param[out] squared_distances in single precision, as PCL computes them [m^2] */
   void
   find (const NeighborQuery& query,
@@ -59,10 +60,11 @@ public:
         std::vector<float>& squared_distances) const;
 
 private:
-  /** \brief The root comes first, and each node comes before those below it. */
+  /** \brief The root is first, and each node is before its descendants. */
   std::vector<Node> nodes_;
-  /** \brief Leaf after leaf, in the frame of the cloud. */
+  /** \brief The points, leaf by leaf, in the frame of the cloud. */
   Coordinates points_;
+  /** \brief For each of \ref points_ the index in the cloud. */
   pcl::Indices index_;
 };
 

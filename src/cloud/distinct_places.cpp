@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Adds the points of one cell of the curve, each place once.
+// Adds the distinct positions of the points in one cell of the curve.
 void
 addCell (const Coordinates& positions, Indices& of_cell, DistinctPlaces& places)
 {
@@ -30,7 +30,8 @@ addCell (const Coordinates& positions, Indices& of_cell, DistinctPlaces& places)
   }
 }
 
-// Edge of the cells of the Morton order, with which no coordinate is clipped.
+// Edge of the cells of the Morton order at which no key is clamped; 1 if the edge or
+// its inverse is out of range.
 double
 cellOf (const Coordinates& positions)
 {

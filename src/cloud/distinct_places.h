@@ -6,12 +6,12 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The different points of a cloud in an order that their coordinates alone
- * decide, along a space-filling curve: those that follow each other are near each
- * other. Equal points count once: drivers write missing readings as zeros, and data
- * sets draw points more than once. */
+/** \brief The distinct positions of a cloud, sorted along a space-filling curve:
+ * successive positions are near each other. The order depends on coordinates alone.
+ * Equal points count once: drivers write missing readings as zeros, and data sets
+ * repeat points. */
 struct DistinctPlaces : Coordinates {
-  /** \brief Which of these places each point of the cloud is at. */
+  /** \brief For each point of the input the index of its position here. */
   Indices of_input;
 };
 

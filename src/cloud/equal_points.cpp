@@ -23,8 +23,8 @@ isFinite (float value)
   return std::abs (value) <= std::numeric_limits<float>::max();
 }
 
-// One after the other, so that whole numbers and other coordinates whose last bits are
-// zero spread over all hashes, too. Zero and minus zero are one place.
+// Mixes in one coordinate after the other, so that integers and other coordinates with
+// zero low bits spread over all hashes, too. Zero and minus zero are equal.
 PCL_OPS_VECTORIZED void
 hashPlaces (const float* x,
             const float* y,
@@ -62,9 +62,9 @@ forHashes (const Coordinates& points, Visit&& visit)
   }
 }
 
-// The mean over all points of how many points are at their place: 1 where all are
-// alone, 1 + q where a share q is in pairs. Estimated by how many share some bits of
-// their hash, with a standard deviation of sqrt (2 / buckets) = 0.022.
+// Estimates the mean over all points of the number of points at their place: 1 if all
+// are distinct, 1 + q if a share q is in pairs. Counts points with equal hash bits. The
+// standard deviation is sqrt (2 / buckets) = 0.022.
 double
 estimatedPointsOfAPlace (const Coordinates& points)
 {
@@ -81,10 +81,10 @@ estimatedPointsOfAPlace (const Coordinates& points)
   return all > 0.0 ? squares / all - (all - 1.0) / buckets : 0.0;
 }
 
-/** \brief Points sorted so that those at one place follow each other. */
+/** \brief Finite points sorted so that equal points follow each other. */
 struct SortedByPlace {
   const Coordinates& points;
-  /** \brief The number of a point behind its hash. */
+  /** \brief The hash of each point in the upper half, its index in the lower half. */
   std::vector<std::uint64_t> keys;
 
   SortedByPlace (const Coordinates& of, unsigned threads) : points (of)
@@ -124,7 +124,7 @@ struct SortedByPlace {
     return end;
   }
 
-  // Where two places have the same hash their points alternate.
+  // Separates the points of different places that have the same hash.
   void
   sortWithinHashes ()
   {
@@ -141,19 +141,19 @@ struct SortedByPlace {
   }
 };
 
-/** \brief What holds for all points, and for those that are readings. */
+/** \brief The first point at each place, and sums over the points that are readings. */
 struct ReadingStatistics {
   FirstAtPlace first;
   double readings = 0.0;
-  /** \brief Of the numbers of points at each place. */
+  /** \brief Sum over places of the squared number of readings there. */
   double squares = 0.0;
 };
 
 ReadingStatistics
 equalityOf (const SortedByPlace& sorted)
 {
-  // Where a place has so many times more points than places have on average, and adds
-  // so much to the squares over all points, it has no readings.
+  // A place has no readings if it has more than max_times the average points of a place
+  // and if their number squared exceeds max_squares times all points.
   constexpr double max_times = 16.0;
   constexpr double max_squares = 0.25;
   const std::size_t size = sorted.keys.size();
@@ -180,7 +180,7 @@ equalityOf (const SortedByPlace& sorted)
 FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads)
 {
-  // A tenth more than where all are alone is four of the estimate's deviations.
+  // 0.1 above the value for distinct points: more than 4 deviations of the estimate.
   constexpr double may_be_equal = 1.1;
   constexpr double are_equal = 1.2;
   if (estimatedPointsOfAPlace (points) < may_be_equal)
@@ -191,7 +191,7 @@ firstAtPlace (const Coordinates& points, unsigned threads)
     return equality.first;
   if (equality.readings == static_cast<double> (sorted.keys.size()))
     return {};
-  // The few that are equal stay.
+  // Too few readings are equal: each one stays as a point of its own.
   for (std::size_t i = 0; i < points.size(); ++i)
     if (equality.first[i] != no_reading)
       equality.first[i] = static_cast<std::uint32_t> (i);

@@ -10,20 +10,22 @@
 
 namespace pcl_ops::internal {
 
-/** \brief For each point the number of the first one at its place, itself or not. */
+/** \brief For each point the lowest index of all points with its coordinates, which may
+ * be its own index; or \ref no_reading. */
 using FirstAtPlace = std::vector<std::uint32_t>;
 
-/** \brief Of a point that is no reading: so many are at its place that it must be what
- * a sensor writes where it has none, mostly (0, 0, 0). Of one that is not finite, too.
- */
+/** \brief Marks a point that is no reading: so many points have its coordinates that
+ * they must be a sensor's code for a missing reading, mostly (0, 0, 0). Also marks
+ * non-finite points. */
 constexpr std::uint32_t no_reading = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief Finds points of equal coordinates where they would decide over others: where
- * many are at one place, or where a good share of all is not alone at its own.
+/** \brief Finds points with equal coordinates if they would dominate other points: if
+ * very many points are at one place, or if a large share of all points has duplicates.
  *
- * The same points, whatever their order, give the same places. Of points that are
- * nearly all alone it reads each one once.
- * \return empty where equal points are too few to decide anything */
+ * The places found do not depend on the order of the points. If nearly all points are
+ * distinct, each is read only once.
+ * \return empty if there are too few equal points to matter. If only missing readings
+ * matter, each reading has its own index. */
 FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads);
 

@@ -13,21 +13,21 @@ struct VoxelKey {
   std::int32_t x = 0, y = 0, z = 0;
 };
 
-/** \brief The bits of a voxel's coordinates, z, y, x, from the highest on, 60 in all:
- * sorted by it, voxels that share a larger one follow each other. Divided by 8 it is
- * the code of the voxel of twice the edge. */
+/** \brief The interleaved bits of a voxel's coordinates: z, y, x from the highest bit
+ * on, 60 bits in all. Sorted by code, voxels inside the same larger voxel follow each
+ * other. The code divided by 8 is that of the enclosing voxel of twice the edge. */
 using MortonCode = std::uint64_t;
 
-/** \brief Largest distance of a key from zero [voxels]. */
+/** \brief Largest absolute value of a key [voxels]. */
 constexpr std::int32_t key_limit = 1 << 18;
 
-/** \brief What makes a key a number above zero: a multiple of 16, so that voxels
- * of up to 16 times the edge begin at zero, too. Above, its bits alternate: keys near
- * zero share the upper ones, which then need no sorting. */
+/** \brief Added to a key to make it positive. It is a multiple of 16, so that voxels of
+ * up to 16 times the edge have a border at coordinate 0, too. Its higher bits
+ * alternate: keys near zero share their upper bits, which then need no sorting. */
 constexpr std::int32_t key_offset = 0x55550;
 
-/** \brief Coordinates along one axis: rounded down, in voxels; those beyond \ref
- * key_limit are taken to it. */
+/** \brief Computes keys along one axis: coordinates in voxels, rounded down and clamped
+ * to +-\ref key_limit. */
 inline void
 keysOf (const float* coordinates,
         std::size_t number,
@@ -36,7 +36,7 @@ keysOf (const float* coordinates,
 {
   constexpr auto limit = static_cast<float> (key_limit);
   for (std::size_t i = 0; i < number; ++i) {
-    // In this order NaN, of 0 in voxels too small for their inverse, becomes a limit.
+    // If voxels_per_meter is infinite, 0 gives NaN; in this order it becomes -limit.
     const float scaled =
         std::min (limit, std::max (-limit, coordinates[i] * voxels_per_meter));
     const auto truncated = static_cast<std::int32_t> (scaled);
@@ -44,7 +44,7 @@ keysOf (const float* coordinates,
   }
 }
 
-/** \brief Two zeros after each of the lowest 21 bits. */
+/** \brief Moves bit i to bit 3 i, for the lowest 21 bits; all other bits are zero. */
 inline MortonCode
 spreadBits (std::uint32_t bits)
 {
@@ -56,7 +56,7 @@ spreadBits (std::uint32_t bits)
   return (code | code << 2) & 0x1249249249249249;
 }
 
-/** \brief Every third bit, the lowest first: undoes \ref spreadBits. */
+/** \brief Moves bit 3 i back to bit i: the inverse of \ref spreadBits. */
 inline std::uint32_t
 gatherBits (MortonCode code)
 {
@@ -77,8 +77,8 @@ mortonCode (std::int32_t x, std::int32_t y, std::int32_t z)
   return bits (x) | bits (y) << 1 | bits (z) << 2;
 }
 
-/** \brief The numbers above zero that a code is made of: a key and \ref key_offset, of
- * a voxel of 2^n times the edge a 2^n-th of that. */
+/** \brief Decodes a Morton code into its three positive numbers: key + \ref key_offset.
+ * For a voxel of 2^n times the edge this sum is divided by 2^n and rounded down. */
 inline VoxelKey
 numbersOf (MortonCode code)
 {

@@ -11,12 +11,12 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The nearest of the points it is shown: collects more than that and drops the
- * farther ones when they have become many, which costs a constant time a point however
- * many are wanted. */
+/** \brief Selects the nearest of the points that are added. It collects more than are
+ * wanted and drops the farthest once there are too many. So a point costs constant
+ * time, however many are wanted. */
 class NearestCandidates {
 public:
-  /** \brief As whole numbers, floats of 0 and above are in the same order. */
+  /** \brief Bits of a float from 0 on: as integers they sort like the floats. */
   static std::uint32_t
   bitsOf (float distance)
   {
@@ -32,9 +32,9 @@ public:
   , keys_ (std::min (usual_room, shrink_at_))
   {}
 
-  /** \brief Whether points so far away, as bits, may be among the nearest still, if
-   * none has a lower index. Of equally far ones, as all are at one place or where their
-   * distances are beyond single precision, indices alone decide. */
+  /** \brief Whether points at this squared distance, as \ref bitsOf, with this lowest
+   * index may still be among the nearest. Indices alone decide between equal distances,
+   * as of equal points or where squares are beyond single precision. */
   bool
   mayTake (std::uint64_t squared_distance, pcl::index_t lowest_index) const
   {
@@ -50,7 +50,7 @@ public:
     const Key limit = limit_;
     for (std::size_t i = 0; i < number; ++i) {
       const Key key = keyOf (bitsOf (squared_distances[i]), indices[i]);
-      // Written always, counted if near: no branch to mispredict.
+      // Always written, but counted only if near: no branch to mispredict.
       *next = key;
       next += key < limit ? 1 : 0;
     }
@@ -59,7 +59,7 @@ public:
       shrink();
   }
 
-  /** \brief Gives out what is left. */
+  /** \brief Returns the nearest points, in any order unless \p sorted. */
   void
   take (bool sorted, pcl::Indices& indices, std::vector<float>& squared_distances)
   {
@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  /** \brief Distance and index in one: sorted by both. */
+  /** \brief Squared distance in the upper bits, index in the lower: sorts by both. */
   using Key = std::uint64_t;
   static constexpr int index_bits = 32;
   static constexpr std::size_t min_more = 16;
@@ -101,7 +101,7 @@ private:
 
   std::size_t max_;
   std::size_t shrink_at_;
-  /** \brief Points with keys below this are collected. */
+  /** \brief Only points with keys below this limit are collected. */
   Key limit_;
   std::size_t number_ = 0;
   std::vector<Key> keys_;

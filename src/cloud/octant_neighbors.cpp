@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::uint32_t max_points_of_leaf = 8;
 
-/** \brief Whether no point of a box is nearer than what is known in all octants that
- * the box reaches into.
- * \param[in] low, high corners of the box relative to the point */
+/** \brief Whether no point of a box can be nearer than the neighbors already known in
+ * the octants that the box overlaps.
+ * \param[in] low, high corners of the box relative to the query position */
 bool
 isTooFar (const Eigen::Array2d& low,
           const Eigen::Array2d& high,
@@ -25,7 +25,7 @@ isTooFar (const Eigen::Array2d& low,
   const double squared = outside.square().sum();
   if (squared == 0.0)
     return false;
-  // As seen from a point outside, a box takes less than half a turn around its center.
+  // Seen from outside, a box spans less than half a turn around its center.
   constexpr int half_turn = octants / 2;
   constexpr int turn = octants;
   const int middle = static_cast<int> (octantOf (0.5 * (low + high)));
@@ -37,7 +37,7 @@ isTooFar (const Eigen::Array2d& low,
       const int turned = (octant - middle + turn + half_turn) % turn - half_turn;
       first = std::min (first, turned);
       last = std::max (last, turned);
-      // Either way around.
+      // Half a turn away may be on either side.
       if (turned == -half_turn)
         last = half_turn - 1;
     }
@@ -47,8 +47,9 @@ isTooFar (const Eigen::Array2d& low,
   return true;
 }
 
-/** \brief Takes a point for a neighbor if it is nearer than the one there is.
- * \param[in] step to it; none to the point that is searched around */
+/** \brief Takes a point as the neighbor in its octant if it is nearer than the present
+ * one, or as near with a lower index.
+ * \param[in] step vector from the query position to the point; zero is ignored */
 void
 offer (const Eigen::Vector2d& step, std::uint32_t point, OctantNeighbors& nearest)
 {
@@ -102,7 +103,7 @@ OctantTree::build (std::uint32_t begin, std::uint32_t end)
   const Eigen::Array2d size = node.high - node.low;
   const Eigen::Index wider = size.y() > size.x() ? 1 : 0;
   const std::uint32_t middle = begin + (end - begin) / 2;
-  // Points differ, so that one order of their places decides.
+  // All points differ, so sorting by both coordinates is unambiguous.
   std::nth_element (order_.begin() + begin,
                     order_.begin() + middle,
                     order_.begin() + end,
@@ -131,7 +132,8 @@ OctantTree::search (std::size_t position,
       offer (points_[order_[i]] - place, order_[i], nearest);
     return;
   }
-  // The half with the place in it first: what it has saves most of the other.
+  // The half that contains the position comes first. Its points let most of the other
+  // half be skipped.
   const Node& next = nodes_[node.second];
   const bool is_in_second = (place.array() >= next.low).all();
   search (is_in_second ? node.second : position + 1, place, left_out, nearest);

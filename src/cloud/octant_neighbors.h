@@ -17,41 +17,43 @@ namespace pcl_ops::internal {
 constexpr std::size_t octants = 8;
 constexpr std::uint32_t no_neighbor = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief The number of the eighth of a full turn that holds a direction, counted
- * counter-clockwise from x. Opposite directions have numbers that differ by four.
- * \param[in] direction other than zero */
+/** \brief Returns the octant of a direction, an eighth of a full turn: 0 to 7,
+ * counterclockwise from the x axis. Octants of opposite directions differ by four.
+ * \param[in] direction not the zero vector */
 std::size_t
 octantOf (const Eigen::Vector2d& direction);
 
-/** \brief The nearest point in each octant around a point, if there is one. */
+/** \brief The nearest point in each octant around a position, or \ref no_neighbor at an
+ * infinite distance. */
 struct OctantNeighbors {
   std::array<std::uint32_t, octants> points;
   std::array<double, octants> squared_distances;
 };
 
-/** \brief A tree over points in a plane that finds the nearest one in each octant. So a
- * point on a ring of a lidar has neighbors on its own ring and on the rings beside it,
- * however far apart rings are. The pieces of a plane (plane_pieces.h) are its points
- * connected by such neighbors. */
+/** \brief A 2D k-d tree that finds the nearest point in each octant. So a point on a
+ * lidar ring has neighbors on its own ring and on the rings beside it, however far
+ * apart the rings are. The pieces of a plane (plane_pieces.h) are sets of points that
+ * are connected through these neighbors. */
 class OctantTree {
 public:
-  /** \param[in] points no two of them equal; they have to live as long as the tree */
+  /** \param[in] points all different; the tree keeps a reference to them */
   explicit OctantTree (const PlanarPoints& points);
 
-  /** \brief The neighbors of one of the points. */
+  /** \brief Returns the neighbors of the point with index \p point. */
   OctantNeighbors
   neighborsOf (std::uint32_t point) const;
 
-  /** \brief A few points near one another, by rising numbers. */
+  /** \brief A few points near one another: those of a leaf. */
   struct Group {
+    /** \brief Indices, ascending. */
     std::vector<std::uint32_t> points;
     Eigen::Vector2d center;
-    /** \brief Points around the center that are in other groups. */
+    /** \brief The nearest points of other groups around the center. */
     OctantNeighbors neighbors;
   };
 
-  /** \brief Divides the points into groups, by their places alone: their order does not
-   * matter. */
+  /** \brief Divides the points into groups. The groups depend on the coordinates alone,
+   * not on the order of the points. */
   std::vector<Group>
   groups (unsigned threads) const;
 
@@ -59,15 +61,14 @@ private:
   struct Node {
     Eigen::Array2d low, high;
     std::uint32_t begin, end;
-    /** \brief Position of the second child, the first one being the next node; 0 for a
-     * leaf. */
+    /** \brief Index of the second child, 0: leaf. The first child is the next node. */
     std::uint32_t second = 0;
   };
 
   void
   build (std::uint32_t begin, std::uint32_t end);
 
-  /** \param[in] left_out a node, or no node */
+  /** \param[in] left_out index of a node to skip; nodes_.size(): skip no node */
   void
   search (std::size_t node,
           const Eigen::Vector2d& place,

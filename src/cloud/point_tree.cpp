@@ -55,14 +55,14 @@ squaredDistanceOfBoxes (const PointTree::Node& first, const PointTree::Node& sec
   return sum;
 }
 
-// How many nodes a tree of so many points has. All nodes of a depth have as many points
-// but for one more or less.
+// Number of nodes of a tree. Nodes at the same depth have the same number of points, or
+// differ by one.
 std::uint32_t
 nodesOf (std::uint32_t points)
 {
   if (points <= max_points_of_tree_leaf)
     return 1;
-  // Nodes of the last depth that are divided, or some of them.
+  // Number of nodes at the last depth at which all or some nodes are divided.
   std::uint32_t deepest = 1;
   while (points > 2 * deepest * max_points_of_tree_leaf)
     deepest *= 2;
@@ -192,7 +192,7 @@ PointTree::find (std::size_t position, NearestPoints& nearest) const
 std::vector<PointTree::Leaf>
 PointTree::leaves (std::size_t wanted) const
 {
-  // So that rounding leaves out no neighbor.
+  // Enlarges the reach so that rounding errors exclude no neighbor.
   constexpr float rounding = 1.0F + 1e-5F;
   std::vector<Leaf> leaves;
   std::vector<std::pair<std::uint32_t, float>> open;

@@ -13,13 +13,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The nearest of the points that were offered, nearest first; of equally near
- * ones those with the lowest numbers. */
+/** \brief Keeps the nearest of the points that were offered, sorted by distance. Among
+ * points at equal distance it keeps those with the lowest indices. */
 class NearestPoints {
 public:
   static constexpr std::size_t max_size = 128;
 
-  /** \param[in] wanted 1 to \ref max_size */
+  /** \param[in] wanted number of points to keep, 1 to \ref max_size */
   void
   start (std::size_t wanted)
   {
@@ -45,7 +45,7 @@ public:
       bound_ = distances_[size_ - 1];
   }
 
-  /** \brief None farther away is taken [m^2]. */
+  /** \brief Squared distance beyond which no point is taken any more [m^2]. */
   float
   bound () const
   {
@@ -79,58 +79,59 @@ private:
   float bound_ = 0.0F;
 };
 
-/** \brief A k-d tree for the nearest points of the points themselves. */
+/** \brief A k-d tree that finds the nearest neighbors of its own points. */
 class PointTree {
 public:
-  /** \param[in] points finite; the tree keeps a copy */
+  /** \param[in] points finite points; the tree keeps a copy */
   explicit PointTree (const Coordinates& points, unsigned threads = 1);
 
-  /** \brief The number of the point at each position of the tree: points that follow
-   * each other there are near each other. */
+  /** \brief The index of the point at each position of the tree. Points at successive
+   * positions are near each other in space. */
   const Indices&
   order () const
   {
     return order_;
   }
 
-  /** \brief Offers all points that may be wanted.
-   * \param[in] position of the query in \ref order
-   * \param[in,out] nearest started; gets numbers of points, the query's own, too */
+  /** \brief Searches the nearest neighbors of one of the points.
+   * \param[in] position of the query point in \ref order
+   * \param[in,out] nearest started; receives indices, also of the query point itself */
   void
   find (std::size_t position, NearestPoints& nearest) const;
 
-  /** \brief The points at all positions, local frame. */
+  /** \brief The points in the order of \ref order, in their own frame. */
   const Coordinates&
   sorted () const
   {
     return sorted_;
   }
 
-  /** \brief Points that follow each other in \ref order. */
+  /** \brief A node of the tree: a range of positions in \ref order. */
   struct Node {
-    std::array<float, 3> low, high; // of their box
+    std::array<float, 3> low, high; // bounding box
     std::uint32_t begin, end;
-    std::uint32_t second_child; // 0: a leaf; the first child follows its parent
+    std::uint32_t second_child; // node index, 0: leaf; the first child is the next node
   };
 
-  /** \brief A leaf, and a radius [m] within which each of its points has as many points
-   * as were wanted, itself included; infinite if the tree has fewer. */
+  /** \brief A leaf and its reach: a radius [m] within which each point of the leaf has
+   * the wanted number of points, itself included; infinite if the tree has fewer. */
   struct Leaf {
     const Node* node;
     float reach;
   };
 
-  /** \brief The leaves in their order.
-   * \param[in] wanted points within the reach of each */
+  /** \brief Returns the leaves by ascending positions.
+   * \param[in] wanted number of points within the reach of each point of a leaf */
   std::vector<Leaf>
   leaves (std::size_t wanted) const;
 
-  /** \brief Pairs of begin and end of positions, ascending. */
+  /** \brief Ranges of positions as pairs of begin and end, ascending. */
   using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-  /** \brief Finds the positions of leaves whose boxes are within a distance [m] of the
-   * box of a node; stops as soon as they are more than a number of points.
-   * \return how many points they have */
+  /** \brief Finds the leaves whose bounding boxes are within \p distance [m] of the box
+   * of \p node. Stops once they have more than \p max_points points.
+   * \param[out] ranges positions of the leaves found
+   * \return number of points in \p ranges */
   std::size_t
   findLeavesAround (const Node& node,
                     float distance,
@@ -141,7 +142,8 @@ private:
   float
   squaredDistance (std::size_t first, std::size_t second) const;
 
-  // Gives a node its box and, if it has too many points for a leaf, its children.
+  // Sets the bounding box of a node. Makes two children and returns true if the node
+  // has too many points for a leaf.
   bool
   divide (const Coordinates& points, std::uint32_t number);
 

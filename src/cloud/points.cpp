@@ -19,7 +19,7 @@
 namespace pcl_ops::internal {
 namespace {
 
-/** \brief Points of a cloud: those of the indices, or all. */
+/** \brief The points of a cloud at the indices, or all points if indices is null. */
 struct Chosen {
   const CloudView& cloud;
   const pcl::Indices* indices;
@@ -56,7 +56,7 @@ bool
 isFinite (float x, float y, float z)
 {
   constexpr float largest = std::numeric_limits<float>::max();
-  // Whole numbers, combined without a branch, so that the loops below vectorize.
+  // Integers combined by & make no branch, so that the loops below vectorize.
   const int x_is_finite = std::abs (x) <= largest;
   const int y_is_finite = std::abs (y) <= largest;
   const int z_is_finite = std::abs (z) <= largest;
@@ -72,13 +72,13 @@ areFinite (const Coordinates& points, std::size_t begin, std::size_t end)
   return all != 0;
 }
 
-// All bits of a coordinate; and its sign and twelve bits of its mantissa, a millimeter
-// at four meters: the same in any unit that is a power of two, as exponents are left
-// out, and however its last digits are rounded.
+// Bits of a coordinate to hash: all, or its sign and the upper 12 bits of its mantissa,
+// 1 mm at 4 m. The latter omit the exponent, so units that differ by a power of two
+// give the same hash, and the last digits, so rounding seldom matters.
 constexpr std::uint32_t all_bits = 0xffffffff;
 constexpr std::uint32_t leading_bits = 0x807ff800;
 
-// Numbers as good as drawn, but the same for a position wherever it stands.
+// Pseudorandom numbers that depend on the coordinates of a point, not on its index.
 PCL_OPS_VECTORIZED void
 hashAll (const float* x,
          const float* y,
@@ -100,7 +100,7 @@ hashAll (const float* x,
   }
 }
 
-// Numbers of about so many of the points, without those that are not finite.
+// Indices of at most about as many of the finite points as wanted.
 Indices
 numbersByHash (const Coordinates& positions,
                std::size_t wanted,
@@ -130,8 +130,8 @@ sampleByHash (const Coordinates& positions, std::size_t wanted, std::uint32_t us
   return selected (positions, numbersByHash (positions, wanted, used_bits));
 }
 
-// Near the median, at a multiple of many times the deviation from it: nearly always the
-// same for other points of the same surroundings.
+// Rounds the median to a multiple of many times the median absolute deviation. So other
+// points of the same surroundings nearly always give the same result.
 Eigen::Vector3d
 roundedMedian (Coordinates points)
 {
@@ -167,14 +167,14 @@ withoutCopies (const Coordinates& points)
   return distinct;
 }
 
-// Near the median of some of the points: near most of them, wherever a few stray to,
-// and whatever their order; zero for no points.
+// Position near the median of a sample: near most points in spite of outliers, in any
+// order of the points; zero without finite points.
 Eigen::Vector3d
 localOrigin (const Coordinates& points)
 {
   constexpr std::size_t looked_at = 100;
   Coordinates some = sampleByHash (points, looked_at, all_bits);
-  // Of points at one place the hash takes none or all.
+  // The sample may be empty: of equal points the hash takes none or all.
   if (some.size() == 0)
     some = sampleByHash (points, points.size() + 1, all_bits);
   return roundedMedian (withoutCopies (some));
@@ -220,7 +220,7 @@ keepFinite (Points& points)
     const float x = points.x[i];
     const float y = points.y[i];
     const float z = points.z[i];
-    // Written always, counted if finite: no branch to mispredict.
+    // Always written, but counted only if finite: no branch to mispredict.
     points.x[left] = x;
     points.y[left] = y;
     points.z[left] = z;
@@ -231,10 +231,11 @@ keepFinite (Points& points)
   points.index.resize (left);
 }
 
-/** \brief The index of a first point at a place and that of another one there. */
+/** \brief Indices in the cloud: of the first point at a place, and of a duplicate. */
 using IndexPair = std::pair<pcl::index_t, pcl::index_t>;
 
-// Leaves the first point at each place, and NaN where there is no reading.
+// Keeps the first point at each place and returns the others. Sets points that are no
+// readings to NaN.
 std::vector<IndexPair>
 takeCopies (Points& points, const FirstAtPlace& first)
 {
@@ -259,7 +260,7 @@ takeCopies (Points& points, const FirstAtPlace& first)
   return copies;
 }
 
-// Numbers of first points by their indices, which are ascending.
+// Looks up the position of each first point in index, which is ascending.
 std::vector<Copy>
 copiesOf (const pcl::Indices& index, std::vector<IndexPair> pairs)
 {
@@ -269,7 +270,7 @@ copiesOf (const pcl::Indices& index, std::vector<IndexPair> pairs)
   auto place = index.begin();
   for (const auto& [first, copy] : pairs) {
     place = std::lower_bound (place, index.end(), first);
-    // Far from zero a first one may have been lost to infinity.
+    // A first point is missing if its local coordinates overflowed to infinity.
     if (place != index.end() && *place == first)
       copies.push_back ({copy, static_cast<std::uint32_t> (place - index.begin())});
   }
@@ -279,7 +280,7 @@ copiesOf (const pcl::Indices& index, std::vector<IndexPair> pairs)
   return copies;
 }
 
-// Near most points; single precision can tell it, as points are moved in it.
+// Origin near most points, exact in single precision, in which points are moved.
 Eigen::Vector3d
 originOf (const Coordinates& points, double step)
 {
@@ -289,7 +290,7 @@ originOf (const Coordinates& points, double step)
   return ((origin / step).array().round() * step).matrix().cast<float>().cast<double>();
 }
 
-// finitePoints, or distinctPoints.
+// Implements finitePoints and, with takes_copies, distinctPoints.
 Points
 readPoints (const CloudView& cloud,
             unsigned threads,

@@ -16,7 +16,7 @@ namespace pcl_ops::detail {}
 
 namespace pcl_ops::internal {
 
-// What the public headers need of the library, too, has its names here.
+// Names of the library that the public headers need, too, are in namespace detail.
 using namespace detail;
 
 /** \brief Positions in space as a structure of arrays, in single precision. */
@@ -52,23 +52,24 @@ struct Coordinates {
   }
 };
 
-/** \brief A point that another one at its place stands for. */
+/** \brief A duplicate: a point that is represented by another one with equal
+ * coordinates. */
 struct Copy {
-  /** \brief Of the input cloud. */
+  /** \brief Index of the duplicate in the input cloud. */
   pcl::index_t index;
-  /** \brief The number of the one that stands for it. */
+  /** \brief Position in \ref Points of the point that represents it. */
   std::uint32_t point;
 };
 
-/** \brief The finite points a detector works on. Their coordinates are relative to
- * \ref origin: single precision is enough however far the cloud is from its zero. */
+/** \brief The finite points that a detector works on. Their coordinates are relative to
+ * \ref origin, so that single precision suffices however far away the cloud is. */
 struct Points : Coordinates {
-  /** \brief Zero of the local frame, in the frame of the input cloud. */
+  /** \brief Origin of the local frame, in the frame of the input cloud. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  /** \brief Index of each point in the input cloud; ascending, each once. Empty where
-   * the points are the whole cloud, as they mostly are: see \ref indexOf. */
+  /** \brief Index of each point in the input cloud; ascending, each once. Empty in the
+   * usual case that the points are the whole cloud: use \ref indexOf. */
   pcl::Indices index;
-  /** \brief By rising indices; none but of \ref distinctPoints. */
+  /** \brief Duplicates by ascending indices. Only \ref distinctPoints finds them. */
   std::vector<Copy> copies;
 
   pcl::index_t
@@ -78,48 +79,49 @@ struct Points : Coordinates {
   }
 };
 
-/** \brief Numbers of a stage's own items: points, voxels or samples. Of the input
- * cloud's points pcl::Indices speak. */
+/** \brief Indices of a stage's own items: points, voxels or samples. Indices into the
+ * input cloud are pcl::Indices. */
 using Indices = std::vector<std::uint32_t>;
 
-/** \brief Some of the points, in the order of their numbers. */
+/** \brief Returns the points with the given indices, in the order of the indices. */
 Coordinates
 selected (const Coordinates& points, const Indices& numbers);
 
-/** \brief About so many of the points, the same ones whatever their order. */
+/** \brief Returns at most about \p wanted of the finite points, the same ones in any
+ * order of the input. */
 Coordinates
 samplePoints (const Coordinates& positions, std::size_t wanted);
 
-/** \brief The numbers of about so many of the points, ascending, the same points
- * whatever their order; none that are not finite. */
+/** \brief Returns the indices of at most about \p wanted of the finite points,
+ * ascending; the same points in any order of the input. */
 Indices
 sampleNumbers (const Coordinates& positions, std::size_t wanted);
 
-/** \brief The median, or the upper of two middle ones; 0 for no values. Reorders. */
+/** \brief Returns the median, or the upper one of two middle values; 0 for no values.
+ * Reorders \p values. */
 double
 medianOf (std::vector<float>& values);
 
-/** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
- * is_dense is not believed: clouds that wrongly claim it exist.
- * \param[in] indices of the cloud's points to use, in any order, given twice or not;
- * null: all
- * \param[in] step the origin is a whole multiple of it along each axis; 0: of whatever
- * suits the points
- * \return the finite ones, each once; their origin is near most of them */
+/** \brief Drops points with a NaN or infinite coordinate, once for all stages. is_dense
+ * is ignored: some clouds set it wrongly.
+ * \param[in] indices of the points to use, in any order, repeated or not; null: all
+ * \param[in] step the origin is a multiple of it along each axis, rounded to single
+ * precision [m]; 0: the function chooses the step
+ * \return the finite points, each once; their origin is near most of them */
 Points
 finitePoints (const CloudView& cloud,
               unsigned threads,
               const pcl::Indices* indices = nullptr,
               double step = 0.0);
 
-/** \brief The same without points that decide more than their place does, as the
+/** \brief Like \ref finitePoints, but removes equal points that would dominate. The
  * engines of voxels and of the paper count points, not places: many equal points would
- * set the sizes that follow from how dense a cloud is, the zero of the frame and where
- * a cloud ends.
+ * determine the sizes derived from point density, the origin of the local frame and the
+ * bounds of the cloud.
  *
- * Where a good share of all points have equals the first one stands for the others at
- * its place, \ref Points::copies. A place with so many that they are no readings but
- * what a sensor writes for missing ones counts as if it were NaN, \ref firstAtPlace. */
+ * If a large share of all points has duplicates, the first point at a place represents
+ * the others, \ref Points::copies. If so many points are at a place that it must be a
+ * sensor's code for missing readings, they are dropped like NaN, \ref firstAtPlace. */
 Points
 distinctPoints (const CloudView& cloud,
                 unsigned threads,

@@ -34,8 +34,8 @@ codesOf (const float* x,
     codes[i] = mortonCode (key_x[i], key_y[i], key_z[i]);
 }
 
-// Writes the runs of some of the points. Where one ends is found without a branch.
-// Returns their number.
+// Writes the runs of the points begin .. end - 1 and returns their number. Finds the
+// ends of runs without a branch.
 std::size_t
 findRuns (const Coordinates& positions,
           float voxels_per_meter,
@@ -73,7 +73,7 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
 {
   constexpr std::size_t points_per_piece = 32 * batch;
   const auto voxels_per_meter = static_cast<float> (1.0 / voxel_size);
-  // Each piece where its points are; then without gaps.
+  // Each piece writes its runs from its first point's position on; then gaps close.
   PointRuns runs (positions.size(), boost::container::default_init);
   const std::vector<std::size_t> pieces = parallelChunks (
       threads, positions.size(), points_per_piece, [&] (auto begin, auto end) {

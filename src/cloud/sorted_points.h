@@ -11,9 +11,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Points that follow each other in a cloud and share a voxel; more than 16 are
- * several runs. A cloud without order has as many runs as points, and they are most of
- * the memory of a detection: three words each, the size in bits no code needs. */
+/** \brief Successive points of a cloud in the same voxel, at most 16. An unordered
+ * cloud has about as many runs as points, and they are most of the memory of a
+ * detection: three 32-bit words each, the size in bits that no Morton code needs. */
 class PointRun {
 public:
   static constexpr std::uint32_t max_size = 16;
@@ -38,7 +38,7 @@ public:
     return low_ % 16 + 1;
   }
 
-  /** \brief Its first point, and the one after its last. */
+  /** \brief Index of the first point; \ref end is the index after the last one. */
   std::uint32_t
   first () const
   {
@@ -55,15 +55,16 @@ private:
   std::uint32_t low_, high_, first_;
 };
 
-/** \brief Boost can make a vector without writing to it: room for as many runs as there
- * may be takes no memory. */
+/** \brief A Boost vector can be sized without writing to its elements. So room for the
+ * largest possible number of runs takes no physical memory. */
 using PointRuns = boost::container::vector<PointRun>;
 
-/** \brief The points as runs, sorted by the Morton code of their voxel; runs of a voxel
- * in the order of the cloud. Where points come in the order of a scan only the runs,
- * several times fewer, have to be sorted.
- * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero share
- * the outermost voxels */
+/** \brief Returns the points as runs, sorted by the Morton code of their voxel. Runs of
+ * a voxel keep the order of the cloud. For points in the order of a scan, this sorts
+ * several times fewer runs than points.
+ * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero are
+ * clamped to the outermost voxels
+ * \param[in] voxel_size edge of a voxel [m] */
 PointRuns
 sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads);
 

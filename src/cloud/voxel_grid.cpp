@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Moments of the points of some runs, and their numbers.
+// Returns the moments of the points of some runs and writes the points' indices.
 Moments
 addUp (const Coordinates& positions,
        const PointRun* begin,
@@ -28,7 +28,8 @@ addUp (const Coordinates& positions,
   return moments;
 }
 
-/** \brief Where each voxel's runs begin, and where the last one's end. */
+/** \brief Sets codes and first points of the grid. Returns the first run of each voxel,
+ * and the number of runs. */
 Indices
 divide (const PointRuns& runs, VoxelGrid& grid)
 {

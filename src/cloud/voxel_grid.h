@@ -16,17 +16,17 @@ namespace pcl_ops::internal {
 struct VoxelGrid {
   /** \brief Edge of a voxel [m]. */
   double voxel_size = 0.0;
-  /** \brief Of each voxel, ascending: neighbors in space are near in memory. */
+  /** \brief Morton codes, ascending: voxels that are neighbors are near in memory. */
   std::vector<MortonCode> codes;
-  /** \brief Numbers of all points, voxel after voxel; grids of the same share them. */
+  /** \brief Indices of all points, voxel by voxel; shared in \ref VoxelLevels. */
   std::shared_ptr<const Indices> order;
-  /** \brief Where each voxel's points begin there. */
+  /** \brief For each voxel the position in \ref order where its points begin. */
   Indices first_point;
-  /** \brief Moments of each voxel's points about the zero of their frame. */
+  /** \brief Moments of each voxel's points about the origin of their frame. */
   std::vector<Moments> moments;
-  /** \brief Empty until \ref connect, as is the next. */
+  /** \brief Neighbors of each voxel. Empty until \ref connect, as \ref larger is. */
   VoxelNeighbors neighbors;
-  /** \brief The larger voxels that hold these, from twice the edge up. */
+  /** \brief Octree levels above these voxels, from twice the edge up. */
   std::vector<LargerVoxels> larger;
 
   std::size_t
@@ -35,7 +35,7 @@ struct VoxelGrid {
     return codes.size();
   }
 
-  /** \brief Numbers of a voxel's points. */
+  /** \brief Indices of the points in a voxel. */
   IndexRange
   pointsOf (std::size_t voxel) const
   {
@@ -44,18 +44,19 @@ struct VoxelGrid {
   }
 };
 
-/** \brief Sorts points into voxels and adds up their moments.
- * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero share
- * the outermost voxels
- * \return voxels without neighbors */
+/** \brief Sorts points into voxels and sums up the moments of each voxel.
+ * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero are
+ * clamped to the outermost voxels
+ * \param[in] voxel_size edge of a voxel [m]
+ * \return the grid, without neighbors */
 VoxelGrid
 voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 
-/** \brief Finds the neighbors of each voxel. */
+/** \brief Fills in \ref VoxelGrid::neighbors and \ref VoxelGrid::larger. */
 void
 connect (VoxelGrid& grid, unsigned threads);
 
-/** \brief Moments of the points of some voxels. */
+/** \brief Returns the sum of the moments at the indices \p voxels. */
 template <typename Voxels>
 Moments
 momentsOf (const std::vector<Moments>& moments, const Voxels& voxels)
@@ -66,25 +67,25 @@ momentsOf (const std::vector<Moments>& moments, const Voxels& voxels)
   return sum;
 }
 
-/** \brief Moments of larger voxels.
- * \param[in] moments of the voxels that they hold
+/** \brief Returns the moments of larger voxels.
+ * \param[in] moments of the smaller voxels inside them
  * \param[in] larger voxels of twice the edge */
 std::vector<Moments>
 momentsOf (const std::vector<Moments>& moments, const LargerVoxels& larger);
 
-/** \brief The voxel of each point. */
+/** \brief Returns the index of the voxel of each point. */
 Indices
 voxelsOfPoints (const VoxelGrid& grid);
 
-/** \brief Points in voxels, and in those of twice the edge, each of which holds 2 x 2 x
- * 2 of the others. */
+/** \brief Two grids of the same points. A coarse voxel has twice the edge of a finest
+ * one and contains 2 x 2 x 2 of them. */
 struct VoxelLevels {
   VoxelGrid finest, coarse;
-  /** \brief For each of the finest voxels the coarse one that holds it. */
+  /** \brief For each finest voxel the index of the coarse voxel that contains it. */
   Indices coarse_of_finest;
 };
 
-/** \brief Joins voxels by eight; the coarse ones have no neighbors. */
+/** \brief Joins voxels to coarse ones. The coarse grid has no neighbors. */
 VoxelLevels
 coarsen (VoxelGrid finest);
 

@@ -30,18 +30,19 @@ lowestBit (std::uint64_t bits)
   return static_cast<unsigned> (__builtin_ctzll (bits));
 }
 
-/** \brief The 2 x 2 x 2 children of a voxel and those around: 4 x 4 x 4, x fastest. */
+/** \brief The 2 x 2 x 2 children of a voxel and the voxels around them: a block of
+ * 4 x 4 x 4 places, x fastest. */
 struct ChildrenAround {
-  /** \brief A bit for each that is occupied. */
+  /** \brief One bit for each occupied place. */
   std::uint64_t places = 0;
-  /** \brief Number of the voxel; the last is for all that are farther away. */
+  /** \brief Index of the voxel at each place; the last one takes voxels outside. */
   std::array<std::uint32_t, 65> voxels;
 };
 
 constexpr std::uint8_t far_away = 64;
 
-// Where a child is among \ref ChildrenAround, by the place of its parent around the
-// middle one (see \ref VoxelNeighbors::places) and by its octant.
+// The place of a child in \ref ChildrenAround, or far_away. First index: place of its
+// parent, as in \ref VoxelNeighbors::places. Second index: octant of the child.
 constexpr std::array<std::array<std::uint8_t, 8>, 43>
 placesOfChildren ()
 {
@@ -58,10 +59,10 @@ placesOfChildren ()
   return places;
 }
 
-// The first of the 3 x 3 x 3 around each child.
+// For each octant the first place of the 3 x 3 x 3 block around the child there.
 constexpr std::array<std::uint8_t, 8> first_around{0, 1, 4, 5, 16, 17, 20, 21};
 
-// Where the children of each parent begin, and where the last one's end.
+// For each parent the index of its first child, and the number of children.
 Indices
 firstChildren (const Indices& parents, std::size_t number)
 {
@@ -72,7 +73,7 @@ firstChildren (const Indices& parents, std::size_t number)
   return first;
 }
 
-// The children of a voxel and those around them.
+// Collects the children of a voxel and the voxels around them.
 ChildrenAround
 childrenAround (const std::vector<MortonCode>& codes,
                 const Indices& first_child,
@@ -95,7 +96,7 @@ childrenAround (const std::vector<MortonCode>& codes,
   return children;
 }
 
-// Found among the children of their parents' neighbors.
+// Finds the neighbors of voxels among the children of their parents' neighbors.
 VoxelNeighbors
 neighborsBelow (const std::vector<MortonCode>& codes,
                 const LargerVoxels& above,
@@ -109,7 +110,7 @@ neighborsBelow (const std::vector<MortonCode>& codes,
   around.begin.resize (codes.size() + 1);
   const auto pieces = parallelChunks (
       threads, parents, parents_per_piece, [&] (std::size_t begin, std::size_t end) {
-        // Not a vector, whose zeros take longer than what overwrites them.
+        // A vector would first write zeros, which takes longer than the results.
         std::unique_ptr<std::uint32_t[]> found (
             new std::uint32_t[most * (first_child[end] - first_child[begin])]);
         std::uint32_t* next = found.get();

@@ -12,18 +12,19 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Numbers of voxels or points, one after the other. */
+/** \brief A range of indices of voxels or points in contiguous memory. */
 using IndexRange = boost::iterator_range<const std::uint32_t*>;
 
-/** \brief For each voxel the occupied ones among its 26 neighbors and, in the middle,
- * itself: most are empty where points are on surfaces. */
+/** \brief For each voxel the occupied voxels of the 3 x 3 x 3 block around it, itself
+ * included. Most voxels of a block are empty if the points are on surfaces. */
 struct VoxelNeighbors {
-  /** \brief Those of a voxel after those of the one before, by their places. */
+  /** \brief Indices of the neighbors, voxel by voxel, then by bit in \ref places. */
   std::vector<std::uint32_t> neighbors;
-  /** \brief Where those of each voxel begin, and where those of the last one end. */
+  /** \brief For each voxel the position in \ref neighbors where its neighbors begin,
+   * and the end of the last voxel's. */
   std::vector<std::uint32_t> begin = {0};
-  /** \brief Where they are: bit x + 4 y + 16 z for the place x, y, z, each 0 to 2; 1,
-   * 1, 1 is the middle. */
+  /** \brief For each voxel a bit set of its neighbors: bit x + 4 y + 16 z for the place
+   * (x, y, z) in the block, each coordinate 0 to 2; (1, 1, 1) is the middle. */
   std::vector<std::uint64_t> places;
 
   IndexRange
@@ -33,27 +34,28 @@ struct VoxelNeighbors {
   }
 };
 
-/** \brief Voxels of twice the edge, which hold 2 x 2 x 2 others each. */
+/** \brief The next octree level: voxels of twice the edge, with 2 x 2 x 2 others each.
+ */
 struct LargerVoxels {
   std::vector<MortonCode> codes;
-  /** \brief For each smaller voxel the one here that holds it. */
+  /** \brief For each smaller voxel the index of the larger voxel that contains it. */
   std::vector<std::uint32_t> holding;
   VoxelNeighbors neighbors;
 };
 
-/** \brief The voxels that hold others, without neighbors.
- * \param[in] codes of the others, ascending, each once */
+/** \brief Returns the larger voxels that contain the given ones, without neighbors.
+ * \param[in] codes of the smaller voxels, ascending, each once */
 LargerVoxels
 largerVoxels (const std::vector<MortonCode>& codes);
 
-/** \brief The neighbors of voxels, and the levels of the octree above them. */
+/** \brief The neighbors of voxels and the octree levels above the voxels. */
 struct ConnectedVoxels {
   VoxelNeighbors neighbors;
-  /** \brief From twice the edge up to the root. */
+  /** \brief Levels from twice the edge up to the root; empty for one voxel or none. */
   std::vector<LargerVoxels> larger;
 };
 
-/** \brief Finds the neighbors of voxels, from the root of the octree down.
+/** \brief Finds the neighbors of all voxels, level by level from the octree root down.
  * \param[in] codes of the voxels, ascending, each once */
 ConnectedVoxels
 connected (const std::vector<MortonCode>& codes, unsigned threads);

@@ -23,8 +23,8 @@ countOccupied (const Coordinates& positions, double voxel_size)
   return voxels;
 }
 
-// Drops outliers, which would fill a voxel each, however large it is: points that are
-// many times farther from the origin than the median. The origin is near most points.
+// Drops outliers: points many times farther from the origin than the median distance.
+// Each one would fill a voxel of its own at any size. The origin is near most points.
 Coordinates
 withoutOutliers (const Coordinates& positions)
 {
@@ -56,7 +56,7 @@ double
 voxelSizeFor (const Coordinates& positions, double wanted_voxels)
 {
   constexpr std::size_t looked_at = 8192;
-  // Some ten of the sampled points per voxel: hardly an occupied voxel has none.
+  // About ten sampled points per voxel: hardly any occupied voxel has no sampled point.
   constexpr double counted_voxels = 800.0;
   const Coordinates some = withoutOutliers (samplePoints (positions, looked_at));
   if (some.size() == 0)

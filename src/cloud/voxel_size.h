@@ -6,19 +6,22 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The nearest of 1, 1.1, ... 2, 2.25, ... 5, 6, ... 10 times a power of ten.
+/** \brief Rounds to the nearest of 1, 1.1, ... 2, 2.25, ... 5, 6, ... 10 times a power
+ * of ten.
  *
- * What a size is estimated from differs a little where a cloud is given in other units
- * or rounded otherwise; voxels of the size as it is would divide it elsewhere. */
+ * An estimated size changes a little if the same cloud is given in other units or with
+ * other rounding. Without this function the voxel borders would move, too. */
 double
 roundNumber (double size);
 
-/** \brief Voxel edge at which the points fill about \p wanted_voxels voxels.
+/** \brief Estimates the voxel edge at which the points occupy about \p wanted_voxels
+ * voxels.
  *
- * Counted on a few thousand points in voxels so large that they show all occupied ones,
- * and carried over to small voxels as for surfaces, whose occupied voxels grow with the
- * inverse square of the edge.
- * \return a \ref roundNumber; 0 for fewer than two different points */
+ * Counts the occupied voxels of a sample of a few thousand points, with voxels large
+ * enough to miss hardly any. Extrapolates to small voxels as for surfaces, where the
+ * number of occupied voxels is proportional to 1 / edge^2.
+ * \return the edge [m], rounded by \ref roundNumber; 0 if fewer than two different
+ * points are left without outliers */
 double
 voxelSizeFor (const Coordinates& positions, double wanted_voxels);
 

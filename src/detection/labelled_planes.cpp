@@ -9,7 +9,7 @@
 namespace pcl_ops::internal {
 namespace {
 
-// In the local frame, with room for its inliers.
+// Makes a segment in the local frame. Its inliers have their number, but no values yet.
 PlaneSegment
 toSegment (const Moments& moments,
            const PlaneFit& fit,
@@ -25,9 +25,9 @@ toSegment (const Moments& moments,
           noise};
 }
 
-// Writes the indices of the points of each label to its segment, which has room for
-// them. Points that follow each other mostly share a plane, so the inner loop keeps
-// where to write next in a register.
+// Writes the indices of the points of each label to its segment, whose inliers have the
+// right size. Successive points mostly share a plane, so the inner loop keeps the write
+// position in a register.
 void
 addInliers (const Points& points,
             const Labels& labels,
@@ -55,7 +55,7 @@ addInliers (const Points& points,
       std::sort (segment.inliers.begin(), segment.inliers.end());
 }
 
-// Sorts planes by falling numbers of points, and labels and merged_into accordingly.
+// Sorts planes by descending number of points and renumbers labels and merged_into.
 void
 sortByFallingCount (LabelledPlanes& found)
 {

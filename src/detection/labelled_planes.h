@@ -14,23 +14,22 @@
 
 namespace pcl_ops::internal {
 
-/** \brief What a detector found, in the local frame of its points. */
+/** \brief Planes that a detector found, in the local frame of its points. */
 struct LabelledPlanes {
+  /** \brief For each point the position of its plane in \ref planes, or no_plane. */
   Labels labels;
   MergedPlanes planes;
   std::size_t planes_before_merging = 0;
   /** \brief The noise of the surroundings of each plane [m], \ref PlaneSegment::noise;
-   * empty where the detector does not measure it. */
+   * an empty list if the detector does not measure it. */
   std::vector<std::optional<double>> noises = {};
-  /** \brief Lengths that were found from the cloud. A distance threshold that
-   * parameters give may be left out: \ref detectInFinitePoints adds it. */
+  /** \brief Lengths that the detector estimated from the cloud. It may leave out the
+   * distance threshold of the parameters: \ref detectInFinitePoints adds that. */
   UsedLengths used = {};
 };
 
-/** \brief The merging parameters with theta_h as their distance, as in the paper,
- * unless they have a distance of their own. parameters.distance_threshold (theta_h)
- * must be set.
- */
+/** \brief Returns the merging parameters. Their distance threshold defaults to theta_h,
+ * as in the paper; then parameters.distance_threshold (theta_h) must be set. */
 inline MergingParameters
 mergingOf (const PlaneDetectorParameters& parameters)
 {
@@ -40,21 +39,22 @@ mergingOf (const PlaneDetectorParameters& parameters)
   return merging;
 }
 
-/** \brief Fits planes to the points assigned to them and merges them, and labels the
- * points by merged plane. */
+/** \brief Fits least squares planes to the assigned points, merges coplanar planes and
+ * relabels the points by merged plane. */
 LabelledPlanes
 mergePlanesOf (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads);
 
-/** \brief Counts the copies of points as points of their planes, and sorts the planes
- * anew by falling numbers of points. Equations stay as they are: each place counted
- * once. */
+/** \brief Adds the duplicates of points to the moments of their planes, and sorts the
+ * planes again by descending number of points. Plane equations do not change: in them
+ * each place counts once. */
 void
 addCopies (const Points& points, LabelledPlanes& found);
 
-/** \brief The planes in the frame of the input cloud, in the same order, their normals
- * towards the viewpoint. */
+/** \brief Returns the planes in the frame of the input cloud, in the same order, with
+ * normals towards the viewpoint.
+ * \param[in] viewpoint in the frame of the input cloud */
 std::vector<PlaneSegment>
 toSegments (const Points& points,
             const LabelledPlanes& found,
@@ -64,11 +64,12 @@ toSegments (const Points& points,
 void
 dropSmallPlanes (std::size_t min_points, std::vector<PlaneSegment>& planes);
 
-/** \brief What all detectors begin and end with. Before: takes the finite points, and
- * one of equal ones where many are (\ref distinctPoints). After: makes segments in the
- * frame of the input cloud, drops small ones, names their orientations.
- * \param[in] detect the detector, called as (points, durations), returns LabelledPlanes
- * \param[in] step that the zero of the local frame is a multiple of, \ref finitePoints */
+/** \brief Runs a detector with the steps that all detectors share. Before: selects the
+ * finite points, without duplicates if there are many (\ref distinctPoints). After:
+ * makes segments in the frame of the input cloud, drops small ones, sets orientations.
+ * \param[in] detect the detector, called as (points, durations), returns
+ * LabelledPlanes; not called without finite points
+ * \param[in] step the local origin is a multiple of it [m], \ref finitePoints */
 template <typename Detect>
 Detection
 detectInFinitePoints (const DetectorInput& input,
@@ -78,8 +79,8 @@ detectInFinitePoints (const DetectorInput& input,
 {
   Detection found;
   const StageClock clock;
-  // Nothing later looks for NaN or infinite coordinates again; distinctPlaces alone
-  // looks for equal points.
+  // Detectors do not check for NaN or infinite coordinates again. Only distinctPlaces
+  // looks for equal points again.
   const Points points =
       distinctPoints (input.cloud, parameters.threads, input.indices, step);
   LabelledPlanes planes =
@@ -90,8 +91,8 @@ detectInFinitePoints (const DetectorInput& input,
   dropSmallPlanes (parameters.min_points, found.planes);
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
-  // A viewpoint of zero may be that of the sensor, or never have been set: then normals
-  // of planes that cannot have been seen from there turn up.
+  // A zero viewpoint may be the position of the sensor, or was never set: normals of
+  // planes that cannot have been seen from there are turned up.
   if (input.viewpoint.isZero (0.0))
     turnUnseenUp (
         input.cloud, input.viewpoint, parameters.up_axis.cast<double>(), found.planes);

@@ -13,13 +13,12 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Points are compared with planes in blocks: a plane that is too far from the box
-// around a block is skipped. Blocks are so small that their points lie close together,
-// if neighbors in the list are neighbors in space, and so large that boxes cost little.
+// Points are compared with planes in blocks. A plane too far from the bounding box of a
+// block is skipped. Blocks are small enough for compact boxes, if successive points are
+// neighbors in space, and large enough that the boxes cost little.
 constexpr std::size_t block_size = 256;
 constexpr std::size_t points_of_a_task = 64 * block_size;
-// How many planes a block is compared with before it is looked whether all points are
-// done.
+// Number of planes compared with a block between checks whether all points are done.
 constexpr std::size_t planes_between_looks = 32;
 
 struct Box {
@@ -41,7 +40,7 @@ boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
   return {0.5 * (low + high).cast<double>(), 0.5 * (high - low).cast<double>()};
 }
 
-// Whether a point of the box may be within the threshold of a plane, with room for the
+// Whether a point of the box may be within the threshold of a plane, with tolerance for
 // rounding of distances.
 bool
 reaches (const Plane& plane, const Box& box, double threshold)
@@ -53,8 +52,9 @@ reaches (const Plane& plane, const Box& box, double threshold)
   return std::abs (plane.distance (box.center)) <= threshold + reach + rounding;
 }
 
-// Assigns points begin .. end - 1, at most block_size. A point goes to a plane that is
-// nearer than best, which is the threshold first, then the distance to its plane.
+// Assigns points begin .. end - 1, at most block_size. A point goes to a plane nearer
+// than its best distance: at first the threshold, then the distance to its plane, or 0
+// by rule First.
 void
 assignBlock (const Coordinates& points,
              std::size_t begin,
@@ -71,16 +71,16 @@ assignBlock (const Coordinates& points,
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (!reaches (planes[p], box, threshold))
       continue;
-    // By rule First nothing is left to do once all points have a plane, best 0: of
-    // thousands of planes the first hundreds often have them all.
+    // By rule First the block is done once all points have a plane, so best 0. With
+    // thousands of planes, the first few hundred often take all points.
     const float* const last = best.data() + (end - begin);
     if (rule == AssignmentRule::First && ++compared % planes_between_looks == 0 &&
         std::count (std::as_const (best).data(), last, 0.0f) == last - best.data())
       return;
     const auto label = static_cast<std::int32_t> (p);
     std::int32_t* const label_of = labels.data();
-    // No distance is below 0: by rule First that keeps the plane. A factor instead of a
-    // branch lets the loop be vectorized.
+    // By rule First best becomes 0: no distance is below it, so the plane stays. A
+    // factor instead of a branch lets the loop be vectorized.
     const float factor = rule == AssignmentRule::First ? 0.0f : 1.0f;
     const auto assign = [=, &best] (std::size_t i, float distance) {
       float& nearest = best[i - begin];
@@ -119,14 +119,14 @@ momentsOfLabels (const Coordinates& points,
                  std::size_t number,
                  unsigned threads)
 {
-  // So many points a piece at least: else, with thousands of planes, its sums would
-  // take more memory than its points.
+  // A piece has at least this many points per plane. Otherwise, with thousands of
+  // planes, its sums would take more memory than its points.
   constexpr std::size_t points_per_plane = 8;
-  // Sums per piece, added up in order: the same digits for any number of threads.
+  // Sums per piece are added in order: the same digits for any number of threads.
   const auto sum = [&] (std::size_t begin, std::size_t end) {
     std::vector<Moments> moments (number);
     for (std::size_t i = begin; i < end; ++i)
-      // no_plane, below 0, becomes a large number
+      // no_plane is negative, so the cast makes it larger than any label
       if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
         moments[label].add (points.x[i], points.y[i], points.z[i]);
     return moments;

@@ -9,17 +9,17 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The plane of each point, and the moments of each plane. */
+/** \brief The plane of each point and the moments of each plane. */
 struct AssignedPoints {
   Labels labels;
-  /** \brief Moments of the points of each plane about the zero of their frame. */
+  /** \brief Moments of the points of each plane about the origin of their frame. */
   std::vector<Moments> moments;
 };
 
-/** \brief Gives every point the number of a plane that is nearer than \p
- * distance_threshold, theta_h [m], or no_plane.
- * \param[in] planes in the frame of the points, without borders
- * \param[in] rule which one, if several are near enough */
+/** \brief Assigns points to planes nearer than \p distance_threshold, theta_h [m].
+ * \param[in] planes unbounded planes in the frame of the points
+ * \param[in] rule selects the plane if several are near enough
+ * \return for each point the position of its plane in \p planes, or no_plane */
 Labels
 assignPoints (const Coordinates& points,
               const std::vector<Plane>& planes,
@@ -27,15 +27,15 @@ assignPoints (const Coordinates& points,
               AssignmentRule rule,
               unsigned threads);
 
-/** \brief Moments of the points of each label from 0 to number - 1, about the zero of
- * their frame. */
+/** \brief Returns the moments of the points of each label from 0 to number - 1, about
+ * the origin of their frame. Points with other labels, as no_plane, are left out. */
 std::vector<Moments>
 momentsOfLabels (const Coordinates& points,
                  const Labels& labels,
                  std::size_t number,
                  unsigned threads);
 
-/** \brief \ref assignPoints, with the moments of the points of each plane. */
+/** \brief Calls \ref assignPoints and adds the moments of the points of each plane. */
 AssignedPoints
 assignToUnboundedPlanes (const Coordinates& points,
                          const std::vector<Plane>& planes,
@@ -43,7 +43,8 @@ assignToUnboundedPlanes (const Coordinates& points,
                          AssignmentRule rule,
                          unsigned threads);
 
-/** \brief Replaces every label by the plane it was merged into. */
+/** \brief Replaces each label by the plane that its plane was merged into. no_plane
+ * stays. */
 void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads);
 

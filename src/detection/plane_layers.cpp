@@ -11,12 +11,12 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// The signed distance that parts two layers, if there are two.
+// Returns the signed distance [m] that separates two layers, or nothing for one layer.
 std::optional<double>
 thresholdOf (std::vector<double>& distances, double min_apart)
 {
   constexpr std::size_t min_distances = 50;
-  constexpr double min_explained = 0.88; // more than distributions without two layers
+  constexpr double min_explained = 0.88; // more than for distributions of one layer
   if (distances.size() < min_distances)
     return std::nullopt;
   std::sort (distances.begin(), distances.end());
@@ -26,7 +26,7 @@ thresholdOf (std::vector<double>& distances, double min_apart)
   return 0.5 * (distances[layers.first_above - 1] + distances[layers.first_above]);
 }
 
-// How many points each plane has.
+// Number of points of each plane.
 std::vector<std::size_t>
 countLabels (const Labels& labels, std::size_t planes)
 {
@@ -37,8 +37,8 @@ countLabels (const Labels& labels, std::size_t planes)
   return counts;
 }
 
-// Signed distances of 250 to 500 points of each plane, of all it has if they are fewer,
-// spread evenly over their order [m].
+// Signed distances [m] of 250 to 500 points to their plane, for each plane. The points
+// are evenly spaced in their order; a plane with fewer than 500 points gives all.
 std::vector<std::vector<double>>
 sampleDistances (const Coordinates& points,
                  const std::vector<Plane>& planes,

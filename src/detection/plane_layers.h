@@ -9,13 +9,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Makes two planes of each that has two layers: the sides of a thin wall are
- * neighbors, so that they come out as one plane. Where two groups explain most of the
- * variance of the signed distances of its points (\ref bestTwoGroups), the points of
- * the upper one get a plane of their own.
- * \param[in] min_apart of each plane, the least distance of its two layers [m]
+/** \brief Splits each plane that consists of two parallel layers. The two sides of a
+ * thin wall are close neighbors, so that they are found as one plane. If two groups
+ * explain most of the variance of the signed distances of the points to the plane
+ * (\ref bestTwoGroups), the points of the upper group become a new plane.
+ * \param[in] min_apart for each plane the least distance between two layers [m]
  * \param[in,out] labels of the points; new planes are numbered from \p is_kept.size()
- * \param[in,out] is_kept for each plane 1, or 0 if it is left alone; new planes are added
+ * \param[in,out] is_kept for each plane 1, or 0 to skip it; new planes add a 1 each
  * \return whether any plane was split */
 bool
 splitLayers (const Coordinates& points,

@@ -12,7 +12,7 @@ using namespace detail;
 using namespace internal;
 namespace {
 
-/** \brief Planes that were merged into one, by their numbers. */
+/** \brief A merged plane with the indices of the input planes merged into it. */
 struct Group {
   Moments moments;
   PlaneFit fit;
@@ -28,7 +28,7 @@ sortByFallingCount (std::vector<Group>& groups)
       });
 }
 
-// A group for each plane whose points tell a plane, by falling numbers of points.
+// Makes a group of each plane whose points span one, by descending number of points.
 std::vector<Group>
 groupsWithAPlane (const std::vector<Moments>& planes)
 {
@@ -40,13 +40,13 @@ groupsWithAPlane (const std::vector<Moments>& planes)
   return groups;
 }
 
-// Whether the noise of both explains how far the points of the smaller group are from
-// the plane of the larger one, which need not reach as far as the centroid of the
-// smaller one.
+// Whether the noise of both groups explains the rms distance of the smaller group's
+// points to the plane of the larger one. The points of the larger group need not reach
+// as far as the centroid of the smaller one.
 bool
 agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {
-  // Exact points have the rounding of coordinates as noise, a millionth of the extent.
+  // Exact points have rounding of coordinates as noise: 1e-6 of their spread.
   constexpr double squared_rounding = 1e-12;
   const double rounding = squared_rounding * larger.fit.variances[2];
   const auto [cleaner, noisier] =
@@ -63,8 +63,8 @@ areWithinAngle (const PlaneFit& first, const PlaneFit& second, double angle_thre
   return std::acos (std::min (1.0, cosine)) < angle_threshold;
 }
 
-// Adds a group to a larger one; does nothing and returns false if the points of both
-// span no plane.
+// Merges a group into a larger one and refits. Does nothing and returns false if the
+// points of both together span no plane.
 bool
 absorb (Group& larger, const Group& smaller)
 {
@@ -80,8 +80,8 @@ absorb (Group& larger, const Group& smaller)
   return true;
 }
 
-// Thousands of planes have millions of pairs: the cosine of their normals leaves most
-// out before anything else is compared.
+// Smallest cosine between the normals of planes to merge. Thousands of planes have
+// millions of pairs: this cheap test rejects most of them first.
 double
 minCosineWithin (double angle_threshold)
 {
@@ -90,7 +90,7 @@ minCosineWithin (double angle_threshold)
   return std::cos (std::min (angle_threshold, right_angle)) - rounding;
 }
 
-// One sweep over all pairs; true if any was merged.
+// Makes one sweep over all pairs of groups. Returns true if any pair was merged.
 bool
 mergeOnce (std::vector<Group>& groups,
            double angle_threshold,

@@ -5,7 +5,7 @@
 namespace pcl_ops::internal {
 
 constexpr double pi = 3.14159265358979323846;
-/** \brief [rad] */
+/** \brief 90 degrees [rad]. */
 constexpr double right_angle = pi / 2.0;
 
 } // namespace pcl_ops::internal

@@ -16,13 +16,13 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-/** \brief A direction, and its cell of the cube of directions. */
+/** \brief A unit direction, and the cell of a cube map that contains it. */
 struct Direction {
   std::uint32_t cell;
   Vector3f unit;
 };
 
-// Cells of 0.4 degrees: a few steps of a sensor.
+// Cells have 0.4 degrees, a few angular steps of a sensor.
 constexpr double cells_per_radian = 150.0;
 constexpr std::uint32_t face_cells = 512;
 
@@ -33,7 +33,7 @@ cellOf (const Vector3d& offset)
   const double depth = offset.cwiseAbs().maxCoeff (&axis);
   const auto along = [&] (Eigen::Index other) {
     const double angle = std::atan2 (offset[other % 3], depth) + 0.5 * right_angle;
-    // One free cell at each border, so that neighbors are on the same face.
+    // From 1 on: the free cells at borders keep cells of two faces apart.
     return 1u + static_cast<std::uint32_t> (angle * cells_per_radian);
   };
   const auto face =
@@ -48,7 +48,8 @@ isBefore (const Direction& a, const Direction& b)
          std::make_tuple (b.cell, b.unit.x(), b.unit.y(), b.unit.z());
 }
 
-/** \brief Which part of the view, some 4 degrees wide, an offset points to, mixed. */
+/** \brief Returns a hash of the part of the view, some 4 degrees wide, that an offset
+ * points to. */
 std::uint32_t
 partOf (const Vector3d& offset)
 {
@@ -61,8 +62,8 @@ partOf (const Vector3d& offset)
   return number * 2654435761u >> 16;
 }
 
-/** \brief Unit directions to the points in a sample of parts of the view, each once,
- * sorted by cell; none where more than three quarters repeat others. */
+/** \brief Returns the different unit directions to the points in a sample of parts of
+ * the view, sorted by cell; empty if more than three quarters repeat others. */
 std::vector<Direction>
 directionsOf (const Coordinates& points, const Vector3d& place)
 {
@@ -80,7 +81,8 @@ directionsOf (const Coordinates& points, const Vector3d& place)
   const auto are_same = [] (const Direction& a, const Direction& b) {
     return a.cell == b.cell && (a.unit - b.unit).squaredNorm() < same * same;
   };
-  // Coordinates rounded to steps of a map are even by themselves.
+  // Many equal directions: coordinates were rounded to steps of a map, which are even
+  // without a sensor.
   constexpr std::size_t max_points_at_place = 4;
   const std::size_t all = directions.size();
   directions.erase (std::unique (directions.begin(), directions.end(), are_same),
@@ -90,8 +92,9 @@ directionsOf (const Coordinates& points, const Vector3d& place)
   return directions;
 }
 
-/** \brief The angle to the nearest other one in cells nearby [rad]; nothing where there
- * is none, or there are more than a sensor has in so small a part of the view. */
+/** \brief Returns the angle to the nearest other direction in the 3 x 3 cells around a
+ * direction [rad]; nothing if they have no other direction, or more directions than a
+ * sensor has in so small a part of the view. */
 std::optional<float>
 stepAt (const std::vector<Direction>& directions, const Direction& from)
 {
@@ -115,8 +118,8 @@ stepAt (const std::vector<Direction>& directions, const Direction& from)
                                  : std::nullopt;
 }
 
-/** \brief The first of the sorted steps from which on most are within 12 %, and how
- * many are. */
+/** \brief Returns the largest group of sorted steps that exceed its first one by up to
+ * 12 %: the position of its first step, and its size. */
 std::pair<std::size_t, std::size_t>
 commonest (const std::vector<float>& steps)
 {
@@ -159,13 +162,14 @@ shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& place)
 StepsSay
 seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& place)
 {
-  // Of 15 lidar scans 13 have .7 to 1; of those whose lines cross the six places
-  // nearby have less, while places nearer to the sensor have more.
+  // At the sensor 13 of 15 lidar scans have a share of .7 to 1. The others, whose scan
+  // lines cross, have a smaller share at all six places nearby. Seen from elsewhere the
+  // share is larger at a place nearer to the sensor.
   constexpr double high = 0.7;
   constexpr double low = 0.17;
   constexpr double highest_of_sensor = 0.85;
   constexpr double lowest_of_others = 1.06;
-  constexpr double nearby = 0.15; // of the median distance
+  constexpr double nearby = 0.15; // of the median range of the points
   const double here = shareOfCommonSteps (points, place);
   if (here >= high)
     return StepsSay::Yes;

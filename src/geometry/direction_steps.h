@@ -8,22 +8,24 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The share of points whose nearest neighbor in direction, as seen from a
- * place, is at one of the two commonest angles, each to 12 %.
+/** \brief Measures how regular the directions to the points are, as seen from a place.
  *
- * A sensor measures in even steps of angles: of scans and depth images seen from the
- * sensor it is 0.7 to 1 (two steps, as some lidars have beams of two kinds; 0.3 for
- * those whose lines cross), from 3 m beside it below 0.5. It is below 0.2 where points
- * are thinned evenly in space, from anywhere.
- * \return 0 where fewer than half of the points, or than 100, have a neighbor near
- * enough to tell */
+ * A step is the angle between the direction to a point and the nearest other direction.
+ * The result is the share of steps that agree to 12 % with one of the two commonest
+ * steps. A sensor measures in even steps, some lidars in two. Seen from the sensor the
+ * share is 0.7 to 1 for scans and depth images (0.3 if scan lines cross); seen from 3 m
+ * beside the sensor it is below 0.5. For points thinned evenly in space it is below 0.2
+ * from any place.
+ * \return the share, 0 to 1; 0 if fewer than 100, or than half, of the sampled
+ * directions have a neighbor near enough to measure a step */
 double
 shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& place);
 
 enum class StepsSay { Yes, No, CannotTell };
 
-/** \brief Whether points were measured from a place, by \ref shareOfCommonSteps: it is
- * high there, or higher than at places nearby; elsewhere it rises to one side. */
+/** \brief Tells whether the points were measured from a place. At the place of the
+ * sensor \ref shareOfCommonSteps is high, or higher than at places nearby. At other
+ * places it is lower than at one of the places nearby. */
 StepsSay
 seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& place);
 

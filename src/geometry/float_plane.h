@@ -10,7 +10,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane in the points' own precision. */
+/** \brief A plane in single precision, as the coordinates of points are. */
 struct FloatPlane {
   float nx = 0.0f, ny = 0.0f, nz = 0.0f, offset = 0.0f;
 
@@ -31,8 +31,9 @@ struct FloatPlane {
   }
 };
 
-/** \brief Calls visit (i, distance) for points begin .. end - 1: a loop the compiler
- * vectorizes where the visit has no branch. */
+/** \brief Calls visit (i, distance) for points begin .. end - 1 with their unsigned
+ * distance to the plane [m]. The compiler vectorizes the loop if visit has no branch.
+ */
 template <typename Visit>
 inline void
 forDistances (const FloatPlane& plane,

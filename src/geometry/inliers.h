@@ -9,8 +9,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Checks what functions with a plane and its cloud are given.
- * \throw std::invalid_argument if an inlier of the plane is no point of the cloud */
+/** \brief Checks that all inliers of a plane are indices of points of the cloud.
+ * \throw std::invalid_argument if an index is negative or not below the cloud's size */
 inline void
 checkInliers (const CloudView& cloud, const PlaneSegment& plane)
 {

@@ -6,14 +6,15 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Noise that is up to this many times another is alike: of one surface. */
+/** \brief Largest ratio of two noises that count as alike, as of one surface. */
 inline constexpr double like_noise = 1.5;
 
-/** \brief Noise that is more than this many times another is of another surface. */
+/** \brief Two noises with a ratio above this are of different surfaces. */
 inline constexpr double other_noise = 6.0;
 
-/** \brief How much of a plane's squared noise explains that another plane's points are
- * off it [m^2]: a bush explains no distance from a clean ground. */
+/** \brief Returns a plane's squared noise, limited to \ref other_noise ^2 times that of
+ * the plane it is compared with [m^2]. So the noise of a bush does not explain how far
+ * its points are from the clean ground. */
 inline double
 commonSquaredNoise (double squared_noise, double squared_noise_of_other)
 {

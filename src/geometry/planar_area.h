@@ -8,8 +8,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The axes u and v of a plane, as columns: a right-handed frame with its unit
- * normal as the third axis. They depend on the normal alone. */
+/** \brief Returns the unit axes u and v of a plane as columns. With its unit normal as
+ * third axis they are a right-handed frame. They depend on the normal only. */
 inline Eigen::Matrix<double, 3, 2>
 planeAxes (const Eigen::Vector3d& normal)
 {
@@ -19,15 +19,15 @@ planeAxes (const Eigen::Vector3d& normal)
   return axes;
 }
 
-/** \brief Twice the area between two directions; above 0 where the second is to the
- * left of the first. */
+/** \brief Cross product: twice the signed area of the triangle that two vectors span;
+ * positive if the second vector is to the left of the first. */
 inline double
 cross (const Eigen::Vector2d& first, const Eigen::Vector2d& second)
 {
   return first.x() * second.y() - first.y() * second.x();
 }
 
-/** \brief Twice the area of a triangle; above 0 where it runs counter-clockwise. */
+/** \brief Twice the signed area of a triangle; positive if counter-clockwise. */
 inline double
 twiceTheArea (const Eigen::Vector2d& a,
               const Eigen::Vector2d& b,
@@ -36,18 +36,20 @@ twiceTheArea (const Eigen::Vector2d& a,
   return cross (b - a, c - a);
 }
 
-/** \brief Area of a polygon; above 0 where it runs counter-clockwise. */
+/** \brief Signed area of a polygon; positive if counter-clockwise, 0 for fewer than
+ * three corners. */
 inline double
 areaOf (const std::vector<Eigen::Vector2d>& polygon)
 {
   double twice = 0.0;
-  // From the first corner: areas far from zero would have few digits left.
+  // Add triangles from the first corner: about a far origin the sum loses digits.
   for (std::size_t i = 2; i < polygon.size(); ++i)
     twice += twiceTheArea (polygon[0], polygon[i - 1], polygon[i]);
   return 0.5 * twice;
 }
 
-/** \brief Whether a point lies in a triangle that runs either way, or on its sides. */
+/** \brief Whether a point lies inside or on the sides of a triangle, which may be
+ * clockwise or counter-clockwise. */
 inline bool
 isWithin (const Eigen::Vector2d& point,
           const Eigen::Vector2d& a,

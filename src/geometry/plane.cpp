@@ -16,8 +16,8 @@ namespace pcl_ops {
 using namespace internal;
 namespace {
 
-/** \brief Adds a symmetric matrix to sums of products, which Moments stores as the
- * upper triangle row by row. */
+/** \brief Adds a symmetric matrix to \ref Moments::products, which hold the upper
+ * triangle row by row. */
 void
 addUpper (const Eigen::Matrix3d& matrix, std::array<double, 6>& products)
 {
@@ -71,12 +71,12 @@ fitPlane (const Moments& moments)
   const Eigen::Matrix3d covariance = moments.covariance();
   internal::PrincipalAxes axes = internal::principalAxes (covariance);
   const Eigen::Vector3d& variances = axes.values;
-  // Rounding of the inputs (single precision) alone can give a line this much width.
+  // Relative to the length: single precision inputs give a line this much width.
   constexpr double smallest_width = 1e-5;
   if (!(variances[1] > smallest_width * smallest_width * variances[2]))
     return std::nullopt;
-  // Where the two smallest variances are equal, as of a ball or a rod, the closed form
-  // returns a zero normal: take any of the directions that would do.
+  // If the two smallest variances are equal, as for a ball or a rod, the closed form
+  // returns a zero normal: take any eigenvector of the smallest variance.
   if (axes.normal.isZero())
     axes.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> (covariance)
                       .eigenvectors()
@@ -117,8 +117,8 @@ orientationOf (const Eigen::Vector3d& normal,
 double
 slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up)
 {
-  // By sine and cosine: the sine alone is inaccurate near 90 degrees, the cosine near
-  // 0.
+  // Use sine and cosine: the sine alone is inaccurate near 90 degrees, the cosine alone
+  // near 0.
   return std::atan2 (normal.cross (up).norm(), std::abs (normal.dot (up)));
 }
 

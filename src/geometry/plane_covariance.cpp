@@ -14,11 +14,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** \brief Sums of (s, t, 1) h over the inliers in each square block of the plane. */
+/** \brief For each square block of the plane the sum of (s, t, 1) h over its inliers,
+ * with coordinates s and t in the plane and the height h over it. */
 using Blocks = std::map<std::pair<int, int>, Vector3d>;
 
-/** \brief Blocks have a side of an eighth of the root of the plane's area: far larger
- * than a sensor correlates the errors of neighbors, and still 64 of them. */
+/** \brief The side of a block is the root of the plane's area over this number. So
+ * there are some 64 blocks, far larger than the range of correlated sensor errors. */
 constexpr double blocks_per_side = 8.0;
 
 Blocks
@@ -52,7 +53,7 @@ independentPlaneCovariance (const PlaneSegment& plane)
     return std::nullopt;
   PlaneCovariance covariance;
   covariance.axes = internal::planeAxes (plane.normal);
-  // A^T A / n; s and t are taken from the centroid, so that their means are 0.
+  // The upper left of A^T A / n: s and t start at the centroid, so their means are 0.
   const Eigen::Matrix2d spread =
       covariance.axes.transpose() * plane.moments.covariance() * covariance.axes;
   const double rms = plane.rms();
@@ -73,7 +74,7 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   const double n = plane.moments.count;
   const Eigen::Matrix2d spread =
       covariance->axes.transpose() * plane.moments.covariance() * covariance->axes;
-  // The rectangle with these moments has the area 12 sqrt (det).
+  // A uniform rectangle with this covariance has the area 12 sqrt (det).
   const double area = 12.0 * std::sqrt (std::max (0.0, spread.determinant()));
   if (!(area > 0.0))
     return std::nullopt;
@@ -87,7 +88,7 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
     scatter += sum * sum.transpose();
   Matrix3d inverse = Matrix3d::Identity() / n;
   inverse.topLeftCorner<2, 2>() = spread.inverse() / n;
-  // Measured on planes of depth images that were matched over exact poses.
+  // Measured on planes of depth images that were matched by exact poses.
   constexpr double measured_factor = 1.7;
   covariance->matrix = measured_factor * measured_factor * number / (number - 3.0) *
                        inverse * scatter * inverse;

@@ -11,7 +11,7 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Matrices side by side: every loop below runs over them, as wide as the processor is.
+// Matrices are processed side by side: the loops over lanes are vectorized.
 constexpr std::size_t lanes = 8;
 using Lanes = std::array<double, lanes>;
 
@@ -23,12 +23,12 @@ struct Axes {
   Lanes x, y, z, smallest, middle, largest;
 };
 
-// The trace is one: the smallest of three can be no more.
+// The smallest of three eigenvalues whose sum, the trace, is 1 is at most this.
 constexpr double largest_smallest = 1.0 / 3.0;
 
-// Where Newton's method starts. Without its cubic term the polynomial has a root just
-// above, which for flat sets of points is near enough; zero is on the near side of all
-// roots, if far away.
+// Returns the start of Newton's method. Without its cubic term the polynomial has a
+// root just above the smallest one: for flat sets of points it is a good start.
+// Otherwise start at zero, which is below all roots but may be far away.
 inline double
 startOfRoot (double minors, double determinant)
 {
@@ -39,13 +39,13 @@ startOfRoot (double minors, double determinant)
   return is_below ? start : 0.0;
 }
 
-// Smallest roots of x^3 - x^2 + minors x - determinant.
+// Returns the smallest roots of x^3 - x^2 + minors x - determinant.
 inline Lanes
 smallestRoots (const Lanes& minors, const Lanes& determinant)
 {
   constexpr int max_steps = 60;
   constexpr double precision = 1e-13;
-  // Less steep it is a line's, whose two smallest roots are zero to within rounding.
+  // A smaller slope means a line: its two smallest roots are zero but for rounding.
   constexpr double min_slope = 1e-14;
   Lanes root;
   for (std::size_t i = 0; i < lanes; ++i)
@@ -86,8 +86,8 @@ struct LongestVector {
   }
 };
 
-// The unit vectors all rows of rank two matrices are perpendicular to: the longest of
-// the products of two rows; zero where the rows are parallel to within rounding.
+// Finds the unit null vectors of matrices of rank two: the longest cross product of two
+// rows, normalized; zero if the rows are parallel to within rounding.
 inline void
 findNormals (const SymmetricMatrices& m, Axes& axes)
 {

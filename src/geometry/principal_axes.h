@@ -8,22 +8,24 @@
 
 namespace pcl_ops::internal {
 
-/** \brief What a plane fit needs of a symmetric, positive semi-definite matrix. */
+/** \brief Eigenvalues and the smallest eigenvector of a symmetric, positive
+ * semi-definite matrix: all that a plane fit needs of a covariance. */
 struct PrincipalAxes {
-  /** \brief Unit eigenvector of the smallest eigenvalue; zero where that is no single
-   * direction (rank one or less). */
+  /** \brief Unit eigenvector of the smallest eigenvalue; zero if the two smallest
+   * eigenvalues are equal to within rounding, as then no single direction has it. */
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /** \brief Ascending eigenvalues. */
   Eigen::Vector3d values = Eigen::Vector3d::Zero();
 };
 
-/** \brief Principal axes of many matrices, several at a time.
+/** \brief Computes the principal axes of many matrices, several at a time.
  *
- * Closed form but for the smallest eigenvalue, which Newton's method finds from a
- * start near it: the characteristic polynomial is concave there, so that from the
- * second step on it comes from below and cannot overshoot. For the flat sets of
- * interest two or three steps suffice.
- * \param[out] axes zero for a matrix without a positive trace */
+ * The smallest eigenvalue comes from Newton's method, the rest is in closed form.
+ * Newton's method starts near the smallest root of the characteristic polynomial, which
+ * is concave there: after the first step it approaches the root from below and cannot
+ * overshoot. For flat sets of points two or three steps suffice.
+ * \param[out] axes one for each matrix; all zero for a matrix without a positive trace
+ */
 void
 principalAxes (const Eigen::Matrix3d* matrices,
                std::size_t number,

@@ -7,21 +7,23 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Sorted values as a lower and an upper group. */
+/** \brief A division of sorted values into a lower and an upper group. */
 struct TwoGroups {
+  /** \brief Position of the first value of the upper group. */
   std::size_t first_above = 0;
-  double apart = 0.0; // distance of the means of both
-  /** \brief Sum of squares of these means about the mean of all, as a share of that of
-   * the values: 1 where each group is a single value. The best division of a normal
-   * distribution has .64, of an even one .75. */
+  double apart = 0.0; // distance between the means of both groups
+  /** \brief Between-group sum of squares over the total sum of squares: 1 if the values
+   * of each group are equal. The best division of a normal distribution has .64, that
+   * of a uniform distribution .75. */
   double explained_share = 0.0;
 };
 
-/** \brief The division that explains most (N. Otsu, "A Threshold Selection Method from
- * Gray-Level Histograms", IEEE Trans. Systems, Man, and Cybernetics, 1979).
- * \param[in] sorted rising values
- * \param[in] min_of_group values that a group has at least, 1 or more; all zero without
- * a division that has so many */
+/** \brief Finds the division with the largest explained share (N. Otsu, "A Threshold
+ * Selection Method from Gray-Level Histograms", IEEE Trans. Systems, Man, and
+ * Cybernetics, 1979).
+ * \param[in] sorted values in ascending order
+ * \param[in] min_of_group smallest number of values in a group, 1 or more
+ * \return all members 0 if the values are equal or too few for two groups */
 TwoGroups
 bestTwoGroups (const std::vector<double>& sorted, std::size_t min_of_group = 1);
 

@@ -12,8 +12,8 @@ namespace {
 using Index = Eigen::Index;
 constexpr Index none = -1;
 
-/** Pairs of the rows added so far, and the prices that prove them to be the best: the
- * reduced cost is zero for each pair and nowhere below. */
+/** The assigned pairs of the rows added so far, and prices (dual variables) that prove
+ * them optimal: the reduced cost is zero for each pair and never negative. */
 struct Assignment {
   explicit Assignment (const Eigen::MatrixXd& all_benefits)
   : benefit (all_benefits)
@@ -41,11 +41,11 @@ struct Assignment {
   const Eigen::MatrixXd& benefit;
   Eigen::VectorXd row_price;
   Eigen::VectorXd column_price;
-  /** Of each column the row it is paired with, or none. */
+  /** For each column the row assigned to it, or none. */
   std::vector<Index> row_of;
 };
 
-/** The cheapest alternating paths from a row without a column to columns (Dijkstra). */
+/** Shortest alternating paths from an unassigned row to all columns (Dijkstra). */
 struct PathTree {
   explicit PathTree (Index columns)
   : length (
@@ -65,14 +65,14 @@ struct PathTree {
   }
 
   Eigen::VectorXd length;
-  /** Of each column the one before it on its path; none for those next to the row. */
+  /** For each column the column before it on its path; none for the first column. */
   std::vector<Index> previous;
   std::vector<bool> is_settled;
   /** The columns whose paths are final. */
   std::vector<Index> settled = {};
 };
 
-/** Takes the paths one row further, which is at the end of \p last_column's. */
+/** Extends the paths by the edges of \p row, the end of the path to \p last_column. */
 void
 relaxColumns (const Assignment& assignment,
               Index row,
@@ -91,7 +91,8 @@ relaxColumns (const Assignment& assignment,
   }
 }
 
-/** Grows the tree from a row to the nearest column that has none. */
+/** Grows the tree from a row until it reaches the nearest unassigned column; returns
+ * this column. */
 Index
 findFreeColumn (const Assignment& assignment, Index start_row, PathTree& tree)
 {
@@ -107,8 +108,8 @@ findFreeColumn (const Assignment& assignment, Index start_row, PathTree& tree)
   return column;
 }
 
-/** Gives each column on the path to \p end the row of the one before it, and the first
- * the new row. */
+/** Augments along the path to \p end: each column takes the row of the column before
+ * it, and the first column takes the new row. */
 void
 shiftPairs (Assignment& assignment, const PathTree& tree, Index end, Index new_row)
 {

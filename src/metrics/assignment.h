@@ -6,10 +6,10 @@
 
 namespace pcl_ops::evaluation {
 
-/** The largest sum of benefits of a pairing of rows with columns, each used at most
- * once: the Hungarian method by shortest augmenting paths (Kuhn 1955; Jonker &
- * Volgenant 1987), O(rows^2 columns).
- * \param[in] benefit from 0, no more rows than columns */
+/** Returns the largest sum of benefits over all one-to-one assignments of rows to
+ * columns. This is the Hungarian method by shortest augmenting paths (Kuhn 1955; Jonker
+ * & Volgenant 1987), O(rows^2 columns).
+ * \param[in] benefit values from 0 on; no more rows than columns */
 double
 maximumAssignment (const Eigen::MatrixXd& benefit);
 

@@ -25,12 +25,12 @@ fraction (std::size_t part, std::size_t whole, double of_nothing)
   return whole == 0 ? of_nothing : double (part) / double (whole);
 }
 
-/** Of the one-to-one assignment of planes that has most points in common (the paper's
- * Hungarian assignment, section IV). */
+/** Returns the number of common points under the one-to-one assignment of planes that
+ * maximizes it (the paper's Hungarian assignment, section IV). */
 std::size_t
 pointsOfAssignment (const Confusion& confusion)
 {
-  // 0.8 GB of matrix; no cloud has that many planes, only a wrong label field does.
+  // A matrix of 0.8 GB. Only a wrong label field has so many labels, no real cloud.
   constexpr std::size_t max_plane_pairs = 100'000'000;
   const std::size_t rows = confusion.truth.size();
   const std::size_t columns = confusion.result.size();
@@ -45,7 +45,8 @@ pointsOfAssignment (const Confusion& confusion)
       rows > columns ? Eigen::MatrixXd (common.transpose()) : common));
 }
 
-/** Other is the class of no plane, and where the points of a label span none. */
+/** Returns the share of points whose class is the same on both sides. Points on no
+ * plane, or whose label spans no plane, have the class Other. */
 double
 classificationAccuracy (const Confusion& confusion,
                         const std::vector<PlaneSegment>& truth,
@@ -63,7 +64,7 @@ classificationAccuracy (const Confusion& confusion,
   return fraction (right, points, 1.0);
 }
 
-/** What is said about each plane of one side. */
+/** Marks for each plane of one side, truth or result. */
 struct Verdicts {
   Verdicts (const PlaneIds& planes_of_side, std::uint32_t Overlap::*id_in_overlap)
   : planes (planes_of_side)
@@ -86,14 +87,14 @@ struct Verdicts {
   const PlaneIds& planes;
   std::uint32_t Overlap::*id;
   std::vector<bool> matched;
-  /** Broken up (a true plane) or swallowing several (a found one). */
+  /** A true plane that is over-segmented, or a found plane that covers several. */
   std::vector<bool> split;
-  /** A part of the other side's split plane. */
+  /** A part of a split plane of the other side. */
   std::vector<bool> part;
 };
 
-/** Marks planes of \p wholes on which two or more planes of the other side lie, and
- * which they together cover, both by the threshold. */
+/** Marks a plane of \p wholes as split if at least two planes of the other side lie on
+ * it and together cover it. Both mean at least a share \p threshold of the points. */
 void
 markSplits (const Confusion& confusion,
             double threshold,
@@ -125,8 +126,8 @@ struct Matching {
   double iou_sum = 0.0;
 };
 
-/** Matches pairs with an IoU from a threshold on, the largest first. At more than one
- * half no plane has two candidates. */
+/** Matches planes one to one with an IoU of at least \p threshold, the largest IoU
+ * first. With an IoU above one half no plane has two candidates. */
 Matching
 matchPlanes (const Confusion& confusion, double threshold)
 {
@@ -160,7 +161,7 @@ countOf (const std::vector<bool>& marks)
   return std::size_t (std::count (marks.begin(), marks.end(), true));
 }
 
-/** The metrics of planes as instances. */
+/** Returns the instance segmentation metrics of planes. */
 NamedValues
 instanceMetrics (const Matching& matching)
 {
@@ -185,12 +186,12 @@ instanceMetrics (const Matching& matching)
           {"missed", fraction (truth.unexplained(), truth_planes, 0)}};
 }
 
-// Without a destructor: threads of Python may still compare while the program ends.
+// An array has no destructor to run: Python threads may still compare at program exit.
 using ClassLimits = std::array<double, 5>;
 constexpr ClassLimits point_limits{200, 500, 1000, 3000, 10'000};
 constexpr ClassLimits width_limits{0.03, 0.06, 0.12, 0.25, 1.0}; // [m]
 
-/** Classes between limits and beyond them, without a plane. */
+/** Returns empty classes: below the first limit, between limits and above the last. */
 SizeClasses
 emptyClasses (const ClassLimits& limits)
 {
@@ -232,7 +233,7 @@ knownOf (const pcl::Indices& points, const std::vector<char>& is_ignored)
   return known;
 }
 
-/** Without the found planes of which less than half is known. */
+/** Removes found planes if the truth is known for less than half of their points. */
 PlaneLabels
 planesKnown (PlaneLabels result, const std::vector<char>& is_ignored)
 {
@@ -254,7 +255,7 @@ planesKnown (PlaneLabels result, const std::vector<char>& is_ignored)
 std::vector<double>
 widthsOf (const std::vector<PlaneSegment>& planes)
 {
-  constexpr double squared_side_over_variance = 12.0; // of an even spread
+  constexpr double squared_side_over_variance = 12.0; // of a uniform distribution
   std::vector<double> widths;
   for (const PlaneSegment& plane : planes) {
     const std::optional<PlaneFit> fit = fitPlane (plane.moments);

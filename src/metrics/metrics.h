@@ -18,25 +18,25 @@ namespace pcl_ops::evaluation {
 using Eigen::Vector3d;
 using XyzCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** Of each point of a cloud; 0: on no plane. */
+/** The plane label of each point of a cloud; 0: on no plane. */
 using PlaneLabels = std::vector<std::uint32_t>;
 
-/** Labels 1 .. P of the points of disjoint planes. */
+/** Returns labels 1 .. P for the points of P disjoint planes, and 0 for all others. */
 PlaneLabels
 labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points);
 
-/** Of the points that have coordinates. */
+/** Returns the indices of the points with finite coordinates. */
 pcl::Indices
 finitePointsOf (const XyzCloud& cloud);
 
 PlaneLabels
 selectLabels (const PlaneLabels& labels, const pcl::Indices& points);
 
-/** Labels renumbered without gaps, so that a plane is an index into a vector. */
+/** Labels renumbered without gaps to ids 0 .. P - 1, so that ids index vectors. */
 struct PlaneIds {
-  std::vector<std::uint32_t> label; // of each plane: those in use, ascending, without 0
-  std::vector<std::size_t> points;  // number of those of each plane
-  std::vector<std::uint32_t> of_point; // the plane of each; none for label 0
+  std::vector<std::uint32_t> label; // of each plane: the labels in use but 0, ascending
+  std::vector<std::size_t> points;  // number of points of each plane
+  std::vector<std::uint32_t> of_point; // id of each point's plane; none for label 0
 
   static constexpr std::uint32_t none = ~std::uint32_t (0);
 
@@ -50,11 +50,12 @@ struct PlaneIds {
 PlaneIds
 planeIds (const PlaneLabels& labels);
 
-/** The paper's "small planes, with under 50 points, are labeled as other" (IV-A). */
+/** Sets labels with fewer than \p min_points points to 0. The paper: "small planes,
+ * with under 50 points, are labeled as other" (IV-A). */
 void
 dropSmallPlanes (PlaneLabels& labels, std::size_t min_points);
 
-/** Adds a point in the frame of the origin of the moments. */
+/** Adds a point to moments. The point is in the frame of Moments::origin. */
 inline void
 addTo (Moments& moments, const Vector3d& point)
 {
@@ -62,27 +63,29 @@ addTo (Moments& moments, const Vector3d& point)
   moments.add (local.x(), local.y(), local.z());
 }
 
-/** How planes are divided into the paper's three classes. */
+/** Parameters for classifying planes into the paper's three orientations. */
 struct ClassParameters {
-  Vector3d up = Vector3d::UnitZ();          // against gravity, of length 1
+  Vector3d up = Vector3d::UnitZ();          // unit vector against gravity
   double tolerance = paper_angle_tolerance; // [rad]
 };
 
-/** Least squares through all finite points of a label, normals to the sensor's side;
- * class Other where they span no plane. */
+/** Fits a least squares plane to all points of each label. Normals point to the
+ * sensor's side. If the points of a label span no plane, its class is Other.
+ * \param[in] cloud its points with a label must be finite */
 std::vector<PlaneSegment>
 planesOf (const XyzCloud& cloud, const PlaneIds& ids, const ClassParameters& classes);
 
-/** What a true plane and a found plane have in common. */
+/** Number of common points of a true plane and a found plane (ids). */
 struct Overlap {
   std::uint32_t truth, result;
   std::size_t points;
 };
 
-/** How two labelings of the same points meet: only pairs that do are stored. */
+/** Sparse confusion matrix of two labelings of the same points: only pairs of planes
+ * with common points are stored. */
 struct Confusion {
   PlaneIds truth, result;
-  /** By truth, then by result. */
+  /** Sorted by truth, then by result. */
   std::vector<Overlap> overlaps = {};
   std::size_t points_on_no_plane_in_both = 0;
   /** Points on no true plane. */
@@ -103,11 +106,11 @@ confusionOf (const PlaneLabels& truth, const PlaneLabels& result);
 
 using NamedValues = std::vector<std::pair<std::string, double>>;
 
-/** True planes of about the same size, a number of points or a width [m], and how many
- * are matched at an intersection over union of 0.5 and of 0.75. */
+/** True planes of similar size, a number of points or a width [m], and how many of them
+ * are matched at an intersection over union (IoU) of 0.5 and of 0.75. */
 struct SizeClass {
   double from = 0.0;
-  std::optional<double> below = std::nullopt; // none for the largest
+  std::optional<double> below = std::nullopt; // no limit for the largest class
   std::size_t planes = 0, found_50 = 0, found_75 = 0;
 };
 
@@ -116,26 +119,26 @@ using SizeClasses = std::vector<SizeClass>;
 
 struct Metrics {
   std::size_t points = 0, truth_planes = 0, result_planes = 0;
-  /** Under their published names, in order, which the page on accuracy defines: three
-   * accuracies, then metrics of planes as instances at an intersection over union of
-   * 0.5 and, with suffix _75, at 0.75. Where both sides have no plane the result is
-   * perfect, where one has none it has found nothing. Then the points on no true plane
-   * that the result has on one / such points, and \ref partitionMetrics. */
+  /** Metrics under their published names; the page on accuracy defines them. In order:
+   * three accuracies; instance metrics of planes at an intersection over union of 0.5
+   * and, with suffix _75, at 0.75; the share of points off all true planes that the
+   * result has on a plane; \ref partitionMetrics. If neither side has a plane, the
+   * result is perfect. If only one side has planes, precision and recall are 0. */
   NamedValues named = {};
-  /** By number of points. */
+  /** True planes by number of points. */
   SizeClasses by_size = {};
-  /** The width is the smaller side of the rectangle whose points, spread evenly, have
-   * the variance of the plane's along its second axis, sqrt (12 variance); 0 where the
-   * points span no plane. A plane that is partly hidden is as wide as what is seen of
-   * it. */
+  /** True planes by width, the smaller side of a rectangle of evenly spread points with
+   * the plane's variance along its second axis: sqrt (12 variance); 0 if the points
+   * span no plane. Only the visible part of a plane counts. */
   SizeClasses by_width = {};
 };
 
-/** Points without finite coordinates do not count, nor those whose truth is unknown; a
- * found plane counts if at least half of its points are known.
- * \param[in] is_ignored of each point, whether its truth is unknown; empty: none
+/** Computes all metrics of a result against the true labels. Points with non-finite
+ * coordinates or unknown truth do not count. A found plane counts if the truth is known
+ * for at least half of its points.
+ * \param[in] is_ignored for each point, whether its truth is unknown; empty: all known
  * \throw std::invalid_argument if the sizes differ
- * \throw std::length_error for more labels than any segmentation into planes has */
+ * \throw std::length_error for more than 10^8 pairs of a true and a found label */
 Metrics
 compareLabels (const XyzCloud& cloud,
                const PlaneLabels& truth,
@@ -143,7 +146,8 @@ compareLabels (const XyzCloud& cloud,
                const ClassParameters& parameters = {},
                const std::vector<char>& is_ignored = {});
 
-/** Of \ref SizeClasses by their published names, "found_75_by_width_below_0.03". */
+/** Returns the counts of all \ref SizeClasses under their published names, as
+ * "found_75_by_width_below_0.03". */
 NamedValues
 namedCounts (const Metrics& metrics);
 

@@ -10,10 +10,10 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Points in common of each true plane (rows) with each part of the result (columns),
- * of which the last has the points that are on no found plane. */
+/** Numbers of points that true planes have in common with parts of the result. The last
+ * part of the result has the points that are on no found plane. */
 struct CommonPoints {
-  std::vector<double> of_truth, of_result; // points of each part
+  std::vector<double> of_truth, of_result; // number of points of each part
   std::vector<Overlap> pairs;
   double all = 0.0;
 };
@@ -52,7 +52,7 @@ variationOfInformation (const CommonPoints& common)
   return std::max (0.0, bits / common.all);
 }
 
-/** \brief In either order. */
+/** Number of ordered pairs of different points. */
 double
 pairsOf (double points)
 {

@@ -17,16 +17,16 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Where depth is quantized nearly all small neighborhoods lie within one level:
-// whatever the surface, they are flat with one common normal, the direction of depth.
-// Along it the coordinates of points form narrow groups, the levels. A wall alone has
-// one normal, too, but one level; a CAD model has levels, but several normals.
+// If depth is quantized, nearly all small neighborhoods lie within one level. They are
+// flat, whatever the surface, and have a common normal, the direction of depth. Along
+// it the coordinates of points form narrow groups, the levels. A single wall has one
+// normal, too, but only one level; a CAD model has levels, but several normals.
 
-// Fewer points have no levels that would matter.
+// Clouds with fewer points, or fewer levels, are taken to have no levels.
 constexpr std::size_t min_points_on_levels = 2000;
 constexpr std::size_t min_levels = 12;
 
-/** \brief The plane through the nearest points of a point. */
+/** \brief The plane fit to the nearest points of a point. */
 struct FlatPlace {
   Eigen::Vector3d normal;
   Eigen::Vector3d point;
@@ -34,7 +34,8 @@ struct FlatPlace {
   double rms;   // of their distances to the plane [m]
 };
 
-// So many nearest points of one, itself first.
+// Returns a number of nearest points, the query itself first.
+// \param[in] position of the query in PointTree::order
 std::vector<Eigen::Vector3d>
 pointsAround (const Coordinates& points,
               const PointTree& tree,
@@ -67,9 +68,9 @@ flatPlaceOf (const std::vector<Eigen::Vector3d>& nearest)
           std::sqrt (std::max (0.0, axes.values[0]))};
 }
 
-// Takes the normal from more points on the same plane. Where coordinates were rounded
-// the normal of few points leans by degrees, and the direction of dense levels would
-// stay .1 degrees off the one in which they are sharpest.
+// Refits the normal of a flat place to more nearest points that lie on its plane. If
+// coordinates were rounded, the normal of few points is off by degrees: the direction
+// of dense levels would stay .1 degrees off the one in which they are sharpest.
 void
 straighten (const std::vector<Eigen::Vector3d>& nearest, FlatPlace& place)
 {
@@ -82,9 +83,9 @@ straighten (const std::vector<Eigen::Vector3d>& nearest, FlatPlace& place)
     place.normal = flatPlaceOf (on_plane).normal;
 }
 
-// The flattest tenth of some neighborhoods, spread over the cloud; none if that is not
-// flat. Those of levels are exactly flat, or nearly so where coordinates were rounded
-// later.
+// Returns the flattest tenth of 2000 neighborhoods spread over the cloud, and all
+// exactly flat ones; empty if this tenth is not flat. Neighborhoods on levels are
+// exactly flat, or nearly so if coordinates were rounded later.
 std::vector<FlatPlace>
 flattestPlaces (const Coordinates& points, const PointTree& tree)
 {
@@ -92,7 +93,7 @@ flattestPlaces (const Coordinates& points, const PointTree& tree)
   constexpr std::size_t wanted = tried / 10;
   constexpr std::size_t neighbors = 17; // the point itself included
   constexpr std::size_t more_neighbors = 100;
-  // Rms distance to the plane over the width.
+  // Both thicknesses are the rms distance to the plane over the width.
   constexpr double exact_thickness = 0.005;
   constexpr double max_thickness = 0.06;
   const auto positionOf = [&] (std::size_t k) { return k * points.size() / tried; };
@@ -107,7 +108,7 @@ flattestPlaces (const Coordinates& points, const PointTree& tree)
   if (by_thickness.size() < wanted)
     return {};
   std::sort (by_thickness.begin(), by_thickness.end());
-  // Of exact places all, as the faces of a CAD model have several directions.
+  // Keep all exact places: the faces of a CAD model must show their several normals.
   const double limit = std::max (exact_thickness, by_thickness[wanted - 1].first);
   if (limit >= max_thickness)
     return {};
@@ -123,12 +124,12 @@ flattestPlaces (const Coordinates& points, const PointTree& tree)
   return flattest;
 }
 
-// The direction that most of the normals nearly have, up to the sign; zero if there is
-// none, as in CAD models, whose faces have several.
+// Returns the mean direction of the largest group of similar normals, up to the sign;
+// zero if fewer than 80 % are in it, as for the faces of CAD models.
 Eigen::Vector3d
 commonDirection (const std::vector<FlatPlace>& places)
 {
-  constexpr std::size_t tried = 100; // normals, each with all others around it
+  constexpr std::size_t tried = 100; // normals as the center of a group
   constexpr double min_share = 0.8;
   const double min_cosine = std::cos (3.0 * M_PI / 180.0);
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -155,9 +156,9 @@ commonDirection (const std::vector<FlatPlace>& places)
   return direction;
 }
 
-// How blurred the levels of some points are along a direction: the sum of the roots of
-// the gaps between their offsets along it, sorted. Where levels are exactly at right
-// angles to the direction most gaps are zero.
+// Measures how blurred levels are along a direction: sorts the offsets of points along
+// it and sums the square roots of the gaps between them. If levels are exactly
+// perpendicular to the direction, most gaps are zero.
 double
 blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction)
 {
@@ -172,14 +173,14 @@ blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direc
   return sum;
 }
 
-// The direction nearby along which levels are least blurred, by smaller and smaller
-// turns to four sides. Normals of rounded coordinates are wrong by tenths of a degree,
-// and levels of a room are meters wide.
+// Searches near a direction for the one along which levels are least blurred: pattern
+// search with ever smaller rotations to four sides. The start is off by tenths of a
+// degree if coordinates were rounded, too much for levels that are meters wide.
 Eigen::Vector3d
 sharpened (const Coordinates& points, Eigen::Vector3d direction)
 {
   constexpr std::size_t looked_at = 4000;
-  constexpr int max_moves = 8; // with turns of each size
+  constexpr int max_moves = 8; // for each angle
   std::vector<Eigen::Vector3d> some;
   for (std::size_t s = 0; s < looked_at; ++s)
     some.push_back (points[s * points.size() / looked_at]);
@@ -211,7 +212,7 @@ struct DepthLevel {
   std::size_t points;
 };
 
-// Divides sorted offsets into levels, at gaps larger than max_gap [m].
+// Divides sorted offsets [m] into levels at gaps larger than max_gap [m].
 std::vector<DepthLevel>
 levelsOf (const std::vector<double>& sorted, double max_gap)
 {
@@ -232,7 +233,8 @@ middleOf (const DepthLevel& level)
   return 0.5 * (level.begin + level.end);
 }
 
-// The median distance from level to level around one [m].
+// Returns the median distance between adjacent levels around a level [m]; at least two
+// levels are needed.
 double
 stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
 {
@@ -242,15 +244,15 @@ stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
   std::vector<double> steps;
   for (std::size_t k = first; k < last; ++k)
     steps.push_back (middleOf (levels[k + 1]) - middleOf (levels[k]));
-  // The lower one of two: the last level may be a wall far behind all others.
+  // The lower of two middle values: the last level may be a wall far behind the others.
   const std::size_t middle = (steps.size() - 1) / 2;
   std::nth_element (
       steps.begin(), steps.begin() + static_cast<std::ptrdiff_t> (middle), steps.end());
   return steps[middle];
 }
 
-// Whether enough levels have a tenth of the mean number of points or more: a floor and
-// the legs of chairs, far fewer points each, are no levels.
+// Whether at least min_levels levels have a tenth of the mean number of points of a
+// level or more. A floor and the legs of chairs, with far fewer points, do not.
 bool
 areMany (const std::vector<DepthLevel>& levels, std::size_t points)
 {
@@ -262,13 +264,13 @@ areMany (const std::vector<DepthLevel>& levels, std::size_t points)
   return counted >= static_cast<std::ptrdiff_t> (min_levels);
 }
 
-// The share of the points that are on thin levels, those that are thin for their
-// distance to the next ones; 0 if there are too few levels, or too few points for each.
+// Returns the share of the points on thin levels: levels that are thin for their
+// distance to adjacent ones; 0 if there are too few levels or too few points per level.
 double
 shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
 {
   constexpr std::size_t min_points_of_level = 50; // in the mean
-  constexpr double max_thickness = 0.3;           // over the distance
+  constexpr double max_thickness = 0.3;           // over stepAt
   if (levels.size() * min_points_of_level > points || !areMany (levels, points))
     return 0.0;
   std::size_t thin = 0;
@@ -278,16 +280,15 @@ shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
   return static_cast<double> (thin) / static_cast<double> (points);
 }
 
-// The division of sorted offsets into levels with the largest share of points on thin
-// ones; empty if no share is large. Several gaps are tried: levels of coordinates that
-// were rounded or jittered have some thickness, and a gap that is too small would cut
-// each into several.
+// Returns the division of sorted offsets into levels with the largest share of points
+// on thin levels; empty if no share exceeds 80 %. Tries several gaps: levels of rounded
+// or jittered coordinates have some thickness, and a too small gap would cut them up.
 std::vector<DepthLevel>
 findLevels (const std::vector<double>& sorted)
 {
   constexpr double min_share = 0.8;
   constexpr double smallest_gap = 1e-6; // of the range
-  constexpr int gaps = 14;              // each twice the one before
+  constexpr int gaps = 14;              // each twice the last one
   const double range = sorted.back() - sorted.front();
   double largest_share = min_share;
   std::vector<DepthLevel> best_levels;
@@ -303,7 +304,8 @@ findLevels (const std::vector<double>& sorted)
   return best_levels;
 }
 
-// The number of the level that an offset is on; between two, of the lower one.
+// Returns the number of the level of an offset; between two levels, that of the lower
+// one. The offset must not be below the first level.
 std::size_t
 levelOf (const std::vector<DepthLevel>& levels, double offset)
 {
@@ -314,8 +316,8 @@ levelOf (const std::vector<DepthLevel>& levels, double offset)
   return static_cast<std::size_t> (above - levels.begin()) - 1;
 }
 
-// Whether flat places are on several levels. If they are on one, that is an exact wall,
-// and the other levels may be the rows of a grid of points.
+// Whether the flat places are on several levels. If they are all on one level, it is an
+// exact wall, and the other levels may be the rows of a grid of points.
 bool
 areSeenFlat (const std::vector<DepthLevel>& levels,
              const std::vector<FlatPlace>& places,

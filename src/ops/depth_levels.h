@@ -9,19 +9,20 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The levels of a quantized depth, as depth cameras have: parallel planes that
- * all points lie on, or near to if coordinates were rounded later. */
+/** \brief The levels of quantized depth, as from depth cameras: parallel planes that
+ * contain all points, or nearly so if coordinates were rounded later. */
 struct DepthLevels {
-  /** \brief The common normal of the levels, of length 1; zero where there are none. */
+  /** \brief The common unit normal of the levels; zero if the cloud has no levels. */
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  /** \brief For each point how far its level is from the next ones [m]; empty where
-   * there are no levels. What was measured may be anywhere within that step: its
-   * variance along the direction is step^2 / 12. */
+  /** \brief For each point the distance from its level to the adjacent ones [m]; empty
+   * if the cloud has no levels. The true depth may be anywhere within this step:
+   * quantization has a variance of step^2 / 12 along the direction. */
   std::vector<float> step;
 };
 
-/** \brief Looks for levels in any direction, as a cloud may have been turned.
- * \param[in] tree of the same points */
+/** \brief Searches for levels in any direction, as the cloud may have been rotated.
+ * \param[in] tree k-d tree of \p points
+ * \return empty if none are found, always for fewer than 2000 points */
 DepthLevels
 findDepthLevels (const Coordinates& points, const PointTree& tree);
 

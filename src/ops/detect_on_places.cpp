@@ -22,25 +22,25 @@ detectOnPlaces (const Points& points,
   const unsigned threads = parameters.threads;
   LabelledPlanes found;
   StageClock clock;
-  // each place once, in an order that does not depend on the order of the points
+  // the distinct points, in an order that does not depend on that of the input
   const DistinctPlaces distinct = distinctPlaces (points, threads);
   if (distinct.size() < least_places || drawsNothing (parameters, points.size())) {
     found.labels.assign (points.size(), no_plane);
     return found;
   }
   const StageReports report (parameters.on_stage, distinct.of_input);
-  // the k nearest points of each, and larger supports
+  // the k nearest points of each place, and larger supports
   const Places places =
       describePlaces (distinct, neighborsOf (parameters, distinct.size()), threads);
   report (Stage::Density, places.density);
   clock.lap (times.search);
-  // normals n_i, of the largest supports that the noise explains
+  // normals n_i, from the largest supports that the noise explains
   const PlaceNoise noise = noiseOfPlaces (places, parameters.noise_of_whole, threads);
   report (Stage::Noise, noise.of_place);
   const ChosenSupports chosen = chooseSupports (places, noise, threads);
   report (Stage::Supports, chosen.width, chosen.is_flat);
   clock.lap (times.normals);
-  // planes Pi: regions grow from the flattest places on
+  // planes Pi: regions grow, the flattest seeds first
   Regions regions = growRegions (places, noise, chosen, parameters.distance_threshold);
   report (Stage::Regions, regions.of_place);
   clock.lap (times.extraction);
@@ -53,7 +53,7 @@ detectOnPlaces (const Points& points,
       places, noise, chosen, regions, minPointsFactor (parameters), threads);
   report (Stage::Planes, regions.of_place, is_plane);
   clock.lap (times.merging);
-  // every point of the cloud to a plane or to none
+  // assign each point of the cloud to a plane or to none
   found =
       planesOfRegions (points, distinct, places, noise, regions, is_plane, parameters);
   found.planes_before_merging = regions.list.size();

@@ -7,20 +7,21 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The default: planes from the neighborhoods of places, which are the distinct
- * points. It uses no grid of voxels, so that planes stay the same where the cloud is
- * moved or turned, and nearly the same where points are left out.
- * OrientedPointSamplingParameters::on_stage gets the results of all stages but the
- * last, with a value for each of \p points. */
+/** \brief Detects planes from the neighborhoods of places (distinct points); this is
+ * the default. No voxel grid divides space: the planes stay the same if the cloud is
+ * moved or rotated, and nearly the same if points are missing.
+ * OrientedPointSamplingParameters::on_stage gets the results of all stages except
+ * Stage::Labels, with a value for each of \p points. */
 LabelledPlanes
 detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,
                 StageDurations& times);
 
-/** \brief Measures the noise of a cloud. Where it cannot tell, as of few points,
- * CloudNoise::points of the result is 0.
- * \param[in] points all of the cloud, or all of some of its parts
- * \param[in] points_of_whole how many the cloud has, if they are of parts; else 0 */
+/** \brief Measures the noise of a cloud.
+ * \param[in] points all points of the cloud, or all points of some parts of it
+ * \param[in] points_of_whole number of points of the cloud if \p points are those of
+ * parts; else 0
+ * \return CloudNoise::points is 0 for fewer than least_places distinct points */
 CloudNoise
 noiseOfCloud (const Points& points,
               const OrientedPointSamplingParameters& parameters,

@@ -14,7 +14,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// The level of a place that has no settled support.
+// Stands for the settled level of a place without a settled support.
 constexpr int no_level = -1;
 
 bool
@@ -23,9 +23,10 @@ isExactSupport (const Support& support)
   return !(support.scatter > place_constants.max_exact * support.width);
 }
 
-// The level of the largest settled support of a place. The first settled one is flat
-// and scatters by hardly more than the one before; larger ones are settled, too, until
-// they scatter by so much more than the first that the surface bends.
+// Returns the level of the largest settled support of a place, or no_level. The first
+// settled support is flat and scatters by little more than that of the level before.
+// Larger ones are settled, too, until they scatter by much more than the first: there
+// the surface bends.
 int
 settledLevelOf (const Places& places, std::size_t place)
 {
@@ -48,10 +49,10 @@ settledLevelOf (const Places& places, std::size_t place)
   return settled;
 }
 
-// For each level, by how much the scatter of supports grows from there until they are
-// settled: the lower quartile over the places with settled supports. Places of one
-// sensor grow alike; those of hills and woods do not, and most of the flat ones among
-// them not at all.
+// Returns for each level the factor from the scatter of a support to that of a settled
+// one: the lower quartile over the places with settled supports. The factors of places
+// from one sensor are alike. On hills and in woods they differ, and most flat places
+// there have a factor of 1.
 std::vector<double>
 growthOf (const Places& places, const std::vector<int>& settled_level)
 {
@@ -68,7 +69,7 @@ growthOf (const Places& places, const std::vector<int>& settled_level)
                     (places.supports[level][i].scatter + least_noise)
               : 1.0F);
   }
-  // The fewer the places, the nearer to 1, no growth.
+  // The fewer places tell the growth, the closer to 1 (no growth) it is set.
   const double share =
       static_cast<double> (growth[0].size()) / static_cast<double> (places.size());
   const double weight = std::min (1.0, share / place_constants.share_of_level_places);
@@ -80,15 +81,15 @@ growthOf (const Places& places, const std::vector<int>& settled_level)
   return of_level;
 }
 
-// How many neighboring points err as one. If nu do, the variance of n points of a flat
-// patch about their own plane, of three parameters, is 1 - 3 nu / n of that of the
-// patch: so nu follows from the growth of the smallest supports in which this share
-// tells.
+// Returns nu, how many neighboring points err as one. The variance of n points of a
+// flat patch about their own plane fit, with three parameters, is 1 - 3 nu / n times
+// that of the patch. So nu follows from the growth of the smallest supports for which
+// this factor is above least_share.
 double
 commonErrors (const Places& places, const std::vector<double>& growth)
 {
   constexpr double parameters_of_plane = 3.0;
-  constexpr double least_share = 0.3; // else all points nearly err as one
+  constexpr double least_share = 0.3; // below, nearly all points err as one
   for (std::size_t level = 0; level < growth.size(); ++level) {
     const double share = 1.0 / (growth[level] * growth[level]);
     if (share > least_share)
@@ -98,8 +99,9 @@ commonErrors (const Places& places, const std::vector<double>& growth)
   return 1.0;
 }
 
-// The least noise that any support of a place speaks for: its scatter, times what that
-// grows by until supports are settled. Of what bends larger supports say too much.
+// Returns for each place the smallest noise [m] that its supports suggest: the scatter
+// of a support times its growth up to settled supports. Takes the smallest, as large
+// supports overestimate the noise of surfaces that bend.
 std::vector<float>
 leastScatter (const Places& places,
               const std::vector<int>& settled_level,
@@ -119,8 +121,8 @@ leastScatter (const Places& places,
   return scatter;
 }
 
-// The geometric mean over a place and eight of its neighbors, spread over their
-// distances; of fewer than eight some count twice.
+// Returns the geometric mean of the noise over each place and eight of its neighbors,
+// near and far ones; if it has fewer than eight, some count twice.
 std::vector<float>
 smoothed (const Places& places, const std::vector<float>& noise, unsigned threads)
 {
@@ -139,8 +141,9 @@ smoothed (const Places& places, const std::vector<float>& noise, unsigned thread
   return mean;
 }
 
-// Whether a place has a flat support on the first so many levels, the smallest of which
-// is not exact.
+// Whether a place has a flat support on the first levels, and the smallest flat one is
+// not exact.
+// \param[in] levels how many levels to look at
 bool
 tellsNoise (const Places& places, std::size_t place, std::size_t levels)
 {
@@ -150,7 +153,7 @@ tellsNoise (const Places& places, std::size_t place, std::size_t levels)
   return false;
 }
 
-// Sets what noise is usual by density, from the places that tell it.
+// Sets the usual noise by density from the places that tell their noise.
 void
 findUsual (const Places& places, const std::vector<float>& noise, CloudNoise& cloud)
 {
@@ -173,8 +176,8 @@ findUsual (const Places& places, const std::vector<float>& noise, CloudNoise& cl
   setUsualNoise (density, telling, cloud);
 }
 
-// Keeps the noise of each place near what is usual where points are as dense: leaves
-// and edges scatter by more, and some places by chance by less.
+// Limits the noise of each place to a range around the usual noise at its density:
+// leaves and edges scatter by more, and some places scatter by less by chance.
 void
 limitByUsual (const Places& places,
               const CloudNoise& cloud,
@@ -189,10 +192,10 @@ limitByUsual (const Places& places,
   });
 }
 
-// The level of the flattest support of a place whose nearest points are in two layers,
-// or 0 if they are not. Both sides of a wall that is thinner than points are apart
-// scatter by far more than their noise, and only larger supports know where the wall
-// goes.
+// Returns the level of the flattest support of a place if its nearest points are in two
+// layers, else 0. If a wall is thinner than the distance between points, its two sides
+// together scatter by far more than the noise: only larger supports have the normal of
+// the wall.
 std::size_t
 flattestOfLayers (const Places& places, std::size_t place)
 {
@@ -253,7 +256,7 @@ chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
   chosen.scatter.resize (places.size());
   chosen.width.resize (places.size());
   chosen.is_flat.resize (places.size());
-  // Whether a support scatters by no more than noise does.
+  // Whether the noise explains the scatter of a support.
   const auto isExplained = [&] (std::size_t i, std::size_t level) {
     const Support& support = places.supports[level][i];
     const double limit = std::max<double> (

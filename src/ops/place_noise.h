@@ -10,20 +10,21 @@
 
 namespace pcl_ops::internal {
 
-/** \brief What a cloud says about its noise before any plane is found.
+/** \brief The noise of a cloud, measured before any plane is found.
  *
- * Supports of white noise scatter alike at all sizes. Where neighbors err alike, as in
- * images of depth cameras, small supports scatter by too little, and larger ones by
- * more, until they hold many independent errors: from there on they are settled. */
+ * With white noise supports of all sizes have the same scatter. With correlated noise,
+ * as in depth images, neighbors err alike: small supports scatter too little. The
+ * scatter grows with the support until it holds many independent errors: from that
+ * level on supports are settled. */
 struct PlaceNoise {
-  /** \brief Of each place: what it would scatter by in settled supports [m]. */
+  /** \brief Noise of each place: the scatter expected in settled supports [m]. */
   std::vector<float> of_place;
-  /** \brief What all places say together. */
+  /** \brief The noise statistics of all places. */
   CloudNoise cloud;
 
-  /** \brief By how much the scatter of supports of a level grows until they are
-   * settled. Levels without a value do not grow: a part of a cloud may have fewer
-   * levels than the whole, and a small sample of it fewer than the part. */
+  /** \brief Returns the factor from the scatter of a support of a level to that of a
+   * settled support; 1 for a level without a value. Such levels exist if \ref cloud
+   * was measured on a sample that is smaller than these places. */
   double
   growthOf (std::size_t level) const
   {
@@ -32,23 +33,24 @@ struct PlaceNoise {
 };
 
 /** \brief Measures the noise of each place.
- * \param[in] whole what the whole cloud says, if these are the places of a part of it */
+ * \param[in] whole the noise of the whole cloud if \p places are a part of it; else it
+ * is measured from \p places */
 PlaceNoise
 noiseOfPlaces (const Places& places,
                const std::optional<CloudNoise>& whole,
                unsigned threads);
 
-/** \brief One support for each place, by which regions grow: the largest that its noise
- * explains. Members are those of \ref Support. */
+/** \brief The one support of each place that regions grow by. See \ref Support for the
+ * members, which are indexed by place. */
 struct ChosenSupports {
   std::vector<Eigen::Vector3d> normal;
   std::vector<float> scatter, width;
   std::vector<char> is_flat;
 };
 
-/** \brief Chooses the largest support of each place that scatters by no more than its
- * noise says; the smallest where all scatter by more, unless the nearest points are in
- * two layers, as the sides of a thin wall: then the flattest. */
+/** \brief Chooses for each place the largest support whose scatter its noise explains.
+ * If the noise explains no support, chooses the smallest one. But if the nearest points
+ * are in two layers, as the sides of a thin wall, chooses the flattest one. */
 ChosenSupports
 chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads);
 

@@ -6,24 +6,28 @@
 
 #include <cstddef>
 
-// What the parameters of the paper mean on neighborhoods.
+// The meaning of the paper's parameters for detection on neighborhoods.
 
 namespace pcl_ops::internal {
 
-/** \brief Fewer places are no plane. */
+/** \brief Least number of places of a cloud with planes. The check of thickness skips
+ * planes with fewer places. */
 inline constexpr std::size_t least_places = 6;
 
-/** \brief Whether the sampling rate alpha_s is so small that of so many points none
- * would be drawn: then there are no planes. */
+/** \brief Whether the sampling rate alpha_s would draw no point of a cloud with this
+ * number of points: then no planes are detected. */
 bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points);
 
-/** \brief How many points neighborhoods have, their places included, by alpha_s and k.
- * \param[in] places so many has the cloud, unless the parameters have its noise */
+/** \brief Returns the number of points of a neighborhood, its place included, from
+ * alpha_s, k and the size of the cloud.
+ * \param[in] places number of places; also the size of the cloud, unless
+ * \p parameters.noise_of_whole has that of the whole */
 std::size_t
 neighborsOf (const OrientedPointSamplingParameters& parameters, std::size_t places);
 
-/** \brief How many times the usual number of points a plane needs, by theta_N. */
+/** \brief Returns the factor of the least number of points of a plane, by theta_N; 1
+ * for the default. */
 double
 minPointsFactor (const OrientedPointSamplingParameters& parameters);
 

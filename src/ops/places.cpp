@@ -18,18 +18,19 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// The arms of a place are places whose supports it adds to its own for the next level:
-// first the farthest of its neighborhood, and from level to level about twice as far
-// away.
+// The arms of a place are the places whose supports are added to its own for the next
+// level. The first arms are the farthest places of its neighborhood. From level to
+// level arms are about twice as far away.
 
-// How many arms each place has: fewer if neighborhoods are small.
+// Returns the number of arms of each place; small neighborhoods have fewer than eight.
 std::size_t
 armCountOf (const Places& places)
 {
   return std::min<std::size_t> (place_constants.arms, places.neighbors);
 }
 
-/** \brief Sums of points about the zero of the local frame. */
+/** \brief For each place the moments of a support, about the origin of the local
+ * frame. */
 using Sums = std::vector<Moments>;
 
 Sums
@@ -47,16 +48,16 @@ sumsOfNearest (const Places& places, unsigned threads)
   return sums;
 }
 
-// Points on levels of depth may be anywhere within their steps: adds the variance of a
-// uniform distribution over the step of each point. To move points within their steps
-// at random would add the same by chance, but differently where a point is left out.
+// Adds the variance of quantized depth: that of a uniform distribution over the step of
+// each point, along the depth direction. Random offsets within the steps would add the
+// same on average, but would change if a point is missing.
 void
 addSteps (const Places& places, const DepthLevels& levels, unsigned threads, Sums& sums)
 {
   if (levels.step.empty())
     return;
   const Eigen::Vector3d& d = levels.direction;
-  // Of a variance of 1 along the direction, in the order of Moments.
+  // The products for a variance of 1 along the direction, in the order of Moments.
   const std::array<double, 6> products{d.x() * d.x(),
                                        d.x() * d.y(),
                                        d.x() * d.z(),
@@ -75,7 +76,7 @@ addSteps (const Places& places, const DepthLevels& levels, unsigned threads, Sum
   });
 }
 
-// \param[in] points how many independent ones the support has
+// \param[in] points number of independent points of the support
 Support
 supportOf (const PrincipalAxes& axes, double points)
 {
@@ -93,7 +94,7 @@ supportOf (const PrincipalAxes& axes, double points)
   return support;
 }
 
-// The principal axes of many supports are computed side by side, which is faster.
+// Computes the principal axes of many supports side by side, which is faster.
 std::vector<Support>
 supportsOf (const Sums& sums, double points, unsigned threads)
 {
@@ -112,7 +113,7 @@ supportsOf (const Sums& sums, double points, unsigned threads)
   return supports;
 }
 
-// Adds to the sums of each place those of its arms.
+// Returns the sums of each place plus the sums of its arms.
 Sums
 addArms (const Sums& sums,
          const Indices& arms,
@@ -127,7 +128,7 @@ addArms (const Sums& sums,
   return added;
 }
 
-// The arms of the smallest support: the farthest of the nearest points of each place.
+// Returns the arms for level 1: the farthest of the nearest points of each place.
 Indices
 firstArms (const Places& places, std::size_t arms_of_place, unsigned threads)
 {
@@ -140,9 +141,9 @@ firstArms (const Places& places, std::size_t arms_of_place, unsigned threads)
   return arms;
 }
 
-/** \brief The positions of the arms of a place, side by side: to look them up one by
- * one took a quarter of the time of the whole detection. The last arm stands for those
- * that are missing. */
+/** \brief The positions of the arms of a place, side by side. Single lookups took a
+ * quarter of the time of the whole detection. If there are fewer than eight arms, the
+ * last one is repeated. */
 struct ArmEnds {
   static constexpr std::size_t size = place_constants.arms;
   std::array<float, size> x, y, z;
@@ -167,7 +168,7 @@ endsOf (const Coordinates& points,
   return ends;
 }
 
-// The number of the end that is farthest from a point; of equally far ones the first.
+// Returns the number of the end farthest from a point, the first one in case of a tie.
 std::size_t
 farthestOf (const ArmEnds& ends, float x, float y, float z)
 {
@@ -178,8 +179,8 @@ farthestOf (const ArmEnds& ends, float x, float y, float z)
     const float dz = ends.z[q] - z;
     squared[q] = dx * dx + dy * dy + dz * dz;
   }
-  // The largest of pairs, then of pairs of these: one after the other each comparison
-  // would wait for the one before.
+  // Take the maximum in a tree of pairs: in a sequential loop each comparison would
+  // wait for the one before.
   std::array<float, ArmEnds::size> largest = squared;
   for (std::size_t half = ArmEnds::size / 2; half > 0; half /= 2)
     for (std::size_t q = 0; q < half; ++q)
@@ -190,8 +191,8 @@ farthestOf (const ArmEnds& ends, float x, float y, float z)
   return farthest;
 }
 
-// The arms of the next level: each arm of a place is replaced by that one of the arm's
-// own arms that is farthest from the place.
+// Returns the arms of the next level: replaces each arm of a place by the arm of that
+// arm which is farthest from the place.
 Indices
 longerArms (const Coordinates& points,
             const Indices& arms,
@@ -211,8 +212,8 @@ longerArms (const Coordinates& points,
   return longer;
 }
 
-// How many points supports of each level have, as far as these are a small share of
-// all; there are two levels at least.
+// Returns how many independent points a support of each level counts as. Levels end
+// where this would exceed max_share_of_points of all points; there are at least two.
 std::vector<double>
 pointsOfLevels (const Places& places)
 {
@@ -226,8 +227,8 @@ pointsOfLevels (const Places& places)
   return points;
 }
 
-// The points with their levels of depth moved together: else neighborhoods would follow
-// the levels, which are farther apart than the points on them.
+// Returns the points with their depth levels moved closer together. Levels are farther
+// apart than the points on them: otherwise neighborhoods would lie within one level.
 Coordinates
 withNearerLevels (const Coordinates& points, const DepthLevels& levels)
 {
@@ -245,7 +246,7 @@ withNearerLevels (const Coordinates& points, const DepthLevels& levels)
   return nearer;
 }
 
-// Adds the supports of all levels, from the smallest to the largest.
+// Computes the supports of all levels, from the smallest to the largest.
 void
 addSupports (const Coordinates& points,
              const DepthLevels& levels,
@@ -272,7 +273,7 @@ addSupports (const Coordinates& points,
 std::size_t
 neighborsOfCloud (double points, double factor)
 {
-  // Of fewer points, three of which a plane fits anyway, scatter says little.
+  // A plane fits any three points: the scatter of fewer than six says little.
   constexpr double least = 6.0;
   const double usual = place_constants.min_neighbors *
                        std::pow (points / place_constants.neighbors_cloud,
@@ -300,7 +301,7 @@ describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threa
   addSupports (points, levels, threads, places);
   places.density.resize (points.size());
   forEach (threads, points.size(), [&] (std::size_t i) {
-    constexpr float least_area = 1e-30F; // so that no area is 0
+    constexpr float least_area = 1e-30F; // avoids a division by 0
     const float width = places.supports[0][i].width;
     places.density[i] = static_cast<float> (neighbors) / (width * width + least_area);
   });

@@ -9,33 +9,36 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The points around a place, as if they were a piece of a plane. */
+/** \brief The plane fit to the points around a place. */
 struct Support {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  /** \brief Rms distance of the points to their plane [m], corrected for its three
-   * parameters. */
+  /** \brief Rms distance of the points to the plane [m], corrected for the three
+   * parameters of the fit. */
   float scatter = 0.0F;
   /** \brief Extent in the narrower direction of the plane [m]. */
   float width = 0.0F;
-  /** \brief Thin for its width, and no line: limits in ops/constants.h. */
+  /** \brief Whether it is thin for its width and no line: PlaceConstants::max_thickness
+   * and min_slimness. */
   bool is_flat = false;
 };
 
-/** \brief Points, each with those around it. Nothing here divides space: a neighborhood
- * belongs to one point, and a point more or less changes it by one point only. Cells of
- * a grid or a tree would hold altogether different points where their borders move. */
+/** \brief Distinct points, each with its neighborhood. No cells divide space: one more
+ * or one less point in the cloud changes a neighborhood by one point only. If cells of
+ * a grid or a tree were used, their borders could move and they would hold altogether
+ * different points. */
 struct Places {
   /** \brief [m] in the local frame. */
   std::vector<Eigen::Vector3d> position;
-  /** \brief The nearest places of each place, itself left out, the nearest first: so
-   * many of the first place, then of the second one, and so on. */
+  /** \brief The nearest places of each place, without itself, nearest first: \ref
+   * neighbors entries for place 0, then as many for place 1, and so on. */
   Indices nearest;
   std::size_t neighbors = 0;
-  /** \brief Points around each over the square of their width [1/m^2]. */
+  /** \brief For each place the points of its neighborhood over the squared width of
+   * its smallest support [1/m^2]. */
   std::vector<float> density;
-  /** \brief supports[level][place], of growing size. */
+  /** \brief supports[level][place]; the supports grow with the level. */
   std::vector<std::vector<Support>> supports;
-  /** \brief How many points a support of each level has. */
+  /** \brief For each level how many independent points a support counts as. */
   std::vector<double> points_of_level;
 
   std::size_t
@@ -44,7 +47,7 @@ struct Places {
     return position.size();
   }
 
-  /** \brief The first of the nearest ones of a place. */
+  /** \brief Pointer to the \ref neighbors nearest places of a place. */
   const std::uint32_t*
   nearestOf (std::size_t place) const
   {
@@ -52,22 +55,24 @@ struct Places {
   }
 };
 
-/** \brief How many points neighborhoods have in a cloud of so many, their places
- * included.
- * \param[in] factor what parameters ask for, over what is usual */
+/** \brief Returns the number of points of a neighborhood, its place included.
+ * \param[in] points number of points of the cloud
+ * \param[in] factor of the usual number, as the parameters ask for
+ * \return 6 to NearestPoints::max_size, however many points there are */
 std::size_t
 neighborsOfCloud (double points, double factor);
 
-/** \brief Finds the nearest points of each point, and what the points around it are
- * like.
+/** \brief Finds the nearest points of each point, and fits planes to the supports
+ * around it.
  *
- * The first support of a place is its nearest points. Each further one adds up the
- * supports of the level before of the place and of eight places, its arms, which from
- * level to level are about twice as far away: a level costs the same however many
- * points it has.
- * \param[in] points least_places or more, no two at one place, in an order that depends on their
- * coordinates alone
- * \param[in] neighbors see \ref neighborsOfCloud */
+ * The smallest support of a place is the place and its nearest points. The support of
+ * the next level adds up the supports of the place and of its arms, eight places around
+ * it (fewer in small neighborhoods). From level to level arms are about twice as far
+ * away. So all levels cost the same, however many points their supports have.
+ * \param[in] points least_places or more, all different, in an order that depends only
+ * on their coordinates
+ * \param[in] neighbors points of a neighborhood, \ref neighborsOfCloud; at most as many
+ * as \p points */
 Places
 describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threads);
 

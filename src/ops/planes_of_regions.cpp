@@ -19,8 +19,8 @@ namespace {
 
 using OpsParameters = OrientedPointSamplingParameters;
 
-// Makes two planes of each region that grew over both sides of a thin wall; the new
-// planes are numbered after the regions.
+// Splits each region that grew over both sides of a thin wall into two planes. The new
+// planes have the numbers after the last region.
 void
 splitThinWalls (const Coordinates& places,
                 const Regions& regions,
@@ -28,8 +28,8 @@ splitThinWalls (const Coordinates& places,
                 Labels& labels,
                 std::vector<char>& is_plane)
 {
-  // Not more, as noise that was measured over both sides is half of what they are
-  // apart.
+  // Below 2: noise that was measured over both sides of a wall is half of their
+  // distance.
   constexpr double noises_apart = 1.7;
   std::vector<Plane> planes;
   std::vector<double> min_apart;
@@ -41,7 +41,7 @@ splitThinWalls (const Coordinates& places,
   splitLayers (places, planes, min_apart, labels, is_plane);
 }
 
-// The noise at all items of each label.
+// Returns for each label the noise of all items with that label.
 template <typename NoiseOf>
 std::vector<std::vector<float>>
 noisesOfLabels (const Labels& labels, std::size_t planes, const NoiseOf& noise_of)
@@ -53,8 +53,8 @@ noisesOfLabels (const Labels& labels, std::size_t planes, const NoiseOf& noise_o
   return noises;
 }
 
-// Drops planes that are much thicker than their noise, as hills that were joined from
-// thin pieces. For points without noise the limit is a share of the width, max_exact.
+// Drops planes whose rms distance is far above their noise, such as hills joined from
+// thin pieces. If the noise is near 0, the limit is max_exact times the width.
 void
 dropThickPlanes (const Coordinates& places,
                  const PlaceNoise& noise,
@@ -83,8 +83,7 @@ dropThickPlanes (const Coordinates& places,
   }
 }
 
-// Gives each point of the cloud the label of its place, after the planes that are kept
-// are numbered anew.
+// Renumbers the planes that are kept, and labels each point of the cloud as its place.
 AssignedPoints
 labelPointsOf (const Points& points,
                const DistinctPlaces& distinct,
@@ -108,18 +107,18 @@ labelPointsOf (const Points& points,
   return assigned;
 }
 
-// Merges planes only where the user gave a distance for it: joins have done the rest.
+// Merges planes only if the user gave a merging distance: else joins have done it.
 LabelledPlanes
 mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
 {
   MergingParameters given = parameters.merging;
-  given.noise_factor.reset(); // it is that of joins over gaps
+  given.noise_factor.reset(); // only for joins over gaps
   given.enabled = given.enabled && given.distance_threshold.has_value();
   return mergePlanesOf (std::move (assigned), given, parameters.threads);
 }
 
-// Sets the noise of each plane, the median over its points, unknown where that is 0;
-// and the median distance to which planes have points.
+// Sets the noise of each plane: the median over its points, unknown if that is 0. Sets
+// the distance threshold to noises_of_point times the median noise of the planes.
 void
 setNoises (const DistinctPlaces& distinct,
            const PlaceNoise& noise,

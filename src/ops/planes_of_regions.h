@@ -13,12 +13,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Gives every point to a plane or to none, splits planes that are the two sides
- * of a thin wall, drops planes that are much thicker than their noise, merges planes if
- * the user gave a distance for it, and sets the noise of each plane.
+/** \brief Turns regions into labelled planes. Assigns each point to a plane or to
+ * no_plane. Splits planes that are the two sides of a thin wall. Drops planes that are
+ * much thicker than their noise, unless the user gave a distance threshold. Merges
+ * planes if the user gave a merging distance. Sets the noise of each plane.
  * \param[in] points all points of the cloud
- * \param[in] distinct the same without equal ones; each is the place of that number
- * \param[in] places,noise,regions what earlier stages found out about places
+ * \param[in] distinct the distinct points; point i is place i
+ * \param[in] places,noise,regions results of the earlier stages
  * \param[in] is_plane for each region, whether it is a plane */
 LabelledPlanes
 planesOfRegions (const Points& points,

@@ -15,10 +15,10 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Regions of fewer places are scraps, beyond which nothing goes on.
+// Regions with fewer places are scraps: a border with a scrap is open.
 constexpr std::size_t min_places = 12;
 
-// The places of each region.
+// Returns the places of each region.
 std::vector<Indices>
 membersOf (const Regions& regions)
 {
@@ -29,17 +29,18 @@ membersOf (const Regions& regions)
   return members;
 }
 
-// The rms height of the quadratic surface through the places of a region over their rms
-// distance to that surface. Heights are over the plane of the region; least squares
-// with the terms 1, s, t, s^2, s t, t^2, where s and t are along the plane in units of
-// the width.
+// Fits a quadratic surface to the places of a region by least squares. Returns the rms
+// height of that surface over the rms residual, at most max_bend. Heights are over the
+// plane of the region. The terms are 1, s, t, s^2, s t, t^2 with coordinates s and t in
+// the plane in units of the width.
 double
 bendOf (const Places& places, const Region& region, const Indices& members)
 {
   constexpr std::size_t terms = 6;
-  constexpr double ridge = 1e-9; // so that places on a line have a solution
-  // Of the squared width: exact places have no rest. With 1e-4, as much as regions that
-  // are joined may bend, F in streets falls from .77 to .69 by false planes.
+  constexpr double ridge = 1e-9; // keeps the system solvable for a line
+  // Least residual variance in units of the squared width, as exact places have no
+  // residuals. With 1e-4, the square of join_bend_of_width, F in streets falls from .77
+  // to .69 because of false planes.
   constexpr double least_rest = 1e-6;
   using NormalMatrix = Eigen::Matrix<double, terms, terms>;
   using Vector = Eigen::Matrix<double, terms, 1>;
@@ -71,17 +72,17 @@ bendOf (const Places& places, const Region& region, const Indices& members)
   return std::min (std::sqrt (explained / number / rest), place_constants.max_bend);
 }
 
-/** \brief Links from a place of a region to a neighbor that is not in it. */
+/** \brief Counts of links, from a place of a region to a neighbor outside of it. */
 struct Border {
   double links = 0.0;
-  double open = 0.0; // how many of them lead to no region, or to a scrap
-  /** \brief Sum of the bend of the regions that smooth links lead to. */
+  double open = 0.0; // links to places in no region, or in a scrap
+  /** \brief Sum over smooth links of the bend of the region that the link leads to. */
   double bend_of_smooth = 0.0;
 };
 
-// Whether a round surface may go on from one plane to another over a link from place to
-// place: the step is along the first plane rather than away from it, and the second
-// plane is turned, but not by much.
+// Whether a round surface may continue from one plane to another over a link between
+// places. The step must run along the first plane rather than away from it, and the
+// angle between the planes must be neither small nor large.
 bool
 isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& step)
 {
@@ -93,6 +94,7 @@ isSmooth (const Plane& own, const Plane& other, const Eigen::Vector3d& step)
          cosine < std::cos (min_turn) && cosine > std::cos (max_turn);
 }
 
+// Returns the border of one region.
 // \param[in] bend of each region
 Border
 borderOf (const Places& places,
@@ -122,7 +124,7 @@ borderOf (const Places& places,
   return border;
 }
 
-// \param[in] points of the region
+// \param[in] points number of points of the region
 RegionEvidence
 evidenceOf (double points,
             double all_points,
@@ -146,7 +148,7 @@ evidenceOf (double points,
 double
 RegionEvidence::sum() const
 {
-  constexpr double least_bend = 0.1; // so that flat regions have a logarithm
+  constexpr double least_bend = 0.1; // keeps the logarithm finite
   return place_constants.evidence + place_constants.evidence_of_size * size +
          place_constants.evidence_of_bend * std::log (least_bend + bend) +
          place_constants.evidence_of_smooth_border * smooth_border +

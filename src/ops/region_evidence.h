@@ -8,30 +8,30 @@
 
 namespace pcl_ops::internal {
 
-/** \brief What speaks for a region being a plane, and against it. */
+/** \brief Evidence for and against a region being a plane. */
 struct RegionEvidence {
-  /** \brief Logarithm to base 10 of its points over the square root of all points of
-   * the cloud; less where points err alike. */
+  /** \brief Base 10 logarithm of the ratio of its points to the square root of all
+   * points of the cloud; smaller if neighboring points err alike. */
   double size = 0.0;
-  /** \brief How much of its distances a quadratic surface explains, over what is left:
-   * a ratio of rms, 0 where it is flat. */
+  /** \brief Rms height of the quadratic surface fitted to the region over the rms of
+   * the residuals; 0 if the region is flat. */
   double bend = 0.0;
-  /** \brief The share of its border where the next region goes on smoothly, times the
-   * bend of that one: high on the facets of what is round. */
+  /** \brief Share of its border where an adjacent region continues it smoothly, times
+   * the bend of that region: high for the facets of a round surface. */
   double smooth_border = 0.0;
-  /** \brief The share of its border where no region goes on. */
+  /** \brief Share of its border without an adjacent region, or with a scrap only. */
   double open_border = 0.0;
 
-  /** \brief Above 0 more speaks for a plane than against it. */
+  /** \brief Returns the weighted sum of the evidence; above 0 the region is a plane. */
   double
   sum () const;
 };
 
-/** \brief Tells which regions are planes: those with enough places and a sum of
- * evidence above 0. One sum is steadier than limits one after the other, which lose
- * planes that miss one of them by little.
- * \param[in] min_points_factor how many times the usual number of points a plane needs
- * \return for each region 1 or 0 */
+/** \brief Tells which regions are planes: those with enough places, enough flat places
+ * and a sum of evidence above 0. One sum is steadier than several limits in a
+ * row, which lose planes that miss one limit by little.
+ * \param[in] min_points_factor factor of the least number of points of a plane
+ * \return for each region 1 if it is a plane, else 0 */
 std::vector<char>
 planesAmong (const Places& places,
              const PlaceNoise& noise,

@@ -14,10 +14,11 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// A region of fewer points has no plane of its own to compare.
+// Regions with fewer points are not joined to others: they have no plane of their own.
 constexpr double least_points_of_join = 3.0;
 
-// By points; of equally large ones the first.
+// Whether the first region has more points; in case of a tie the one with the lower
+// number is the larger one.
 bool
 isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
 {
@@ -26,8 +27,8 @@ isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
   return points != other_points ? points > other_points : first < second;
 }
 
-// Joins each region with the region that it picks, if that one picks none itself: so
-// chains wait for the next round. Returns whether any was joined.
+// Joins each region into the region that it picks, if that one picks none itself: so
+// chains wait for the next round. Returns whether any regions were joined.
 bool
 unite (const Labels& pick, Regions& regions)
 {
@@ -55,20 +56,20 @@ unite (const Labels& pick, Regions& regions)
   return true;
 }
 
-// How far the points of a region scatter [m]. Not its rms: with that, a region that
-// bends would take all that goes on beside it.
+// Returns how far the points of a region scatter [m]. It is not the rms distance: with
+// that a region that bends would take all adjacent pieces of its surface.
 double
 thicknessOf (const Region& region)
 {
   return std::max (region.scatter, region.noise);
 }
 
-/** \brief The places of one region that have places of another one as neighbors. */
+/** \brief Counts the places of region own with a neighbor in region other. */
 struct Contact {
   std::int32_t own;
   std::int32_t other;
   int places;
-  /** \brief How many of them lie on the plane of the other region, too. */
+  /** \brief How many of these places lie on the plane of the other region, too. */
   int fitting;
 };
 
@@ -78,7 +79,7 @@ isBefore (const Contact& first, const Contact& second)
   return first.own != second.own ? first.own < second.own : first.other < second.other;
 }
 
-// Adds a contact of one place for each other region among its neighbors.
+// Adds contacts of one place, one for each other region among its neighbors.
 void
 addContacts (const Places& places,
              const Regions& regions,
@@ -98,7 +99,7 @@ addContacts (const Places& places,
     if (other == no_plane || other == own || isKnown (other))
       continue;
     const Region& region = regions.list[other];
-    // Twice as far as joined regions are: the halves of a cambered road bend, and so
+    // Twice the noises that liesOn allows: the halves of a cambered road bend, so that
     // their borders lie off each other's planes.
     const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region) +
                          place_constants.bend_of_width * region.width();
@@ -107,14 +108,14 @@ addContacts (const Places& places,
   }
 }
 
-/** \brief The contacts of each pair of regions, one in either direction, sorted; and
- * how many border places each region has. */
+/** \brief The contacts between regions, up to one for each direction of a pair, sorted;
+ * and the number of border places of each region. */
 struct Borders {
   std::vector<Contact> contacts;
   std::vector<int> border_places;
 };
 
-// Sorts contacts, and adds up those of the same two regions.
+// Sorts contacts and adds up those with the same own and other region.
 std::vector<Contact>
 summed (std::vector<Contact> contacts)
 {
@@ -130,13 +131,13 @@ summed (std::vector<Contact> contacts)
   return sums;
 }
 
-/** \brief What one thread finds: some places that touch other regions, and how. */
+/** \brief The border places, and their contacts, found in one piece of the loop. */
 struct BorderPart {
   Indices places;
   std::vector<Contact> contacts;
 };
 
-// \param[in,out] border the places that may touch other regions; those that do are left
+// \param[in,out] border places that may touch other regions; returns those that do
 Borders
 bordersOf (const Places& places,
            const Regions& regions,
@@ -170,7 +171,7 @@ bordersOf (const Places& places,
   return borders;
 }
 
-// Whether the points of a region lie on the plane of another one.
+// Whether the points of region own lie on the plane of another region.
 bool
 liesOn (const Region& own, const Region& other)
 {
@@ -180,8 +181,8 @@ liesOn (const Region& own, const Region& other)
   return detail::meanSquaredDistance (own.moments, other.fit.plane) <= reach * reach;
 }
 
-// Whether two regions bend little for their width, as a cambered road does: its halves
-// lean away from each other by more than their noise.
+// Whether two regions together bend little for their width. The halves of a cambered
+// road do: they tilt against each other by more than their noise.
 bool
 areNearlyFlat (const Region& own, const Region& other)
 {
@@ -201,7 +202,7 @@ areNearlyFlat (const Region& own, const Region& other)
 bool
 areOnePlane (const Region& own, const Region& other)
 {
-  constexpr double points_of_normal = 24.0; // the normal of fewer leans by chance
+  constexpr double points_of_normal = 24.0; // the normal of fewer is random
   if (own.moments.count < points_of_normal)
     return liesOn (own, other);
   const bool is_parallel =
@@ -210,8 +211,8 @@ areOnePlane (const Region& own, const Region& other)
   return is_parallel && (liesOn (own, other) || areNearlyFlat (own, other));
 }
 
-// A contact with the places of its opposite one added. Neighbors are not always mutual:
-// there may be none.
+// Returns a contact plus the counts of the opposite one, if there is one: neighbors
+// are not always mutual.
 Contact
 fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
 {
@@ -226,8 +227,8 @@ fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
           contact.fitting + found->fitting};
 }
 
-// For each region a larger one that it touches and is a piece of: the one with which it
-// shares most border places that fit; no_plane: none.
+// Picks for each region a larger one that it touches and whose plane it is a piece of:
+// the one with which it shares most fitting border places; no_plane if there is none.
 Labels
 pickTouching (const Borders& borders, const Regions& regions)
 {
@@ -252,22 +253,21 @@ pickTouching (const Borders& borders, const Regions& regions)
   return pick;
 }
 
-// How strongly a larger region over a gap attracts a region that is a piece of its
-// plane: the points of the larger one over the squared distance of the centers [1/m^2];
-// 0 if it is no piece.
-// \param[in] noises largest distance to the plane of the other one, in units of the noise
+// Returns how strongly the larger region other attracts region own over a gap: the
+// points of other over the squared distance of the centroids [1/m^2]; 0 if own is no
+// piece of the plane of other.
+// \param[in] noises largest distance to the plane of other, in units of the noise
 double
 attractionOverGap (const Region& own,
                    const Region& other,
                    double min_cosine,
                    double noises)
 {
-  // Of the noise of both the larger one counts, but only up to so many times the
-  // smaller.
+  // The larger noise of the two regions counts, up to this many times the smaller one.
   constexpr double max_noise_ratio = 1.5;
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
-  // Regions of exact points have no noise.
+  // Regions of exact points have no noise: allow a share of the width.
   const double exact = place_constants.share_of_exact * place_constants.max_exact;
   const double reach =
       noises * std::min (std::max (own.noise, other.noise),
@@ -278,14 +278,14 @@ attractionOverGap (const Region& own,
   const double gap = (own.fit.centroid - other.fit.centroid).norm();
   if (gap > place_constants.max_gap * 0.5 * (own.length() + other.length()))
     return 0.0;
-  // By how much its points are farther from that plane than from their own.
+  // How much more variance its points have about that plane than about their own.
   const double added_variance =
       detail::meanSquaredDistance (own.moments, other.fit.plane) - own.fit.variances[0];
   return added_variance > reach * reach ? 0.0 : other.moments.count / (gap * gap);
 }
 
-// For each region the larger one that attracts it most; no_plane: none.
-// \param[in] large the regions to compare, the largest first
+// Picks for each region the larger one that attracts it most; no_plane if none does.
+// \param[in] large numbers of the regions to compare, the largest first
 Labels
 pickOverGaps (const std::vector<std::int32_t>& large,
               const MergingParameters& merging,
@@ -308,11 +308,11 @@ pickOverGaps (const std::vector<std::int32_t>& large,
   return pick;
 }
 
-// The largest regions, by falling size.
+// Returns the numbers of the largest regions, by descending number of points.
 std::vector<std::int32_t>
 largeRegions (const Regions& regions)
 {
-  // All pairs of them are looked at, which takes long of many.
+  // Limits the time: all pairs of these regions are compared.
   constexpr std::size_t most = 5000;
   std::vector<std::int32_t> large;
   for (std::size_t r = 0; r < regions.list.size(); ++r)

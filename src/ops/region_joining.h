@@ -7,19 +7,20 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Makes one of regions that touch and are pieces of one plane.
+/** \brief Joins regions that touch each other and are pieces of one plane.
  *
- * In each of some rounds each region picks the larger neighbor with which it shares
- * most border that lies on the planes of both; then regions that picked none take all
- * that picked them. So no order decides. If the best pair were joined first, one point
- * less could change that pair, and with it all that follow. */
+ * In each round each region picks a larger neighbor: the one with which it shares most
+ * border places that lie on each other's planes. Then each region that picked no other
+ * takes all regions that picked it. So the result does not depend on an order. If the
+ * best pair were joined first, one point less could change that pair and all later
+ * ones. */
 void
 joinTouching (const Places& places, unsigned threads, Regions& regions);
 
-/** \brief Makes one of regions that are one plane without touching, such as a wall
- * behind a cupboard, in the same way.
- * \param[in] merging has the largest angle between their normals, and how many noises
- * they may be apart */
+/** \brief Joins regions that are pieces of one plane but do not touch each other, such
+ * as the pieces of a wall behind a cupboard. Works in rounds as \ref joinTouching.
+ * \param[in] merging its angle_threshold is the largest angle between the normals, its
+ * noise_factor the largest distance in units of the noise */
 void
 joinOverGaps (const MergingParameters& merging, Regions& regions);
 

@@ -13,14 +13,14 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief The likeliest plane of a place so far. */
+/** \brief The likeliest plane found so far for a place. */
 struct Likeliest {
   double cost = std::numeric_limits<double>::infinity();
   std::int32_t region = no_plane;
 };
 
-// Takes the plane of a region for the best one of a place, if it is near enough and
-// likelier than the best so far. Of equally likely ones the first is taken.
+// Makes the plane of a region the best one of a place if it is near enough and likelier
+// than the best so far. In case of a tie the lower region number wins.
 void
 offer (const Region& region,
        std::int32_t number,
@@ -29,14 +29,14 @@ offer (const Region& region,
        std::optional<double> distance_threshold,
        Likeliest& best)
 {
-  constexpr double least_spread = 1e-9; // [m]; exact planes have a logarithm, too
+  constexpr double least_spread = 1e-9; // [m], keeps the logarithm finite
   const double distance = std::abs (region.fit.plane.distance (position));
   const double noise = std::max (
       region.scatter,
       std::min (noise_of_place, place_constants.max_noise_over_region * region.noise));
-  // Joined parts lean, as those of a cambered road, and lie beyond the noise of what
-  // took them: these reach as far as their rms. If all regions did, hills would become
-  // thick.
+  // Joined parts tilt, as those of a cambered road, and lie beyond the noise of the
+  // region that took them: such a region reaches as far as its rms distance. If all
+  // regions did, hills would become thick planes.
   const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
   const double thickness =
       region.is_joined

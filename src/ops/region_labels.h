@@ -9,14 +9,14 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Gives each place to the likeliest of the planes whose regions it or one of
- * its neighbors is in: the one with the smallest d^2 / s^2 + 2 ln s, for a distance d
- * to a plane of noise s. Without the logarithm noisy planes would take the points of
- * clean ones.
- * \param[in] is_plane for each region, whether it is one of the planes
- * \param[in] distance_threshold largest distance [m]; where it is not given, the noise
- * limits it
- * \return for each place its region, or no_plane */
+/** \brief Assigns each place to its likeliest plane. Candidates are the planes whose
+ * regions contain the place or one of its neighbors. The likeliest plane has the
+ * smallest d^2 / s^2 + 2 ln s, where d is the distance to the plane and s its noise.
+ * Without the logarithm noisy planes would take the points of clean ones.
+ * \param[in] is_plane for each region, whether it is a plane
+ * \param[in] distance_threshold largest distance to the plane [m]; if not given, it
+ * follows the noise
+ * \return for each place the number of its region, or no_plane */
 Labels
 labelPlaces (const Places& places,
              const PlaceNoise& noise,

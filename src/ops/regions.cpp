@@ -13,10 +13,11 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// With fewer points a region keeps the plane of its seed.
+// A region with fewer points keeps the plane of its seed.
 constexpr double points_of_fit = 6.0;
 
-// Flat places, the flattest first: scatter over width, and the number of the place.
+// Returns the flat places, the flattest first, as pairs of scatter over width and the
+// number of the place.
 std::vector<std::pair<float, std::uint32_t>>
 seedsOf (const ChosenSupports& chosen)
 {
@@ -29,7 +30,7 @@ seedsOf (const ChosenSupports& chosen)
   return seeds;
 }
 
-/** \brief A region while it grows, then the next one: members keep their memory. */
+/** \brief Grows one region after the other, and reuses its memory. */
 class GrowingRegion {
 public:
   GrowingRegion (const Places& places,
@@ -42,8 +43,8 @@ public:
   , distance_threshold_ (distance_threshold)
   {}
 
-  /** \brief Grows a region from a place over neighbors that are in no region yet, and
-   * labels its places with its number. */
+  /** \brief Grows a region from a seed over neighbors that are in no region yet, and
+   * labels its places with the number of the region. */
   Region
   grow (std::uint32_t seed, std::int32_t number, Labels& of_place)
   {
@@ -84,8 +85,8 @@ private:
            std::abs (plane.distance (places_.position[place])) <= reach (place);
   }
 
-  // How far a place may be from the plane [m]. The rms of a region counts up to some
-  // noises only: if it bends, a larger rms would let it grow farther, and so bend more.
+  // Returns how far a place may be from the plane [m]. The rms of the region is limited
+  // in units of the noise: else a region that bends would grow farther and bend more.
   double
   reach (std::uint32_t place) const
   {
@@ -99,12 +100,13 @@ private:
            place_constants.bend_of_width * width_;
   }
 
-  // Adds a place, and fits the plane again where the region has grown enough since.
+  // Adds a place, and refits the plane if the region has grown enough since the last
+  // fit.
   void
   take (std::uint32_t place)
   {
     constexpr double parameters_of_plane = 3.0;
-    // Else it is not clear enough along which axis the region is thin.
+    // With a smaller ratio it is not clear enough along which axis the region is thin.
     constexpr double min_ratio_of_variances = 4.0;
     add (place);
     const double points = region_.moments.count;
@@ -143,15 +145,14 @@ private:
     constexpr double half = 0.5;
     region_.noise = meanNoise();
     region_.scatter = quantileOf (scatters_, half);
-    // What a region with too few points for a fit has: the width of its seed, no
-    // length.
+    // For a region with too few points for a fit: the width of its seed, length 0.
     region_.fit.centroid = region_.moments.centroid();
     region_.fit.variances = {0.0, width_ * width_ / squared_width_of_variance, 0.0};
     region_.refit();
     return region_;
   }
 
-  // While it grows; the points of a small patch lean with their noise.
+  // For refits while it grows: the plane of a small patch tilts with its noise.
   static constexpr double min_fitted_points = 12.0;
   const double min_cosine_ = std::cos (place_constants.max_angle);
   const Places& places_;
@@ -162,9 +163,9 @@ private:
   Indices members_;
   std::vector<float> scatters_;
   double sum_of_logarithms_ = 0.0; // of the noise of its places
-  double rms_ = 0.0;               // of the last fit, as width_ [m]
+  double rms_ = 0.0;               // of the last fit [m], as width_
   double width_ = 0.0;
-  double fitted_points_ = 0.0; // how many points the last fit had
+  double fitted_points_ = 0.0; // number of points at the last try
 };
 
 } // namespace

@@ -10,44 +10,48 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Places on one plane that touch each other. */
+/** \brief Places on one plane, connected by their neighborhoods or joined later. */
 struct Region {
-  /** \brief About the zero of the local frame. */
+  /** \brief Moments of its places about the origin of the local frame. */
   Moments moments;
   PlaneFit fit;
-  /** \brief The median scatter of its places, by their chosen supports, and the
-   * geometric mean of their noise [m]. Of joined regions means weighted by points. */
+  /** \brief scatter: median scatter of the chosen supports of its places [m]. noise:
+   * geometric mean of the noise of its places [m]. A join averages the squared scatter
+   * and the noise of both regions, weighted by points. */
   double scatter = 0.0;
   double noise = 0.0;
-  /** \brief Whether it has parts that may lean away from each other, and not only taken
-   * scraps. */
+  /** \brief Whether it took a part, which may tilt against it, and not only scraps:
+   * PlaceConstants::min_share_of_part. */
   bool is_joined = false;
 
-  /** \brief Extent in the narrower direction, and in the longer one [m]. */
+  /** \brief Extent in the plane: along the shorter axis, and along the longer one [m].
+   */
   double
   width () const;
   double
   length () const;
 
-  /** \brief Fits its plane to its points, if they are enough to tell it. */
+  /** \brief Fits its plane to its points; keeps the old plane if they are too few or on
+   * a line. */
   void
   refit ();
 
-  /** \brief Takes the points of another one, which is empty then; needs a refit(). */
+  /** \brief Takes all points of another region, which is then empty. Call refit()
+   * afterwards. */
   void
   take (Region& other);
 };
 
 struct Regions {
   std::vector<Region> list;
-  /** \brief For each place the position in the list of its region; no_plane: none. */
+  /** \brief For each place the position of its region in \ref list, or no_plane. */
   Labels of_place;
 };
 
-/** \brief Lets regions grow from the flattest places over their neighbors, one after
- * the other; a place goes into the first region that it fits.
- * \param[in] distance_threshold largest distance of a place to its plane [m]; where it is
- * not given, the noise limits it */
+/** \brief Grows regions over neighboring places, one region after the other. Seeds are
+ * the flat places, the flattest first. A place goes into the first region it fits.
+ * \param[in] distance_threshold largest distance of a place to its plane [m]; if not
+ * given, it follows the noise */
 Regions
 growRegions (const Places& places,
              const PlaceNoise& noise,

@@ -9,7 +9,7 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// A value for each point, that of its place; empty for no values.
+// Returns for each point the value of its place; empty if there are no values.
 template <typename Value>
 std::vector<Value>
 atPlaces (const std::vector<Value>& of_places, const Indices& place_of_point)
@@ -23,8 +23,8 @@ atPlaces (const std::vector<Value>& of_places, const Indices& place_of_point)
   return of_points;
 }
 
-// A value for each point of the cloud, unknown where a point is left out; empty for no
-// values.
+// Returns a value for each point of the input cloud: copies have that of their point,
+// points that were left out have \p unknown. Empty if there are no values.
 template <typename Value>
 std::vector<Value>
 inCloud (const std::vector<Value>& of_points,

@@ -11,23 +11,25 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Tells an observer the results of stages. Stages have them by place, the
- * observer gets them by point. Without an observer it does nothing. */
+/** \brief Reports the results of stages to an observer: converts values of places to
+ * values of points. Does nothing if the observer is empty. */
 class StageReports {
 public:
-  /** \brief Keeps references to both. */
+  /** \brief Keeps references to both arguments. */
   StageReports (const StageObserver& observer, const Indices& place_of_point)
   : observer_ (observer), place_of_point_ (place_of_point)
   {}
 
   /** \brief Reports values of places.
-   * \param[in] is_flat of each place, reported as labels; none: the stage has no labels */
+   * \param[in] is_flat for each place, reported as label 0 if flat, else no_plane;
+   * empty: no labels are reported */
   void operator() (Stage stage,
                    const std::vector<float>& values,
                    const std::vector<char>& is_flat = {}) const;
 
   /** \brief Reports labels of places.
-   * \param[in] is_kept of each label, whether it is reported; none: all are */
+   * \param[in] is_kept for each label, whether it is reported or replaced by no_plane;
+   * empty: all labels are reported */
   void operator() (Stage stage,
                    const Labels& labels,
                    const std::vector<char>& is_kept = {}) const;
@@ -37,16 +39,16 @@ private:
   const Indices& place_of_point_;
 };
 
-/** \brief An observer that takes results by point of \p points and hands them on by
- * point of the input cloud; empty if the other observer is. Keeps references to both.
- */
+/** \brief Returns an observer that converts results for \p points to results for the
+ * input cloud and passes them to \p observer; empty if \p observer is. It keeps
+ * references to \p observer and \p points. */
 StageObserver
 observerOfPoints (const StageObserver& observer,
                   const Points& points,
                   std::size_t size_of_cloud);
 
-/** \brief Tells an observer, if there is one, which plane each point of a cloud is on.
- */
+/** \brief Reports the plane of each point of the cloud, as Stage::Labels, if
+ * \p observer is not empty. */
 void
 reportLabels (const StageObserver& observer,
               const std::vector<PlaneSegment>& planes,

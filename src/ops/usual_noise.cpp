@@ -13,11 +13,12 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// To base 2 and finite: the density of points as far apart as numbers go is 0.
+// Returns the base 2 logarithm, limited to finite values: the density of points that
+// are extremely far apart is rounded to 0.
 double
 logarithmOf (double density)
 {
-  constexpr double limit = 300.0; // beyond all densities of single precision
+  constexpr double limit = 300.0; // beyond all single precision values
   return std::clamp (std::log2 (density), -limit, limit);
 }
 
@@ -27,8 +28,8 @@ octaveOf (double density)
   return static_cast<int> (std::floor (logarithmOf (density)));
 }
 
-// The values of an octave, and every other value of the octaves next to it: so they
-// count half.
+// Returns the values of an octave and every second value of the adjacent octaves, which
+// so have half the weight.
 std::vector<float>
 around (const std::map<int, std::vector<float>>& by_octave, int octave)
 {
@@ -77,7 +78,7 @@ setUsualNoise (const std::vector<float>& density,
 double
 usualNoise (const CloudNoise& cloud, double density)
 {
-  // The value of an octave is that of its middle.
+  // The value of an octave belongs to its middle, at octave + 0.5.
   const double position = logarithmOf (density) - 0.5;
   const int below = static_cast<int> (std::floor (position));
   const auto first = cloud.usual_of_octave.find (below);

@@ -8,22 +8,24 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The value below which a share of the values lies; 0 for no values. Reorders.
- */
+/** \brief Returns a quantile, 0 if there are no values.
+ * \param[in,out] values get reordered
+ * \param[in] share of the values below the quantile, 0 to 1; 0.5: the median */
 float
 quantileOf (std::vector<float>& values, double share);
 
-/** \brief Sets CloudNoise::usual, and usual_of_octave for each doubling of the density.
- * \param[in] density of each place that tells its noise [1/m^2]
+/** \brief Sets CloudNoise::usual to the median noise, and usual_of_octave to that of
+ * each octave (doubling) of the density.
+ * \param[in] density of each place whose noise is known [1/m^2]
  * \param[in] noise of the same places [m] */
 void
 setUsualNoise (const std::vector<float>& density,
                const std::vector<float>& noise,
                CloudNoise& cloud);
 
-/** \brief The median noise of places of a density [1/m^2], in meters; 0 where no place
- * tells. It is interpolated between the middles of octaves: a small change of the
- * density is a small change of the noise. */
+/** \brief Returns the median noise of places of a density [1/m^2], in meters; 0 if no
+ * noise is known. It interpolates between the middles of octaves: a small change of the
+ * density changes the noise little. */
 double
 usualNoise (const CloudNoise& cloud, double density);
 

@@ -17,17 +17,18 @@ namespace pcl_ops::internal {
 /** \brief The directions of normals that 3D-KHT votes for: an accumulator ball
  * (Borrmann et al. 2011).
  *
- * The ball has rows of equal polar angle phi, pi / phi_num apart, of which the first
- * and the last are the poles. Each row is cut into max (1, round (2 phi_num sin phi))
- * patches of azimuth theta, so that all patches have about the same area. A direction
- * is the number of a patch, counted row by row from the north pole. */
+ * The ball has phi_num + 1 rows of constant polar angle phi, pi / phi_num apart. The
+ * first and the last row are the poles. Each row is divided along the azimuth theta
+ * into max (1, round (2 phi_num sin phi)) patches, so that all patches have about the
+ * same area. A direction is the index of a patch, counted row by row from the north
+ * pole (+z). */
 struct BallDirections {
-  /** \brief Steps from pole to pole, at least 1, and their length [rad]. */
+  /** \brief Number of steps from pole to pole, at least 1; length of a step [rad]. */
   int phi_num;
   double phi_step;
   /** \brief The row of each direction, 0 .. phi_num. */
   std::vector<std::uint16_t> row_of;
-  /** \brief Where each row begins, and where the last one ends. */
+  /** \brief First direction of each row, then the number of directions. */
   std::vector<std::uint32_t> row_begins;
 
   explicit BallDirections (int steps)
@@ -53,7 +54,7 @@ struct BallDirections {
     return static_cast<int> (row_begins[row + 1] - row_begins[row]);
   }
 
-  /** \brief The direction of a patch of a row; any number wraps around the row. */
+  /** \brief The direction of a patch of a row; \p patch wraps around the row. */
   std::uint32_t
   patchOfRow (int row, int patch) const
   {
@@ -63,10 +64,10 @@ struct BallDirections {
            static_cast<std::uint32_t> (wrapped < 0 ? wrapped + patches : wrapped);
   }
 
-  /** \brief The direction that holds an azimuth.
-   * \param[in] row -phi_num .. 2 phi_num. Beyond a pole, rows are counted down again on
-   * the other side of the ball: row -2 is row 2 half a turn farther.
-   * \param[in] theta azimuth, any [rad] */
+  /** \brief The direction whose patch in a row contains an azimuth.
+   * \param[in] row -phi_num .. 2 phi_num. A row beyond a pole continues on the other
+   * side of the ball: row -2 at theta is row 2 at theta + pi.
+   * \param[in] theta azimuth [rad], also beyond a full turn */
   std::uint32_t
   at (int row, double theta) const
   {
@@ -105,22 +106,22 @@ struct BallDirections {
                             std::cos (phi));
   }
 
-  /** \brief The direction at the other side of the ball: opposite (opposite (d)) is d.
-   */
+  /** \brief The direction on the opposite side of the ball: opposite (opposite (d))
+   * is d. */
   std::uint32_t
   opposite (std::uint32_t direction) const
   {
     const int row = row_of[direction];
     const int patches = patchesOfRow (row);
-    // In a row with an odd number of patches half a turn ends between two patches. From
-    // the northern half the later one is taken, from the southern half the earlier one,
-    // so that both ways lead to each other.
+    // With an odd number of patches, half a turn ends on the border of two patches. A
+    // direction of the northern half gets the later patch, a direction of the southern
+    // half the earlier patch, so that the two are opposite to each other.
     const int half_turn = 2 * row <= phi_num ? (patches + 1) / 2 : patches / 2;
     const int patch = static_cast<int> (direction - row_begins[row]);
     return patchOfRow (phi_num - row, patch + half_turn);
   }
 
-  /** \brief The directions across the four sides of a patch. */
+  /** \brief The four neighbors of a patch: north, south, west, east. */
   std::array<std::uint32_t, 4>
   beside (std::uint32_t direction) const
   {
@@ -132,9 +133,9 @@ struct BallDirections {
         at (row - 1, theta), at (row + 1, theta), west, patchOfRow (row, patch + 1)};
   }
 
-  /** \brief The 3 x 3 patches around a direction, with its own: in its row and the two
-   * beside it, the patch at its azimuth and one to either side. Each is listed once, in
-   * ascending order. */
+  /** \brief The 3 x 3 neighborhood of a direction, itself included: in its row and the
+   * rows north and south of it, the patch at its azimuth and one to either side.
+   * Ascending, each direction once. */
   std::vector<std::uint32_t>
   around (std::uint32_t direction) const
   {
@@ -152,14 +153,16 @@ struct BallDirections {
   }
 };
 
-/** \brief Planes as (direction of the normal, distance rho from the ball's center). */
+/** \brief Bins of planes: direction of the normal, distance rho from the ball's center.
+ */
 struct HoughSpace {
   BallDirections directions;
   int rho_num = 0;
   /** \brief Length of a bin of rho [m]. */
   double rho_step = 0.0;
 
-  /** \brief The middle of a bin; bin -1 is bin 0 of the opposite direction. */
+  /** \brief Rho at the middle of a bin [m]; bin -1 is bin 0 of the opposite direction.
+   */
   double
   rhoOf (int bin) const
   {

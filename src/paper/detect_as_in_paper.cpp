@@ -15,7 +15,7 @@ extractPlanes (const Points& points,
                const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters)
 {
-  constexpr unsigned fewest = 2; // more than two: three samples make a plane
+  constexpr unsigned fewest = 2; // a plane needs more: three samples
   RansacParameters ransac = parameters;
   ransac.min_samples = std::max (fewest, parameters.min_samples);
   RandomGenerator generator (parameters.seed);
@@ -23,7 +23,7 @@ extractPlanes (const Points& points,
   const bool on_all_points =
       paper.verification == PaperParameters::Verification::AllPoints;
   Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates();
-  // Strategy 1 has one group: within a right angle all samples are horizontal.
+  // Strategy 1 has one group: with a right angle as tolerance all are horizontal.
   const bool divides = paper.strategy == PaperParameters::Strategy::DivideThenDetect;
   std::vector<Plane> planes;
   for (Indices& group :
@@ -46,14 +46,14 @@ detectAsInPaper (const DetectorInput& input,
                  StageDurations& durations)
 {
   StageClock clock;
-  // P_s: alpha_s N of the points
+  // P_s: alpha_s N points drawn at random
   const Indices drawn =
       drawSample (points.size(), parameters.sampling_rate, parameters.seed);
   NeighborSearch search;
   if (!drawn.empty())
     search = searchOver (input, points, parameters.threads);
   clock.lap (durations.search);
-  // n_i: from the k nearest points
+  // n_i: normals from the k nearest neighbors
   const OrientedSamples samples = orientSamples (input.cloud,
                                                  points,
                                                  drawn,
@@ -61,10 +61,10 @@ detectAsInPaper (const DetectorInput& input,
                                                  parameters.k,
                                                  parameters.paper_only.normal_sigma);
   clock.lap (durations.normals);
-  // Pi: one-point RANSAC and peeling, with theta_h, theta_N and p
+  // Pi: planes by one-point RANSAC, one by one, with theta_h, theta_N and p
   const std::vector<Plane> planes = extractPlanes (points, samples, parameters);
   clock.lap (durations.extraction);
-  // every point of P, not of P_s alone, to a plane
+  // assigns all points of P, not only P_s, to planes
   AssignedPoints assigned =
       assignToUnboundedPlanes (points,
                                planes,
@@ -72,7 +72,7 @@ detectAsInPaper (const DetectorInput& input,
                                parameters.paper_only.assignment_rule,
                                parameters.threads);
   clock.lap (durations.assignment);
-  // section III-C: the coplanarity test on each pair
+  // section III-C: merges planes by the coplanarity test on each pair
   LabelledPlanes found =
       mergePlanesOf (std::move (assigned), mergingOf (parameters), parameters.threads);
   clock.lap (durations.merging);

@@ -10,18 +10,19 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The paper's Algorithm 1 on samples: one-point RANSAC, plane by plane.
- * \param[in] points all points, for Verification::AllPoints
- * \return planes in the order found */
+/** \brief Finds planes in oriented samples by one-point RANSAC, one after the other
+ * (the paper's Algorithm 1); with strategy 2 in each orientation group by itself.
+ * \param[in] points all finite points; only Verification::AllPoints uses them
+ * \return the planes in the order they were found */
 std::vector<Plane>
 extractPlanes (const Points& points,
                const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters);
 
-/** \brief The paper's sampling: points drawn at random, with the normals of their
- * nearest neighbors; planes do not end.
- * \param[in] input the cloud and, where there is one, the user's search
- * \param[in,out] durations what each stage took is added [ms] */
+/** \brief The detector of Sampling::Points: draws points at random, estimates their
+ * normals from the nearest neighbors, and assigns all points to unbounded planes.
+ * \param[in] input the cloud, and the user's neighbor search if one is set
+ * \param[in,out] durations the wall time of each stage is added [ms] */
 LabelledPlanes
 detectAsInPaper (const DetectorInput& input,
                  const Points& points,

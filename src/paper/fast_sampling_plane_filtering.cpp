@@ -28,17 +28,18 @@ detail::detect (const DetectorInput& input,
     const LocalPlanes sampled = sampleLocalPlanes (
         spheres.points, spheres.find, local, theta_h, parameters.seed);
     clock.lap (durations.extraction);
-    // section III-C: the coplanarity test on each pair
+    // section III-C: merges planes by the coplanarity test on each pair
     const MergedPlanes merged = mergePlanes (sampled.moments, merging);
     clock.lap (durations.merging);
-    // every point of P, not of the spheres alone, to the largest plane within theta_h
+    // assigns all points of P, not only those in spheres, to the largest plane within
+    // theta_h
     std::vector<Plane> planes;
     for (const PlaneFit& fit : merged.fits)
       planes.push_back (fit.plane);
     AssignedPoints assigned = assignToUnboundedPlanes (
         points, planes, theta_h, AssignmentRule::First, parameters.threads);
     clock.lap (durations.assignment);
-    // fitted to their points, and merged where they have become coplanar
+    // fits the planes to their points, and merges planes that have become coplanar
     LabelledPlanes found =
         mergePlanesOf (std::move (assigned), merging, parameters.threads);
     found.planes_before_merging = sampled.moments.size();

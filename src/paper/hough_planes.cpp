@@ -14,7 +14,7 @@ namespace {
 // The rms distance of a cluster to its plane is at most this share of theta_h.
 constexpr double largest_rms_share = 0.5;
 
-// Fits of a plane, each to the clusters near the one before.
+// How often a plane is fitted to the clusters near its previous fit.
 constexpr int fits_per_plane = 2;
 
 double
@@ -35,7 +35,7 @@ momentsOfClusters (const Indices& clusters, const OctreeClusters& found)
   return moments;
 }
 
-/** The clusters that no plane has yet and whose rms distance to one is small enough. */
+/** The free clusters whose rms distance to a plane is at most largest_rms [m]. */
 Indices
 freeNear (const Plane& plane,
           double largest_rms,
@@ -50,13 +50,13 @@ freeNear (const Plane& plane,
   return near;
 }
 
-/** A plane and the weight it had when it was last looked at: free clusters only become
- * fewer. */
+/** A plane and its weight when it was last computed: an upper bound of its weight now,
+ * as it only loses free clusters. */
 struct RankedPlane {
   double weight = 0.0;
   std::size_t plane = 0;
 
-  /** Of planes of equal weight the first comes first. */
+  /** Of planes of equal weight the one with the lower index is the larger one. */
   bool
   operator<(const RankedPlane& other) const
   {
@@ -66,7 +66,7 @@ struct RankedPlane {
   }
 };
 
-/** The largest is on top. */
+/** The plane with the largest weight is on top. */
 using Ranks = std::priority_queue<RankedPlane>;
 
 Ranks
@@ -78,9 +78,10 @@ rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& found)
   return ranks;
 }
 
-/** Fits a plane to free clusters, then to those near it.
- * \return nothing where its clusters span no plane, or have too few points; else the
- * clusters near it are its own, and no longer free */
+/** Fits a plane to free clusters, then to the free clusters near it, and takes these.
+ * \param[in,out] is_free false for clusters that a plane has taken
+ * \return the plane and its clusters; nothing if they span no plane or have fewer than
+ * min_count points */
 std::optional<HoughPlane>
 takeClusters (Indices clusters,
               const OctreeClusters& found,

@@ -17,25 +17,28 @@ struct HoughPlane {
   std::vector<std::uint32_t> clusters;
 };
 
-/** \brief What a cluster's votes count: 0.75 of its edge's share of the root's edge and
- * 0.25 of its points' share of all points. */
+/** \brief The weight of a cluster's votes: 0.75 times the edge of its node over the
+ * edge of the root, plus 0.25 times its share of all points. */
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found);
 
-/** \brief The planes that clusters agree on: each votes in an accumulator ball around
- * the cloud's centroid, and peaks are planes (Limberger & Oliveira 2015, sections 3.2
- * to 3.4), at their bins' centers, by the falling sum of their clusters' weights; they
- * share clusters. */
+/** \brief Finds planes by a Hough transform: each cluster votes in an accumulator ball
+ * around the center of the root, and each peak is a plane (Limberger & Oliveira 2015,
+ * sections 3.2 to 3.4).
+ * \return planes at the centers of their bins, by falling sum of the weights of their
+ * clusters; planes may share clusters */
 std::vector<HoughPlane>
 voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num);
 
-/** \brief Gives each cluster to one plane and fits the planes to the points of theirs.
- * The plane with the largest weight of free clusters is fitted to them, takes all free
- * clusters whose rms distance to it is at most half of theta_h and is fitted again, so
- * that clusters too small for a good normal go to the large plane they lie on.
- * \param[in] min_share planes whose clusters hold less of all points are dropped
+/** \brief Gives each cluster to at most one plane and fits the planes to the points of
+ * their clusters. The plane with the largest weight of free clusters comes next: it is
+ * fitted to these clusters, takes all free clusters whose rms distance to it is at most
+ * theta_h / 2, and is fitted again. So clusters too small for a good normal go to the
+ * large plane they lie on.
+ * \param[in] min_share planes whose clusters hold a smaller share of all points are
+ * dropped
  * \param[in] distance_threshold theta_h [m]
- * \return the planes in the order they took clusters; they share none */
+ * \return the planes in the order they took clusters; no two share a cluster */
 std::vector<HoughPlane>
 refitPlanes (const std::vector<HoughPlane>& planes,
              const OctreeClusters& found,

@@ -17,7 +17,7 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// Into how many voxels a cloud is divided to follow its planes' outlines.
+// Number of voxels a cloud is divided into, to follow the outlines of its planes.
 constexpr double wanted_voxels = 9000.0;
 
 /** Each voxel goes to the plane of the first cluster that has a point in it. */
@@ -44,7 +44,8 @@ voxelsOfClusters (const std::vector<HoughPlane>& planes,
   return voxels;
 }
 
-/** Takes voxels off planes that their points are not on. */
+/** Takes voxels off their plane if the rms distance of their points to it exceeds
+ * noises_of_a_voxel times its noise. */
 void
 releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
 {
@@ -70,8 +71,8 @@ settleVoxels (const VoxelGrid& grid,
   measureNoise (grid, parameters.threads, planes);
 }
 
-/** Replaces each least squares plane by the plane its points were assigned to, with the
- * centroid moved onto it: the first one's where planes were merged. */
+/** Replaces each least squares plane by the plane its points were assigned to; where
+ * planes were merged, by the first of them. The centroid is moved onto that plane. */
 void
 restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
 {
@@ -82,8 +83,9 @@ restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
     fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
 }
 
-/** Planes without end: \ref assignPoints, block by block of the octree, where most
- * planes are far away, and \ref mergePlanes. */
+/** Assigns points to unbounded planes, \ref assignPoints, and merges the planes, \ref
+ * mergePlanes. In octree order the blocks of points are small, so that most planes are
+ * too far from a block and are skipped. */
 LabelledPlanes
 assignToUnboundedPlanes (const Points& points,
                          const OctreeClusters& found,
@@ -114,8 +116,9 @@ assignToUnboundedPlanes (const Points& points,
   return merged;
 }
 
-/** Planes that hold what their clusters cover and what they grow into: merging first,
- * on the voxels of a grid, and then \ref assignToBoundedPlanes of voxels. */
+/** Assigns points to bounded planes: each plane has the voxels of its clusters and
+ * those it grows into. Planes are merged on these voxels first; then \ref
+ * assignToBoundedPlanes assigns the points. */
 LabelledPlanes
 assignToOutlinedPlanes (const Points& points,
                         const OctreeClusters& found,
@@ -165,11 +168,11 @@ detectByVotes (const Points& points,
   // accumulator ball: Gaussian kernels vote for (rho, phi, theta), peaks are planes
   std::vector<HoughPlane> planes =
       voteForPlanes (clusters, parameters.phi_num, parameters.rho_num);
-  // the planes freed from the bins
+  // refits planes to their clusters, away from the centers of bins
   if (parameters.refit.enabled)
     planes = refitPlanes (planes, clusters, parameters.refit.min_share, theta_h);
   clock.lap (durations.extraction);
-  // every point to a plane, and the coplanarity test of the OPS paper on each pair
+  // assigns points to planes; merges planes by the coplanarity test of the OPS paper
   LabelledPlanes found =
       parameters.refit.enabled
           ? assignToOutlinedPlanes (points, clusters, planes, parameters, durations)
@@ -216,7 +219,7 @@ validate (const KernelHoughTransformParameters& parameters)
 {
   constexpr int max_phi = 1000;
   constexpr int max_rho = 10000;
-  // Each level is a call within a call; nodes are below any noise long before.
+  // Each level is a recursive call; nodes are smaller than any noise long before.
   constexpr int max_levels = 60;
   const KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
   if (parameters.phi_num < 2 || parameters.phi_num > max_phi)

@@ -12,15 +12,15 @@ namespace {
 // Squared Mahalanobis distance of two standard deviations, where votes end.
 constexpr double largest_squared_distance = 4.0;
 
-// Votes go no farther than this from the middle of a row and a ray [bins]. Without
-// noise to speak of a plane through the center has kernels that reach all directions,
-// and votes everywhere are votes for nothing: to end them here finds a little more,
-// too.
+// Votes go no farther than this from the likeliest direction and rho [bins]. In clouds
+// with hardly any noise, kernels of a plane through the center reach all directions,
+// and votes for all directions are of no use. Slightly more is found, too.
 constexpr double max_directions = 8.0;
 constexpr double max_bins = 32.0;
 
-// Patches of a row as counted through all turns: where a kernel hardly knows its
-// azimuth, the likeliest one of another row may be any number of turns away.
+// Largest patch number of a row, counted over several turns: where the azimuth of a
+// kernel is hardly determined, the likeliest azimuth of another row may be many turns
+// away.
 constexpr int max_patches = 1 << 30;
 
 // Keeps the Jacobian finite at the poles and for planes through the center [m^2].
@@ -29,7 +29,7 @@ constexpr double smallest_squared_distance = 1e-5;
 // Added to the variance of rho [m^2].
 constexpr double min_rho_variance = 1e-5;
 
-/** To int, bounded so that no double overflows it. */
+/** Converts to int, clamped to low .. high, so that no double overflows. */
 int
 bounded (double value, int low, int high)
 {
@@ -42,7 +42,7 @@ struct Offset {
   double theta = 0.0;
 };
 
-/** A kernel's density, in the terms that its votes are computed from. */
+/** A kernel's density, split into that of (phi, theta) and that of rho given both. */
 class KernelDensity {
 public:
   explicit KernelDensity (const PlaneKernel& kernel)
@@ -71,7 +71,7 @@ public:
     return std::isfinite (peak) && peak > 0.0;
   }
 
-  /** Squared Mahalanobis distance of a direction, the best rho assumed. */
+  /** Squared Mahalanobis distance of a direction at its likeliest rho. */
   double
   squaredDistance (const Offset& offset) const
   {
@@ -85,7 +85,8 @@ public:
     return -pt_ / tt_ * phi_offset;
   }
 
-  /** How far in theta a squared Mahalanobis distance reaches on one row. */
+  /** Offset from the likeliest theta of a row [rad] at which the squared Mahalanobis
+   * distance has grown by squared_distance. */
   double
   thetaReach (double squared_distance) const
   {
@@ -102,9 +103,9 @@ public:
   double mean_phi = 0.0;
   double mean_theta = 0.0;
   double phi_deviation = 0.0;
-  /** About the likeliest rho of a direction. */
+  /** Variance of rho about the likeliest rho of a direction [m^2]. */
   double rho_variance = 0.0;
-  /** The density at the mean. */
+  /** Weight times the density at the mean. */
   double peak = 0.0;
 
 private:
@@ -112,7 +113,7 @@ private:
   double pp_ = 0.0;
   double pt_ = 0.0;
   double tt_ = 0.0;
-  // The line of the likeliest rho over phi and theta.
+  // Slopes of the likeliest rho over phi and theta.
   double rho_per_phi_ = 0.0;
   double rho_per_theta_ = 0.0;
 };
@@ -182,7 +183,7 @@ private:
                {phi_offset, (patch + 0.5) * step - start});
   }
 
-  /** Rows beyond a pole are those of its other side. */
+  /** The row on the other side of the pole for a row beyond it; else the row itself. */
   int
   reflectedRow (int row) const
   {
@@ -224,8 +225,9 @@ private:
     }
   }
 
-  /** The density along rho at offset, offset + step, ..: the ratio of neighbors changes
-   * by a constant factor, so that no bin costs an exponential. */
+  /** Adds a ray of the densities at offset, offset + step, .. from the likeliest rho.
+   * The ratio of neighboring densities changes by a constant factor, so that no
+   * exponential is computed per bin. */
   void
   addRay (std::uint32_t direction,
           int begin,
@@ -300,9 +302,9 @@ private:
   const KernelDensity& density_;
   const HoughSpace& space_;
   KernelVotes& votes_;
-  /** Of the ratio of neighboring bins, from bin to bin. */
+  /** Factor by which the ratio of neighboring votes changes from bin to bin. */
   const double ratio_change_;
-  /** The votes may meet themselves. */
+  /** Whether votes went beyond a pole or the center, so that rays may overlap. */
   bool has_wrapped_ = false;
 };
 
@@ -321,8 +323,8 @@ planeKernel (const PlaneFit& fit,
   const double horizontal = std::hypot (normal.x(), normal.y());
   const double guard = std::sqrt (smallest_squared_distance);
 
-  // p = rho n, w = px^2 + py^2, q = w + pz^2. The rows are written with the cosine and
-  // sine of theta for px / sqrt (w) and py / sqrt (w), which stay defined at the poles.
+  // p = rho n, w = px^2 + py^2, q = w + pz^2. The cosine and sine of theta replace
+  // px / sqrt (w) and py / sqrt (w), because they stay defined at the poles.
   const double root_w = std::max (rho * horizontal, guard);
   const double root_q = std::max (rho, guard);
   Eigen::Matrix3d jacobian;

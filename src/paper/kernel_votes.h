@@ -10,20 +10,21 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A trivariate Gaussian over planes, in the order rho [m], phi [rad], theta
- * [rad] (Limberger & Oliveira 2015, section 3.2). */
+/** \brief A trivariate Gaussian over the plane parameters rho [m], phi [rad] and theta
+ * [rad], in this order (Limberger & Oliveira 2015, section 3.2). */
 struct PlaneKernel {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  /** \brief Factor of its density. */
+  /** \brief Factor that its density is multiplied by. */
   double weight = 1.0;
 };
 
-/** \brief The kernel of a set of points near a plane: the points' covariance carried
- * over to the plane's parameters, Sigma_rpt = J Sigma_xyz J^T, plus 1e-5 on (rho, rho).
- * \param[in] fit the sign of its normal means nothing
+/** \brief The kernel of a set of points near a plane: the points' covariance propagated
+ * to the plane parameters, Sigma_rpt = J Sigma_xyz J^T, plus 1e-5 m^2 on the variance
+ * of rho.
+ * \param[in] fit the plane of the points; the sign of its normal has no effect
  * \param[in] covariance Sigma_xyz, the points' population covariance
- * \param[in] center of the ball, in the same frame */
+ * \param[in] center of the ball, in the frame of \p fit */
 PlaneKernel
 planeKernel (const PlaneFit& fit,
              const Eigen::Matrix3d& covariance,
@@ -33,9 +34,9 @@ planeKernel (const PlaneFit& fit,
 /** \brief A kernel's votes along rho in one direction. */
 struct VoteRay {
   std::uint32_t direction = 0;
-  /** \brief Its bins are those from begin to before end. */
+  /** \brief Its range of rho bins, [begin, end). */
   std::int32_t begin = 0, end = 0;
-  /** \brief Where its values begin in \ref KernelVotes::values. */
+  /** \brief Index of its first vote in \ref KernelVotes::values. */
   std::uint32_t first_value = 0;
 };
 
@@ -44,19 +45,19 @@ struct KernelVotes {
   std::vector<float> values;
 };
 
-/** \brief Votes for the bins whose center lies within two standard deviations of a
- * kernel, within the ellipsoid on which its density is g_min = exp (-2) of its peak,
- * and within 8 directions and 32 bins of rho, so that no kernel costs more than some
- * 20,000.
+/** \brief Computes the votes of a kernel for the bins whose center lies in its
+ * ellipsoid of two standard deviations, on which the density is g_min = exp (-2) times
+ * its peak. Votes end 8 directions and 32 bins of rho from the middle, so that no
+ * kernel has more than some 20,000.
  *
- * The vote is weight times the density at the bin's center. The kernel's own bin gets
- * at least the vote weight g_min, so that a kernel that lies between bin centers is not
- * lost. Rows beyond a pole are those of the pole's other side, half a turn on; negative
- * rho is positive rho in the opposite direction; votes beyond the last rho are dropped.
- * A kernel counts once per bin, with its largest vote: where its votes meet themselves
- * around a pole or the center, the smaller is 0. Only kernels with a positive definite
- * covariance have votes.
- * \param[out] votes overwritten; its memory is used again */
+ * A vote is weight times the density at the bin's center. The bin that contains the
+ * mean gets at least weight times g_min, so that a kernel between bin centers is not
+ * lost. Rows beyond a pole continue on its other side, half a turn farther. Negative
+ * rho is positive rho in the opposite direction. Votes beyond the last rho are dropped.
+ * A kernel counts once per bin, with its largest vote: where its rays overlap around a
+ * pole or the center, the smaller vote becomes 0. Kernels whose covariance is not
+ * positive definite have no votes.
+ * \param[out] votes overwritten; its memory is reused */
 void
 castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes);
 

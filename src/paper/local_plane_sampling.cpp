@@ -16,13 +16,13 @@
 namespace pcl_ops::internal {
 namespace {
 
-/** \brief Finds the points within a fixed radius of any of the points. The points are
- * sorted into voxels with edges of that radius, or into larger ones if most of these
- * would be nearly empty. That takes a fraction of the time of building a kd-tree. */
+/** \brief Finds the points within a fixed radius of one of them. The points are sorted
+ * into voxels whose edge is that radius, or longer if most voxels would be nearly
+ * empty. Sorting takes a fraction of the time of building a k-d tree. */
 struct FixedRadiusSearch {
   float squared_radius;
   VoxelNeighbors neighbors_of_voxel;
-  /** \brief Position of each voxel's first point, and where the last voxel ends. */
+  /** \brief Index of each voxel's first point, then the number of points. */
   Indices voxel_begin;
   /** \brief All points, voxel by voxel. */
   Coordinates points;
@@ -30,7 +30,7 @@ struct FixedRadiusSearch {
   FixedRadiusSearch (const Coordinates& positions, double radius, unsigned threads)
   : squared_radius (static_cast<float> (radius * radius))
   {
-    // A voxel takes time even if it holds next to no points.
+    // Visiting a voxel takes time even if it is nearly empty.
     constexpr double points_per_voxel = 16.0;
     const double max_voxels =
         std::max (1.0, static_cast<double> (positions.size()) / points_per_voxel);
@@ -44,7 +44,7 @@ struct FixedRadiusSearch {
   }
 
   /** \param[out] sphere the points within the radius
-   * \return how many points were looked at for that */
+   * \return how many points were examined */
   std::size_t
   find (std::uint32_t point, Indices& sphere) const
   {
@@ -76,7 +76,7 @@ struct FixedRadiusSearch {
   }
 };
 
-/** So many points are drawn for a hypothesis before it is given up. */
+/** Number of points drawn for a hypothesis before it is given up. */
 constexpr int max_draws = 1000;
 
 std::uint32_t
@@ -92,9 +92,9 @@ struct PlaneSampler {
   float threshold;
   RandomGenerator generator;
 
-  /** The inliers of a hypothesis, if it passes the local test: more than alpha_min
-   * N_loc of the samples are inliers. The test ends as soon as the samples not yet
-   * drawn cannot change its result. */
+  /** Moments of the inliers of a hypothesis, if it passes the local test: more than
+   * alpha_min N_loc of the N_loc samples are inliers. The test ends as soon as it must
+   * fail or, with Inliers::Sphere, as soon as it is passed. */
   std::optional<Moments>
   inliersOf (const FloatPlane& plane, const Indices& sphere)
   {
@@ -121,9 +121,10 @@ struct PlaneSampler {
     return moments;
   }
 
-  /** One turn of the paper's loop: the inliers of a plane around p_r0, if there is one.
-   * \param[in,out] visits so many points were looked at; draws without a result are
-   * added, those of the sphere are not */
+  /** One turn of the paper's loop: moments of the inliers of a plane around p_r0, if
+   * there is one.
+   * \param[in,out] visits number of points examined: draws that give no hypothesis are
+   * added, the points of the sphere are not */
   std::optional<Moments>
   planeAround (std::uint32_t origin, const Indices& sphere, double& visits)
   {
@@ -182,7 +183,7 @@ drawHypothesis (const Coordinates& points,
                 double inner_radius,
                 RandomGenerator& generator)
 {
-  // A triangle counts as a line if it is narrower than a thousandth of its length.
+  // Three points count as a line if the sine of their angle at p_r0 is at most this.
   constexpr double smallest_sine = 1e-3;
   const Eigen::Vector3d p0 = points[origin];
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -222,8 +223,8 @@ sampleLocalPlanes (const Coordinates& points,
   Indices sphere;
   for (; n < n_max && k < k_max && visits < max_visits; ++k) {
     const std::uint32_t origin = drawBelow (sampler.generator, size);
-    // A search looks at three times as many points as there are in a sphere on a
-    // surface, at more in noise; an empty sphere costs, too.
+    // On a surface a search examines three times as many points as the sphere holds, in
+    // noise more. An empty sphere takes time, too.
     const auto looked_at = static_cast<double> (find_sphere (origin, sphere));
     visits += visits_of_any_sphere + std::max (static_cast<double> (sphere.size()),
                                                looked_at / usually_looked_at);

@@ -15,32 +15,35 @@ namespace pcl_ops::internal {
 
 using LocalSamplingParameters = FastSamplingPlaneFilteringParameters::Local;
 
-/** \brief Gives the points within r2 of the point at a position, itself included: their
- * positions, in any order, replace what the vector held.
- * \return how many points were looked at for that; more than there are in the sphere,
- * if it is nearly empty in a crowd */
+/** \brief Finds the points within r2 of the point \p center, itself included. Points
+ * are indices into \ref Spheres::points. \p sphere is overwritten, in any order.
+ * \return how many points were examined: far more than \p sphere holds where a nearly
+ * empty sphere lies close to many points */
 using SphereFinder = std::function<std::size_t (std::uint32_t center, Indices& sphere)>;
 
-/** \brief Points in the order a search has them, and the spheres around each. */
+/** \brief Points in the order of a search, and the function that finds the sphere
+ * around a point. */
 struct Spheres {
   Coordinates points;
   SphereFinder find;
 };
 
-/** \brief Spheres of radius r2 by the user's search, or, several times faster, in a
- * grid of voxels; input and points are used as long as the spheres are. */
+/** \brief Spheres of radius r2, found by the user's search if one is set, else in a
+ * grid of voxels, several times faster. \p input and \p points must outlive the
+ * spheres. */
 Spheres
 spheresAround (const DetectorInput& input,
                const Points& points,
                double radius,
                unsigned threads);
 
-/** \brief A point and the plane through it and two others near it.
- * \param[in] origin position of p_r0
- * \param[in] sphere positions of the points around it, at least one
- * \param[in] inner_radius r1: how far away p_r1 and p_r2 may be [m]; both are drawn anew
- * while the three are not different points or are on one line
- * \return nothing if a bounded number of draws gives no triangle */
+/** \brief Draws a hypothesis: the plane through a point p_r0 and two points near it.
+ * \param[in] origin index of p_r0
+ * \param[in] sphere indices of the points around p_r0, at least one
+ * \param[in] inner_radius r1: largest distance of p_r1 and p_r2 from p_r0 [m]. A point
+ * that is too far away or equals p_r0 is drawn again; if the three lie on one line,
+ * both are drawn again
+ * \return nothing if 1000 draws give no triangle */
 std::optional<Plane>
 drawHypothesis (const Coordinates& points,
                 std::uint32_t origin,
@@ -49,18 +52,19 @@ drawHypothesis (const Coordinates& points,
                 RandomGenerator& generator);
 
 struct LocalPlanes {
-  /** \brief Moments of each plane's inliers about the zero of the points' frame, in the
-   * order found. */
+  /** \brief Moments of the inliers of each plane, about the zero of the points' frame,
+   * in the order the planes were found. */
   std::vector<Moments> moments;
-  /** \brief k: how many hypotheses were looked at. */
+  /** \brief k: how many spheres were tried, with or without a hypothesis. */
   std::size_t hypotheses = 0;
 };
 
-/** \brief Samples planes of small spheres until N_max or K_max is reached.
+/** \brief Samples planes from small spheres until N_max, K_max or the limit of visited
+ * points is reached.
  *
- * Spheres with fewer than N_loc points have no plane. As in the paper, points stay in
- * the game when a plane has taken them: spheres overlap, merging joins their planes.
- * \param[in] distance_threshold theta_h: largest distance of an inlier [m] */
+ * A sphere with fewer than N_loc points has no plane. As in the paper, a point that a
+ * plane has taken may be drawn again: spheres overlap, and merging joins their planes.
+ * \param[in] distance_threshold theta_h: inliers are nearer to the plane [m] */
 LocalPlanes
 sampleLocalPlanes (const Coordinates& points,
                    const SphereFinder& find_sphere,

@@ -18,23 +18,23 @@
 namespace pcl_ops::internal {
 namespace {
 
-// A smaller cube counts as a single point: single precision cannot number its leaves
-// [m].
+// A root cube with a smaller edge counts as a single point, because single precision
+// cannot number its leaves [m].
 constexpr double smallest_edge = 1e-30;
 
 // Points farther from a node's plane than this share of its edge are dropped.
 constexpr double dropped_distance_share = 0.1;
 
-// All points are sorted into the nodes of this level at once: 8^5 of them fit a 16 bit
-// code and the second level cache.
+// All points are sorted into the nodes of this level in one pass: the codes of 8^5
+// nodes fit into 16 bits, their counters into the second level cache.
 constexpr int sorted_level = 5;
 
-// The nodes of this level are divided among threads, or those of s_level if that is
-// nearer to the root.
+// The threads share the nodes of this level, or of s_level if that is nearer to the
+// root.
 constexpr int max_start_level = 2;
 
 /** The lowest and the highest value without the 2 per cent at either end, which may be
- * outliers. Only some thousand of the values are looked at. */
+ * outliers. At most 10,000 of the values are used. */
 std::pair<double, double>
 middleOf (const std::vector<float>& values)
 {
@@ -54,8 +54,8 @@ middleOf (const std::vector<float>& values)
   return {lowest, *high};
 }
 
-/** The box of the points that are not outliers. It reaches as far beyond most points as
- * these are wide. */
+/** The box of the points that are not outliers: the ranges of \ref middleOf, extended
+ * at both ends by the width of the widest range. */
 Eigen::AlignedBox3d
 fenceOf (const Coordinates& points)
 {
@@ -65,7 +65,7 @@ fenceOf (const Coordinates& points)
   std::tie (low.y(), high.y()) = middleOf (points.y);
   std::tie (low.z(), high.z()) = middleOf (points.z);
   const double spread = (high - low).maxCoeff();
-  // Where nearly all points are equal nothing tells how far the others may be.
+  // If nearly all points are equal, no other point counts as an outlier.
   const double width = spread > 0.0 ? spread : std::numeric_limits<double>::infinity();
   return {low - Eigen::Vector3d::Constant (width),
           high + Eigen::Vector3d::Constant (width)};
@@ -79,7 +79,7 @@ struct OctreeNode {
   double edge = 0.0;
   /** 0 for the root. */
   int level = 0;
-  /** Its place in Morton order among the nodes of its level, down to sorted_level. */
+  /** Morton code among the nodes of its level; unused below sorted_level. */
   std::size_t code = 0;
 
   std::size_t
@@ -89,11 +89,12 @@ struct OctreeNode {
   }
 };
 
-/** Sorts a node's points into the 8^levels cubes within, in Morton order (a stable
- * counting sort).
- * \param[in] pointAt (i) one of its points
- * \param[out] sorted where the points of the root begin
- * \return where each cube begins there, and where the last one ends */
+/** Sorts a node's points into the 8^levels cubes that it is divided into, in Morton
+ * order (a stable counting sort).
+ * \param[in] pointAt pointAt (i) is point i of the node
+ * \param[out] sorted the points of the root; those of the node are overwritten
+ * \return index in \p sorted of each cube's first point, then the end of the last
+ * cube */
 template <typename PointAt>
 Indices
 sortIntoCubes (const OctreeNode& node,
@@ -107,8 +108,8 @@ sortIntoCubes (const OctreeNode& node,
   const auto last = static_cast<float> (cubes - 1);
   const Eigen::Vector3f center = node.center.cast<float>();
   const auto bits = [=] (float value, float middle) {
-    // A point in the middle of a cube of no size gives NaN, which std::max in this
-    // order turns into 0.
+    // A point in the middle of a cube so small that scale is infinite gives NaN, which
+    // std::max in this argument order turns into 0.
     const float cube =
         std::min (last, std::max (0.0f, (value - middle) * scale + half));
     return spreadBits (static_cast<std::uint32_t> (cube));
@@ -130,16 +131,17 @@ sortIntoCubes (const OctreeNode& node,
   return begins;
 }
 
-/** Descends from a node and collects the clusters below, depth first. */
+/** Visits the nodes below a node, depth first, and collects the clusters. */
 struct Descent {
   const RootCube& root;
-  /** Where the nodes of sorted_level begin, and where the last one ends. */
+  /** Index of the first point of each node of sorted_level, then the end of the last
+   * node. */
   const Indices& begins;
   const OctreeClusterParameters& parameters;
   std::vector<OctreePoint>& points;
   std::vector<CoplanarCluster> clusters = {};
 
-  /** A node of sorted_level or above. */
+  /** A node of a level from the root down to sorted_level. */
   OctreeNode
   sortedNode (int level, std::size_t code) const
   {
@@ -224,7 +226,8 @@ private:
            variances[1] * parameters.s_beta > variances[2];
   }
 
-  /** Moves the points near the plane to the node's front; returns their end. */
+  /** Moves the points near the plane to the front of the node's range.
+   * \return the end of these points */
   std::uint32_t
   dropFarPoints (const OctreeNode& node, const Plane& plane)
   {

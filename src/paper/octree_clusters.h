@@ -14,14 +14,14 @@ namespace pcl_ops::internal {
 
 using OctreeClusterParameters = KernelHoughTransformParameters::Clusters;
 
-/** \brief The cube an octree starts from. */
+/** \brief The root cube of an octree. */
 struct RootCube {
-  /** \brief Centroid of the points that are not far from all others. */
+  /** \brief Centroid of the points that are not outliers. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  /** \brief 2 max |coordinate about the center| of these points [m]; 0 for points that
-   * are all equal. */
+  /** \brief Twice the largest |coordinate - center| of the points that are not outliers
+   * [m]; 0 if these points are all equal. */
   double edge = 0.0;
-  /** \brief Largest distance to the center of a point in the cube [m]. */
+  /** \brief Largest distance of a point in the cube from the center [m]. */
   double radius = 0.0;
 
   bool
@@ -31,15 +31,15 @@ struct RootCube {
   }
 };
 
-/** \brief The cube around the centroid that holds the points, but for those far from
- * all others: farther from the middle 96 per cent of a coordinate than those of the
- * widest coordinate spread. One stray return would else make the nodes as coarse
- * as its distance.
+/** \brief The cube around the centroid that holds all points but outliers. For each
+ * coordinate take the range of its middle 96 per cent. An outlier lies farther outside
+ * one of the three ranges than the widest of them is wide. With outliers, one stray
+ * return would make all nodes coarse.
  * \return edge 0 for no points */
 RootCube
 rootCubeOf (const Coordinates& points);
 
-/** \brief A point and its position in the cloud. */
+/** \brief A point, with its index in the points that the octree was built from. */
 struct OctreePoint {
   float x, y, z;
   std::uint32_t index;
@@ -53,13 +53,13 @@ struct OctreePoint {
 
 /** \brief The approximately coplanar points of one octree node. */
 struct CoplanarCluster {
-  /** \brief Their plane, centroid and variances, in the frame of the points. */
+  /** \brief Least squares fit to the points, in their frame. */
   PlaneFit fit;
   Moments moments;
   /** \brief Length of the node's edge [m]. */
   double edge = 0.0;
   int level = 0;
-  /** \brief Its points are those from begin to before end of OctreeClusters::points. */
+  /** \brief Its points: the range [begin, end) of OctreeClusters::points. */
   std::uint32_t begin = 0, end = 0;
 
   std::size_t
@@ -72,17 +72,18 @@ struct CoplanarCluster {
 struct OctreeClusters {
   RootCube root;
   std::vector<CoplanarCluster> clusters;
-  /** \brief All points, in an order that makes each node a range; after them those
-   * outside the root. Empty where the root cube has no edge. */
+  /** \brief All points: first those in the root cube, in an order that makes each node
+   * a range, then those outside. Empty if the edge of the root cube is 0. */
   std::vector<OctreePoint> points;
 };
 
-/** \brief Splits the cloud's bounding cube in eight until the points of a node lie near
- * a plane or are too few. From the first level on, a node whose covariance passes the
- * test drops the points farther than a tenth of its edge from its plane and becomes a
- * cluster. The result does not depend on the number of threads.
- * \return the clusters in Morton order of the first levels; none for an empty cloud or
- * one whose points are all equal */
+/** \brief Builds an octree over the root cube and collects its coplanar nodes. Nodes
+ * are split until their points lie near a plane or are too few, down to max_level. From
+ * first_level on, a node whose variances pass the test of s_alpha and s_beta becomes a
+ * cluster, without the points farther than a tenth of its edge from its plane. The
+ * result does not depend on the number of threads.
+ * \return the clusters in Morton order; no clusters for an empty cloud or one whose
+ * points are all equal */
 OctreeClusters
 findCoplanarClusters (const Coordinates& points,
                       const OctreeClusterParameters& parameters,

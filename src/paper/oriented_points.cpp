@@ -40,7 +40,7 @@ positionIn (const CloudView& cloud, pcl::index_t index)
   return {position[0], position[1], position[2]};
 }
 
-// M_i of one sample, in the frame of its position.
+// M_i of one sample, with positions relative to the sample.
 Eigen::Matrix3d
 weightedScatter (const CloudView& cloud,
                  pcl::index_t sample,
@@ -89,7 +89,8 @@ Eigen::Vector3d
 normalOfScatter (const Eigen::Matrix3d& scatter)
 {
   const PrincipalAxes axes = principalAxes (scatter);
-  // Narrower than a thousandth of its length it is a line: rounding decides the rest.
+  // Points in a strip narrower than a thousandth of its length count as a line, because
+  // rounding would decide the normal.
   constexpr double smallest_relative_variance = 1e-6;
   if (!(axes.values[1] > smallest_relative_variance * axes.values[2]))
     return Eigen::Vector3d::Zero();
@@ -104,7 +105,8 @@ orientSamples (const CloudView& cloud,
                int k,
                std::optional<double> sigma)
 {
-  // The nearest neighbor of a point of the cloud is the point itself: q_ij != p_i.
+  // One more than k: the nearest neighbor of a point is the point itself, and q_ij is
+  // not p_i.
   const auto asked =
       static_cast<int> (std::min (static_cast<std::size_t> (k) + 1, points.size()));
   constexpr std::size_t samples_per_piece = 256;

@@ -12,9 +12,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief P_s with normals, in the local frame of Points. */
+/** \brief The sampled points P_s with normals, in the local frame of Points. */
 struct OrientedSamples : Coordinates {
-  /** \brief Unit normals; their sign means nothing. */
+  /** \brief Unit normals of arbitrary sign. */
   Coordinates normals;
 
   /** \brief Adds a sample. */
@@ -30,14 +30,16 @@ struct OrientedSamples : Coordinates {
 
 /** \brief Draws alpha_s N of the N points, each subset equally likely (Knuth's
  * selection sampling: one pass, no repetition).
- * \param[in] rate alpha_s, 0 .. 1; the number drawn is rounded to the nearest */
+ * \param[in] rate alpha_s, clamped to 0 .. 1; alpha_s N is rounded to the nearest
+ * integer
+ * \return indices of the drawn points, ascending */
 Indices
 drawSample (std::size_t size, double rate, std::uint32_t seed);
 
-/** \brief The user's search over the finite points, or, where there is none, the
- * library's own.
- * \param[in] input used as long as the search is
- * \param[in] threads that may ask the library's own; 0: all */
+/** \brief The user's neighbor search over the finite points; if none is set, the
+ * library's own, a \ref BoxTree.
+ * \param[in] input must outlive the search
+ * \param[in] threads that may query the library's own search at once; 0: all */
 NeighborSearch
 searchOver (const DetectorInput& input, const Points& points, unsigned threads);
 
@@ -45,9 +47,9 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads);
  * eigenvalue of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij -
  * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbors (paper, equation of section
  * III-A). Neighbors at distance 0 are skipped.
- * \param[in] sigma of the weight [m]; none: the distance to the farthest neighbor
- * \return position and normal of each sample, in order; samples whose neighbors are
- * fewer than two or on one line have no normal and are left out */
+ * \param[in] sigma of the weight [m]; not given: the distance to the farthest neighbor
+ * \return position and normal of each sample, in order. A sample with fewer than two
+ * neighbors, or with all neighbors on one line, has no normal and is left out */
 OrientedSamples
 orientSamples (const CloudView& cloud,
                const Points& points,
@@ -57,11 +59,15 @@ orientSamples (const CloudView& cloud,
                std::optional<double> sigma);
 
 /** \brief The eigenvector of the smallest eigenvalue of a scatter matrix.
- * \return a unit vector, or zero where the matrix has rank one or less */
+ * \return a unit vector; zero if the second eigenvalue is at most 1e-6 of the largest,
+ * as it is for points on one line */
 Eigen::Vector3d
 normalOfScatter (const Eigen::Matrix3d& scatter);
 
-/** \brief Strategy 2: the horizontal, vertical and other samples. */
+/** \brief Divides samples into those of horizontal, vertical and other planes, for
+ * strategy 2.
+ * \param[in] tolerance of angles, as in \ref orientationOf [rad]
+ * \return ascending indices of the samples of each group */
 std::array<Indices, 3>
 groupByOrientation (const OrientedSamples& samples,
                     const Eigen::Vector3d& up,

@@ -113,7 +113,8 @@ onePointRansac (const Candidates& candidates,
   const Coordinates own = selected (samples, left);
   const Coordinates& voters = remaining ? *remaining : own;
   std::optional<Plane> best;
-  // No plane smaller than theta_N is worth a draw: that ends a round without any.
+  // Planes of theta_N samples or fewer do not count: N_iter starts with the draws for
+  // theta_N inliers, which ends the search where there is no plane.
   std::size_t most = parameters.min_samples;
   std::size_t n_iter = draws_for (most, left.size());
   for (std::size_t iter = 0; iter < n_iter; ++iter) {

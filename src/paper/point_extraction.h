@@ -12,67 +12,71 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Those of Sampling::Points, theta_h given. */
+/** \brief The parameters of Sampling::Points; distance_threshold (theta_h) is set. */
 using RansacParameters = OrientedPointSamplingParameters;
 
-/** \brief N_iter = log (1 - p) / log (1 - w): draws of one point after which an inlier
- * was among them with probability p.
- * \param[in] inlier_ratio w = 1 - e; outside (0, 1) it is guarded: w >= 1 needs one
- * draw, w <= 0 as many as fit */
+/** \brief N_iter = log (1 - p) / log (1 - w), rounded up: after so many draws of one
+ * point, an inlier was drawn with probability p.
+ * \param[in] inlier_ratio w = 1 - e; w >= 1 gives one draw, w <= 0 the largest
+ * std::int32_t */
 std::size_t
 requiredDraws (double probability, double inlier_ratio);
 
-/** \brief Samples no plane has yet, and what hypotheses are counted on. */
+/** \brief The samples and points that no plane has taken yet. */
 struct Candidates {
   const OrientedSamples& samples;
-  /** \brief Which of the samples, ascending. */
+  /** \brief Indices of the samples that no plane has taken yet, ascending. */
   Indices left;
-  /** \brief All points no plane has yet, for hypotheses to compete on these ("using all
-   * points for verification"; Verification::AllPoints); else nullptr. */
+  /** \brief All points that no plane has taken yet, if hypotheses are counted on them
+   * ("using all points for verification"; Verification::AllPoints); nullptr if they are
+   * counted on the samples. */
   Coordinates* remaining = nullptr;
 };
 
 /** \brief One-point RANSAC on sampled points (paper section III-A, Algorithm 1, lines 7
- * to 24): a sample's own plane, drawn N_iter times, N_iter adapted to the best inlier
- * ratio so far. theta_N is counted on the samples,
- * whatever hypotheses compete on.
- * \return the hypothesis with the most inliers; nothing if none has more than theta_N */
+ * to 24): each draw takes the plane of one sample as hypothesis. The number of draws
+ * N_iter follows the best inlier ratio so far. theta_N always counts samples, even if
+ * hypotheses are counted on all points.
+ * \return the hypothesis with the most inliers; nothing if no hypothesis has more than
+ * theta_N samples as inliers */
 std::optional<Plane>
 onePointRansac (const Candidates& candidates,
                 const RansacParameters& parameters,
                 RandomGenerator& generator);
 
-/** \brief A plane with the samples on it. */
+/** \brief A plane with the indices of the samples on it. */
 struct ExtractedPlane {
   Plane plane;
   Indices inliers;
 };
 
-/** \brief The largest plane of the candidates, refitted to its inliers among them; with
- * local optimization these are selected again while they grow in number (LO-RANSAC,
- * Chum, Matas & Kittler 2003). */
+/** \brief The best plane of RANSAC among the candidates, fitted to its inlier samples.
+ * With local optimization the inliers are selected again and the plane is refitted
+ * while the number of inliers grows (LO-RANSAC, Chum, Matas & Kittler 2003).
+ * \return nothing if RANSAC finds no plane */
 std::optional<ExtractedPlane>
 largestPlane (const Candidates& candidates,
               const RansacParameters& parameters,
               RandomGenerator& generator);
 
-/** \brief The peel loop (paper, "Detection of Multiple Planes"): finds the largest
- * plane, removes its inliers and repeats until none is found.
- * \param[in,out] candidates what no plane has is left
- * \return the planes in the order found; their inliers are disjoint */
+/** \brief Finds the largest plane, removes its inliers and repeats until no plane is
+ * found (paper, "Detection of Multiple Planes").
+ * \param[in,out] candidates the inliers of the planes are removed
+ * \return the planes in the order they were found; their inliers are disjoint */
 std::vector<ExtractedPlane>
 extractAll (Candidates& candidates,
             const RansacParameters& parameters,
             RandomGenerator& generator);
 
-/** \brief How many points lie within a distance of a plane: the loop RANSAC spends its
- * time in, plain single precision so that the compiler vectorizes it. */
+/** \brief How many points are nearer to a plane than \p distance_threshold [m]. RANSAC
+ * spends its time in this loop: single precision lets the compiler vectorize it. */
 std::size_t
 countWithinDistance (const Coordinates& points,
                      const Plane& plane,
                      double distance_threshold);
 
-/** \brief The candidates within a distance of a plane, in order. */
+/** \brief The candidates that are nearer to a plane than \p distance_threshold [m].
+ * \param[in] candidates indices of points; their order is kept */
 Indices
 selectWithinDistance (const Coordinates& points,
                       const Indices& candidates,

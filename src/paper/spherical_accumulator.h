@@ -13,10 +13,10 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A number for each bin of a ball. A direction gets its bins when it is first
- * written to, so that memory goes with the directions that occur. Two bins more at
- * either end may be read as well: those below 0 are the opposite direction's, once
- * \ref mirrorCenter has been called. */
+/** \brief A number for each bin of an accumulator ball. The bins of a direction are
+ * allocated when it is first written to, so that memory grows with the directions in
+ * use. Two more bins can be read at either end: bins -1 and -2 hold bins 0 and 1 of the
+ * opposite direction once \ref mirrorCenter has been called; the others are 0. */
 class BallColumns {
 public:
   BallColumns (std::size_t directions, int rho_num)
@@ -29,14 +29,14 @@ public:
     return columns_[direction].empty();
   }
 
-  /** \brief The bins of a direction, the first one at 0. */
+  /** \brief The bins of a direction, bin 0 first; zeros if it was never written to. */
   const float*
   operator[] (std::uint32_t direction) const
   {
     return (isEmpty (direction) ? no_votes_ : columns_[direction]).data() + margin;
   }
 
-  /** \brief The same to write to. */
+  /** \brief The bins of a direction to write to, bin 0 first. */
   float*
   write (std::uint32_t direction)
   {
@@ -45,8 +45,8 @@ public:
     return columns_[direction].data() + margin;
   }
 
-  /** \brief Copies what lies next to the center to before the opposite direction's
-   * first bin. */
+  /** \brief Copies bins 0 and 1 of each direction to bins -1 and -2 of the opposite
+   * direction, which they adjoin at the center. */
   void
   mirrorCenter (const BallDirections& directions)
   {
@@ -68,8 +68,8 @@ private:
   std::vector<float> no_votes_;
 };
 
-/** \brief Finds the bins that are the highest within two steps, between them the seams
- * of the ball. */
+/** \brief Tests whether a bin is a peak: the highest of all bins whose 3 x 3 x 3
+ * neighborhood overlaps its own, also across the poles and the center. */
 class PeakTest {
 public:
   PeakTest (const BallColumns& heights, const BallDirections& directions)
@@ -100,7 +100,8 @@ public:
   }
 
 private:
-  /** \brief No bin of a column within two of a bin's is higher than it. */
+  /** \brief Whether no bin of \p column within two bins of \p bin is higher than \p bin
+   * of \p direction. */
   bool
   isHighestOf (std::uint32_t column, std::uint32_t direction, int bin) const
   {
@@ -124,17 +125,17 @@ private:
   std::vector<std::vector<std::uint32_t>> centered_around_;
 };
 
-/** \brief A bin of the accumulator that stands out. */
+/** \brief A peak of the accumulator. */
 struct HoughPeak {
   std::uint32_t direction = 0;
   int bin = 0;
-  /** \brief Its votes, smoothed. */
+  /** \brief The smoothed votes of the bin. */
   float votes = 0.0f;
-  /** \brief Who voted for it or the bins around it; ascending, each once. */
+  /** \brief The voters for the 3 x 3 x 3 bins around it; ascending, each once. */
   std::vector<std::uint32_t> voters;
 };
 
-/** \brief Votes for planes in an accumulator ball, and who cast them (Limberger &
+/** \brief An accumulator ball with the votes for planes and their voters (Limberger &
  * Oliveira 2015, sections 3.3 and 3.4). */
 struct SphericalAccumulator {
   HoughSpace space;
@@ -142,7 +143,8 @@ struct SphericalAccumulator {
 
   explicit SphericalAccumulator (HoughSpace of) : space (std::move (of)) {}
 
-  /** \brief Adds the votes of a kernel, which peaks will know by its number. */
+  /** \brief Adds the votes of a kernel.
+   * \param[in] voter number of the kernel in \ref HoughPeak::voters */
   void
   add (const KernelVotes& kernel, std::uint32_t voter)
   {
@@ -155,12 +157,13 @@ struct SphericalAccumulator {
     }
   }
 
-  /** \brief The peaks, highest first. Votes are smoothed (0.2 of a bin's own and 0.1333
-   * of each of its six neighbors'). Bins with votes are then walked from the highest
-   * down and the 3 x 3 x 3 bins around each are marked; a bin is a peak if nothing
-   * around it was marked before. That is so if it is the highest of all bins whose
-   * surroundings meet its own, which is how it is found here, without sorting the bins.
-   * Of equals the one with the lower direction and bin counts as higher. */
+  /** \brief The peaks, highest first. Votes are smoothed: 0.2 times the bin's own plus
+   * 0.1333 times those of each of its six neighbors. Then, in principle, bins are
+   * visited from the highest down and the 3 x 3 x 3 bins around each are marked; a bin
+   * is a peak if no bin around it was marked before. Such a bin is the highest of all
+   * bins whose neighborhood overlaps its own: \ref PeakTest tests this without sorting
+   * the bins. Of equally high bins, the lower direction, then the lower bin counts as
+   * higher. */
   std::vector<HoughPeak>
   peaks () const
   {
@@ -236,7 +239,7 @@ private:
     std::uint32_t voter;
     int begin, end;
   };
-  /** \brief For each direction who voted for which bins. */
+  /** \brief For each direction the voters and their ranges of bins, [begin, end). */
   std::vector<std::vector<VoterRange>> voters_{space.directions.size()};
 };
 

@@ -7,9 +7,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A piece of a line: where it begins and ends, by coordinates along the line
- * [m].
- */
+/** \brief An interval on a line, from its first to its last coordinate along it [m]. */
 struct Interval {
   double from, to;
 
@@ -20,11 +18,11 @@ struct Interval {
   }
 };
 
-/** \brief Intervals of one line, ascending, with gaps between them. */
+/** \brief Disjoint intervals on one line, in ascending order. */
 using Intervals = std::vector<Interval>;
 
-/** \brief The intervals that points on a line cover, if gaps up to \p max_gap between
- * neighbors count as covered.
+/** \brief Joins points on a line into intervals, across gaps up to \p max_gap [m]
+ * between neighbors. A single point makes an interval of length 0.
  * \param[in] coordinates of the points along the line [m], in any order */
 inline Intervals
 intervalsOf (std::vector<double> coordinates, double max_gap)

@@ -14,14 +14,14 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane that ends, as its moments tell: the rectangle that has them, too. */
+/** \brief The bounded part of a plane: a rectangle with the moments of its inliers. */
 struct Patch {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  /** \brief Unit vectors: along, across, and the normal. */
+  /** \brief Columns: unit vectors along the rectangle, across it, and its normal. */
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  /** \brief Half the sides of the rectangle, along and across [m]. */
+  /** \brief Half the length (along) and half the width (across) [m]. */
   Eigen::Vector2d half = Eigen::Vector2d::Zero();
-  /** \brief Of heights of points over the plane [m^2]. */
+  /** \brief Mean squared distance of the points to the plane [m^2]. */
   double noise = 0.0;
 
   Eigen::Vector3d
@@ -44,20 +44,20 @@ patchOf (const PlaneSegment& plane)
   if (!fit)
     return std::nullopt;
   const Eigen::Matrix3d covariance = plane.moments.covariance();
-  // Its own normal rather than the fit's: nothing else would be the plane of the user.
+  // The normal of the segment, not of the fit: it defines the plane that the user has.
   const Eigen::Matrix<double, 3, 2> in_plane = planeAxes (plane.normal);
   const Eigen::Matrix2d spread = in_plane.transpose() * covariance * in_plane;
-  // The direction of the larger variance, in closed form.
+  // The eigenvector of the larger eigenvalue of the covariance, in closed form.
   const double angle =
       0.5 * std::atan2 (2.0 * spread (0, 1), spread (0, 0) - spread (1, 1));
   const Eigen::Vector2d along (std::cos (angle), std::sin (angle));
   const Eigen::Vector2d across (-along.y(), along.x());
   Patch patch;
-  // Of a plane seen in several frames the moments are of all, the centroid of the last.
+  // A tracked plane has moments of several frames, but the centroid of the last frame.
   const Eigen::Vector3d middle = plane.moments.centroid();
   patch.center = middle - plane.normal.dot (middle - plane.centroid) * plane.normal;
   patch.axes << in_plane * along, in_plane * across, plane.normal;
-  // A side 2 h has the variance h^2 / 3.
+  // Points spread evenly over a side of length 2 h have the variance h^2 / 3.
   patch.half = {std::sqrt (std::max (0.0, 3.0 * along.dot (spread * along))),
                 std::sqrt (std::max (0.0, 3.0 * across.dot (spread * across)))};
   const double rms = plane.rms();
@@ -65,7 +65,7 @@ patchOf (const PlaneSegment& plane)
   return patch;
 }
 
-/** \brief The same in another frame. */
+/** \brief The patch moved by a rigid motion, say into another frame. */
 inline Patch
 moved (const Eigen::Isometry3d& motion, Patch patch)
 {
@@ -74,7 +74,7 @@ moved (const Eigen::Isometry3d& motion, Patch patch)
   return patch;
 }
 
-/** \brief A plane in another frame, without inliers. */
+/** \brief The plane moved by a rigid motion; its list of inliers is left empty. */
 inline PlaneSegment
 moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
 {
@@ -90,7 +90,7 @@ moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
           plane.noise};
 }
 
-/** \brief In order around the patch. */
+/** \brief Corners, counter-clockwise seen from the side the normal points to. */
 inline std::array<Eigen::Vector3d, 4>
 cornersOf (const Patch& patch)
 {
@@ -102,8 +102,8 @@ cornersOf (const Patch& patch)
           patch.center + along - across};
 }
 
-/** \brief The part of a convex polygon where sign * coordinate <= bound (Sutherland &
- * Hodgman, "Reentrant polygon clipping", 1974). */
+/** \brief Clips a convex polygon to the half plane sign * point[axis] <= bound
+ * (Sutherland & Hodgman, "Reentrant polygon clipping", 1974). */
 inline std::vector<Eigen::Vector2d>
 clipped (const std::vector<Eigen::Vector2d>& polygon,
          Eigen::Index axis,
@@ -124,8 +124,8 @@ clipped (const std::vector<Eigen::Vector2d>& polygon,
   return inside;
 }
 
-/** \brief The area two patches have in common once the second is projected onto the
- * first [m^2]. */
+/** \brief Area of the intersection of the first rectangle with the second, projected
+ * onto the plane of the first [m^2]. */
 inline double
 commonArea (const Patch& first, const Patch& second)
 {
@@ -136,7 +136,7 @@ commonArea (const Patch& first, const Patch& second)
   for (const Eigen::Index axis : {0, 1})
     for (const double sign : {1.0, -1.0})
       corners = clipped (corners, axis, sign, first.half[axis]);
-  // Planes that face each other see their corners the other way round.
+  // The area is negative if the normals are opposed: the corners then run clockwise.
   return std::abs (areaOf (corners));
 }
 

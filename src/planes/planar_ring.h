@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Boost 1.74 remarks in every build on a header it includes itself.
+// Silences a notice of Boost 1.74 about a deprecated header that Boost itself includes.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
@@ -17,7 +17,7 @@ BOOST_GEOMETRY_REGISTER_POINT_2D (Eigen::Vector2d, double, cs::cartesian, x(), y
 
 namespace pcl_ops::internal {
 
-/** \brief A polygon as Boost.Geometry takes it, in the order our outlines have:
+/** \brief A polygon for Boost.Geometry, in the same order as our outlines:
  * counter-clockwise, the first corner not repeated. */
 using Ring = boost::geometry::model::ring<Eigen::Vector2d, false, false>;
 
@@ -31,9 +31,10 @@ finiteOf (const PlanarPoints& points)
   return finite;
 }
 
-/** \brief The power of two that takes coordinates to about 1 where they are below it,
- * as Boost's predicates have an absolute tolerance there, or beyond a thousand
- * kilometers, as these predicates fail for points over many decades; else 1. */
+/** \brief Factor that scales points for the predicates of Boost.Geometry: 1 if the
+ * largest coordinate is 0 or from 1 to 10^6, else the power of two that takes it to 1
+ * .. 2. Below 1 the predicates have an absolute tolerance; above 10^6 they fail for
+ * points over many decades. */
 inline double
 unitScale (const PlanarPoints& points)
 {

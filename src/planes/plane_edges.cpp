@@ -22,7 +22,7 @@ namespace {
 using namespace internal;
 using Eigen::Vector3d;
 
-/** \brief What two ascending lists have in common, but for what is shorter. */
+/** \brief Intersections of two ascending lists, \p min_length [m] long or longer. */
 Intervals
 inCommon (const Intervals& first, const Intervals& second, double min_length)
 {
@@ -44,22 +44,22 @@ inCommon (const Intervals& first, const Intervals& second, double min_length)
 
 using Line = Eigen::ParametrizedLine<double, 3>;
 
-/** \brief Two planes with points of both along their line. */
+/** \brief Two planes whose intersection line has points of both beside it. */
 struct Meeting {
   std::size_t first, second;
   Line line;
-  /** \brief Between the planes, 0 to pi/2 [rad]. */
+  /** \brief Angle between the planes, 0 to pi/2 [rad]. */
   double angle;
-  /** \brief How far two ends may be apart that are one. */
+  /** \brief Longest gap that is bridged, also from an end to a corner [m]. */
   double max_gap;
   Intervals intervals;
 };
 
-/** \brief A plane with its points, and how fine they are. */
+/** \brief A plane with its inliers projected onto it, their noise and their spacing. */
 struct Body {
   PlaneFrame frame;
   PlanarPoints points;
-  /** \brief Around those that are finite. */
+  /** \brief Bounding box of the finite points. */
   Eigen::AlignedBox2d box;
   double rms;
   /** \brief Mean distance between neighboring points [m]. */
@@ -73,7 +73,7 @@ bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift
   if (!fit)
     return {};
   const PlaneFrame in_cloud (plane.centroid - shift, plane.normal);
-  // Of a rectangle, whose sides are the roots of 12 times its variances.
+  // Area of a rectangle with these variances: a side is sqrt (12 variance) long.
   const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
   Body body{PlaneFrame (plane.centroid, plane.normal),
             pointsOnPlane (cloud, plane, in_cloud),
@@ -86,8 +86,8 @@ bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift
   return body;
 }
 
-/** \brief Noise leaves points within so many standard deviations of two planes to
- * either, and so a strip beside their line without points of one. */
+/** \brief How near to their line two planes need points [m]: noise gives points within
+ * three deviations of both planes to either, so that one plane may have none there. */
 double
 reachOf (const Body& first, const Body& second, double sine)
 {
@@ -97,7 +97,7 @@ reachOf (const Body& first, const Body& second, double sine)
          spacings * std::max (first.spacing, second.spacing);
 }
 
-/** \brief Of circles around all points. */
+/** \brief Whether the bounding spheres of the points are at most 2 \p reach apart. */
 bool
 areNear (const Body& first, const Body& second, double reach)
 {
@@ -108,15 +108,17 @@ areNear (const Body& first, const Body& second, double reach)
   return apart <= 0.5 * diameters + 2.0 * reach;
 }
 
-/** \brief Signed distance of a point, exact far from zero where offsets are not. */
+/** \brief Signed distance of a point to a plane [m], exact far from zero: it does not
+ * use the offset of the plane, which is not exact there. */
 double
 signedDistance (const Vector3d& point, const PlaneSegment& plane)
 {
   return plane.normal.dot (point - plane.centroid);
 }
 
-/** \brief The line that two planes have in common, with its origin next to the middle
- * of their centroids; nothing for planes at an angle with a smaller sine. */
+/** \brief The intersection line of two planes. Its origin is its point nearest to the
+ * middle of their centroids.
+ * \return nothing if the angle between the planes has a sine below \p min_sine */
 std::optional<Line>
 meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_sine)
 {
@@ -134,7 +136,7 @@ meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_s
   return Line{middle + a * first.normal + b * second.normal, along / sine};
 }
 
-/** \brief Where along a line of the plane its points beside the line are. */
+/** \brief Coordinates along a line of those points that are within \p reach of it. */
 std::vector<double>
 placesBeside (const Body& body, const Line& line, double reach)
 {
@@ -174,7 +176,7 @@ meetingOf (const std::vector<PlaneSegment>& planes,
     return {};
   const double gap = parameters.max_gap.value_or (reaches_of_gap * reach);
   const double length = parameters.min_length.value_or (reaches_of_length * reach);
-  // The smaller plane first: mostly it is not there, and the larger need not be asked.
+  // The smaller plane first: if it has no points there, the larger is not searched.
   const bool is_first_smaller = one.points.size() < other.points.size();
   const Body& smaller = is_first_smaller ? one : other;
   const Body& larger = is_first_smaller ? other : one;
@@ -187,8 +189,9 @@ meetingOf (const std::vector<PlaneSegment>& planes,
   return Meeting{first, second, *line, angle, gap, std::move (common)};
 }
 
-/** \brief The point that three planes have in common, each two of which meet; nothing
- * where one of them is at an angle with a smaller sine to the line of the others. */
+/** \brief The intersection point of three planes, each two of which meet.
+ * \return nothing if a plane and the line of the others are at an angle whose sine is
+ * below \p min_sine */
 std::optional<Vector3d>
 meetingPoint (const PlaneSegment& first,
               const PlaneSegment& second,
@@ -222,9 +225,9 @@ comesTo (const Meeting& meeting, const Vector3d& point)
   return false;
 }
 
-/** \brief The points that three planes have in common, where an interval of each two of
- * them passes, or ends no farther off than their bridged gap; in ascending order.
- * \param[in] meetings in ascending order */
+/** \brief The intersection points of three planes, if the edges of each two of them
+ * hold the point or end within the bridged gap of it; in ascending order of the planes.
+ * \param[in] meetings sorted by their first plane, then by their second */
 std::vector<PlaneCorner>
 cornersOf (const std::vector<Meeting>& meetings,
            const std::vector<PlaneSegment>& planes,
@@ -249,8 +252,8 @@ cornersOf (const std::vector<Meeting>& meetings,
   return corners;
 }
 
-/** \brief The nearest corner of a meeting that is no farther off than the bridged gap;
- * the end itself where there is none. */
+/** \brief The corner of a meeting that is nearest to an end, if it is no farther than
+ * the bridged gap; else the end itself. */
 Vector3d
 drawn (const Vector3d& end,
        const Meeting& meeting,
@@ -271,8 +274,8 @@ drawn (const Vector3d& end,
   return nearest;
 }
 
-/** \brief An interval as an edge. Each end is drawn to a corner near it, if something
- * of the interval is left then; where both are near one corner, the nearer end. */
+/** \brief Makes an edge of an interval. Both ends move to the corners near them if some
+ * length is left, else the end with the shorter way alone, if some is left then. */
 PlaneEdge
 edgeOf (const Interval& interval,
         const Meeting& meeting,
@@ -330,7 +333,7 @@ findPlaneEdges (const CloudView& cloud,
   std::vector<std::optional<Body>> bodies;
   for (const PlaneSegment& plane : planes)
     bodies.push_back (bodyOf (cloud, plane, shift));
-  // By their first plane, then by their second.
+  // Sorted by their first plane, then by their second.
   std::vector<Meeting> meetings;
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = i + 1; j < planes.size(); ++j)

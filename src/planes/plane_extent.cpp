@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t corners_of_an_area = 3;
 
-/** \brief How far inside a convex hull each point lies [m]; below 0 outside. */
+/** \brief Depth of each point inside a convex hull [m]; negative outside. */
 std::vector<double>
 depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
 {
@@ -32,7 +32,7 @@ depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
   return depths;
 }
 
-/** \brief Removes the points no deeper within a hull than \p depth, and returns them.
+/** \brief Removes the points whose depth is at most \p depth, and returns them.
  * \param[in] depths of the points, by \ref depthsWithin */
 PlanarPoints
 splitOff (PlanarPoints& points, const std::vector<double>& depths, double depth)
@@ -48,11 +48,11 @@ splitOff (PlanarPoints& points, const std::vector<double>& depths, double depth)
   return removed;
 }
 
-/** \brief The largest depth that rounding gives a corner of a hull, where it is 0. */
+/** \brief Largest depth that rounding gives corners, whose depth is 0 [m]. */
 double
 depthOfCorners (const PlanarPoints& hull)
 {
-  constexpr double rounding = 1e-12; // some thousand times that of a double
+  constexpr double rounding = 1e-12; // several thousand times that of a double
   double largest = 0.0;
   for (const Eigen::Vector2d& corner : hull)
     largest = std::max (largest, corner.lpNorm<Eigen::Infinity>());
@@ -87,22 +87,22 @@ hullOfAll (const PlanarPoints& points)
   return hull;
 }
 
-/** \brief A hull around all but a few per cent of the points, from a sample of them;
- * empty for points that are too few for a sample. */
+/** \brief A convex hull around all but a few per cent of the points, from a random
+ * sample; empty for up to 2048 points, which are too few for a sample. */
 PlanarPoints
 innerHull (const PlanarPoints& points)
 {
   constexpr std::size_t sample_size = 2048;
-  constexpr std::size_t one_outside_in = 32; // of the sample
+  constexpr std::size_t one_outside_in = 32; // points of the sample
   if (points.size() <= sample_size)
     return {};
-  RandomGenerator generator; // always of the same seed: users give none
+  RandomGenerator generator; // default seed: users give none
   PlanarPoints sample;
   for (std::size_t i = 0; i < sample_size; ++i)
     sample.push_back (
         points[drawBelow (generator, static_cast<std::uint32_t> (points.size()))]);
   PlanarPoints hull = hullOfAll (sample);
-  // Takes the corners off until enough of the sample is outside.
+  // Removes corners of the hull until enough of the sample lies outside it.
   while (!hull.empty() && sample.size() > sample_size - sample_size / one_outside_in) {
     splitOff (sample, depthsWithin (hull, sample), depthOfCorners (hull));
     hull = hullOfAll (sample);
@@ -110,8 +110,8 @@ innerHull (const PlanarPoints& points)
   return hull;
 }
 
-/** \brief Removes the points that are corners of a hull around them, and those nearest
- * to its border.
+/** \brief Removes the outermost points: the corners of the hull around all, and the
+ * points nearest to its border.
  * \param[in] fewest how many points to remove at least
  * \return how many points were removed */
 std::size_t
@@ -126,8 +126,8 @@ takeOffLayer (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest
   return splitOff (points, depths, std::max (*last, depthOfCorners (hull))).size();
 }
 
-/** \brief A rectangle around points: a box in the frame of the axis u, of length 1, and
- * the axis to its left. */
+/** \brief A rectangle: a box in the frame of the unit vector u and the axis to its
+ * left. */
 struct Rectangle {
   Eigen::Vector2d u = Eigen::Vector2d::UnitX();
   Eigen::AlignedBox2d box{Eigen::Vector2d::Zero()};
@@ -144,7 +144,7 @@ struct Rectangle {
   }
 };
 
-/** \brief The smallest rectangle around points with a side along u. */
+/** \brief The bounding rectangle of points that has a side along the unit vector u. */
 Rectangle
 rectangleAlong (const Eigen::Vector2d& u, const PlanarPoints& points)
 {
@@ -155,11 +155,11 @@ rectangleAlong (const Eigen::Vector2d& u, const PlanarPoints& points)
   return rectangle;
 }
 
-/** \brief The rectangle with the smallest area around a convex hull. */
+/** \brief The minimum-area bounding rectangle of a convex hull. */
 Rectangle
 smallestRectangle (const PlanarPoints& hull)
 {
-  // One of its sides lies along an edge of the hull.
+  // A side of this rectangle lies along an edge of the hull.
   Rectangle smallest;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -174,13 +174,13 @@ smallestRectangle (const PlanarPoints& hull)
   return smallest;
 }
 
-/** \brief The rectangle of points on a line: as long as they reach, with no width. */
+/** \brief The bounding rectangle of points on one line, with width 0. */
 Rectangle
 rectangleAlongLine (const PlanarPoints& points)
 {
   if (points.empty())
     return {};
-  // The direction of the line, by two points that lie far apart.
+  // Direction of the line, from two points that are far apart.
   const auto farthestFrom = [&] (const Eigen::Vector2d& from) {
     return *std::max_element (
         points.begin(), points.end(), [&] (const auto& first, const auto& second) {
@@ -205,15 +205,15 @@ PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& no
 PlanarPoints
 convexHull (const PlanarPoints& points, double max_outside)
 {
-  // Where a surface ends noise has blurred its edge: half as dense there as within.
+  // Noise blurs the edge of a surface: there the density is half of that inside.
   constexpr double edge_density = 0.5;
-  // So many layers make up what may be left outside: each has enough points for a
-  // density.
+  // Number of layers that use up the points allowed outside: each layer has enough
+  // points to measure a density.
   constexpr std::size_t layers = 16;
   PlanarPoints rim = finiteOf (points);
   const auto all = static_cast<double> (rim.size());
   const auto budget = static_cast<std::size_t> (max_outside * all);
-  // Points clearly inside stay, and are not looked at again.
+  // Points inside the inner hull stay, and are not looked at again.
   const PlanarPoints inner_hull = innerHull (rim);
   if (!inner_hull.empty())
     rim = splitOff (rim, depthsWithin (inner_hull, rim), 0.0);
@@ -231,7 +231,7 @@ convexHull (const PlanarPoints& points, double max_outside)
     const PlanarPoints next = hull_of_rest();
     const double area = areaOf (next);
     const double lost = areaOf (hull) - area;
-    // layer / lost, the density of the layer, is below half of all / area.
+    // layer / lost is the density of the layer, all / area that of all points.
     const bool is_fringe =
         static_cast<double> (layer) * area < edge_density * all * lost;
     if (next.empty() || !is_fringe)
@@ -261,7 +261,7 @@ extentOf (const PlanarRings& rings, const PlanarPoints& points, const PlaneFrame
   extent.length = sides.maxCoeff();
   extent.width = sides.minCoeff();
   for (std::size_t hole = 1; hole < rings.size(); ++hole) {
-    extent.area += areaOf (rings[hole]); // below 0
+    extent.area += areaOf (rings[hole]); // negative: clockwise
     extent.holes.emplace_back();
     for (const Eigen::Vector2d& corner : rings[hole])
       extent.holes.back().push_back (frame.toSpace (corner));

@@ -26,14 +26,14 @@ isDirection (const Eigen::Vector3d& vector)
   return vector.allFinite() && !vector.isZero (0.0);
 }
 
-/** \brief Whether both are sizes, the first one not above the second. */
+/** \brief Whether both are finite numbers from 0, and low is not above high. */
 bool
 areBounds (double low, double high)
 {
   return isSize (low) && isSize (high) && low <= high;
 }
 
-/** \param[in] size two sides and a tolerance */
+/** \param[in] size two sides in any order, and a tolerance [m] */
 bool
 hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
 {
@@ -42,7 +42,7 @@ hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
          std::abs (extent.width - low) <= size[2];
 }
 
-/** \return where an extent counts that is dropped; nullptr for one that is kept */
+/** \return the counter of the first test that fails; nullptr if all succeed */
 Count
 failureOf (const PlaneExtent& extent, const PlaneFilter& filter)
 {
@@ -59,7 +59,8 @@ failureOf (const PlaneExtent& extent, const PlaneFilter& filter)
   return nullptr;
 }
 
-/** \brief The same of a plane. \param[in] filter its directions have length 1 */
+/** \return the counter of the first test that a plane fails; nullptr if it passes all
+ * \param[in] filter with directions of length 1 */
 Count
 failureOf (const PlaneSegment& plane,
            const PlaneFilter& filter,

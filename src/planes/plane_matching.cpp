@@ -22,13 +22,13 @@ using Eigen::Vector3d;
 using Patches = std::vector<std::optional<Patch>>;
 
 /** \brief Covariance of (slope along, slope across, height) of a patch over its axes,
- * at its center. Neighboring points err alike and surfaces are not quite flat, so that
- * a mean over all points is no better than one of them: \ref planeCovariance without
- * its division by the number of points. */
+ * at its center. It is \ref independentPlaneCovariance without its division by the
+ * number of points: neighboring points err alike and surfaces are not quite flat, so
+ * that a mean over all points is no better than one of them. */
 Matrix3d
 covarianceOf (const Patch& patch)
 {
-  // Coordinates in single precision.
+  // Rounding of coordinates in single precision, relative to the size.
   constexpr double rounding = 1e-5;
   const double size = patch.half.maxCoeff();
   const double noise = patch.noise + rounding * rounding * size * size;
@@ -36,7 +36,8 @@ covarianceOf (const Patch& patch)
   return Vector3d (noise / spread.x(), noise / spread.y(), noise).asDiagonal();
 }
 
-/** \brief The parameters over other axes, at a place that many meters along the old. */
+/** \brief Matrix that transfers (slope, slope, height) to other axes and another place.
+ * \param[in] place coordinates along the old axes [m] */
 Matrix3d
 transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& place)
 {
@@ -46,7 +47,7 @@ transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& place)
   return result;
 }
 
-/** \param[in] motion a rotation vector about the frame's origin and a shift */
+/** \param[in] motion rotation vector [rad] about the moved frame's origin, shift [m] */
 Eigen::Isometry3d
 turnedAndShifted (Eigen::Isometry3d pose, const Eigen::Matrix<double, 6, 1>& motion)
 {
@@ -59,21 +60,21 @@ turnedAndShifted (Eigen::Isometry3d pose, const Eigen::Matrix<double, 6, 1>& mot
   return pose;
 }
 
-/** \brief How the second of two patches lies over the first. */
+/** \brief Slopes and height of a second patch over a first one. */
 struct Mismatch {
-  /** \brief Slopes along the two axes of the first, and the height of the second's
-   * center over it [m]. */
+  /** \brief Slopes along the two axes of the first patch, and the height of the second
+   * patch's center over the first patch [m]. */
   Vector3d heights;
-  /** \brief Covariance of \ref heights by what both patches are off. */
+  /** \brief Covariance of \ref heights by the errors of both patches. */
   Matrix3d covariance;
-  /** \brief How they change with a rotation vector about the origin of the second's
-   * frame, and a shift. */
+  /** \brief Jacobian of \ref heights: by a rotation vector about the origin of the
+   * second patch's frame, and by a shift. */
   Eigen::Matrix<double, 3, 6> by_motion;
 };
 
-/** \brief What is known of the pose of a frame in another: a pose, and the covariance
- * of its error, a rotation vector [rad] about the frame's origin and a shift [m], both
- * along the axes of the other. */
+/** \brief An estimate of the pose of a frame in another one. The covariance is that of
+ * its error: a rotation vector [rad] about the origin of the frame and a shift [m],
+ * both along the axes of the other frame. */
 struct PoseEstimate {
   Eigen::Isometry3d pose;
   Eigen::Matrix<double, 6, 6> covariance;
@@ -88,8 +89,8 @@ struct PoseEstimate {
     covariance = errors.cwiseAbs2().asDiagonal();
   }
 
-  /** \param[in] fixed in the other frame
-   * \param[in] seen in the frame of the pose, on the side of \p fixed or not */
+  /** \param[in] fixed patch in the other frame
+   * \param[in] seen patch in the frame of the pose; its normal may have either sign */
   Mismatch
   mismatchOf (const Patch& fixed, const Patch& seen) const
   {
@@ -98,7 +99,7 @@ struct PoseEstimate {
     const Vector3d normal = fixed.normal();
     const Vector3d between = over.center - fixed.center;
     Mismatch mismatch;
-    // Which side was seen does not matter: no sign to turn.
+    // The quotient is the same for either sign of the normal.
     const Eigen::Vector2d slopes =
         -axes.transpose() * over.normal() / over.normal().dot (normal);
     mismatch.heights << slopes, normal.dot (between);
@@ -123,8 +124,8 @@ struct PoseEstimate {
            mismatch.by_motion * covariance * mismatch.by_motion.transpose();
   }
 
-  /** \brief The squared Mahalanobis distance: what both patches and the pose may be off
-   * explains a mismatch the better, the smaller it is. */
+  /** \brief Squared Mahalanobis distance of a mismatch: the smaller it is, the better
+   * the errors of both patches and of the pose explain the mismatch. */
   double
   squaredDistance (const Mismatch& mismatch) const
   {
@@ -133,8 +134,8 @@ struct PoseEstimate {
     return mismatch.heights.dot (weighted);
   }
 
-  /** \brief Lets the pose follow from two patches that are one plane (the update of an
-   * iterated extended Kalman filter). */
+  /** \brief Corrects the pose by two patches of one plane (the update of an iterated
+   * extended Kalman filter). */
   void
   update (const Patch& fixed, const Patch& seen)
   {
@@ -158,11 +159,11 @@ struct PoseEstimate {
   }
 };
 
-/** \brief Slopes of planes at more than this to each other are no small errors. */
+/** \brief Least cosine between normals: at larger angles slopes are no small errors. */
 constexpr double min_cosine = 0.7;
 
-/** \brief Of three numbers with a normal distribution, 99.7 % have a smaller sum of
- * squares: three standard deviations. */
+/** \brief 99.7 % quantile of the chi-squared distribution with three degrees of
+ * freedom: the share that three standard deviations have in one dimension. */
 constexpr double largest_squared_distance = 14.16;
 
 Patches
@@ -174,16 +175,16 @@ patchesOf (const std::vector<PlaneSegment>& planes)
   return patches;
 }
 
-/** \brief What is matched. */
+/** \brief The patches of both frames, and the least overlap for a match. */
 struct Frames {
   Patches previous, current;
   double min_overlap;
 };
 
-/** \brief A pair of planes that may be one. */
+/** \brief Positions of two planes that may be one. */
 struct Pair {
   std::size_t previous, current;
-  /** \brief Above 0 and up to 1. */
+  /** \brief Intersection over union times the root of the likelihood, up to 1. */
   double score;
 };
 
@@ -207,13 +208,13 @@ pairOf (const Frames& frames, std::size_t p, std::size_t c, const PoseEstimate& 
   if (!(common > 0.0 && common >= but_for_rounding * needed))
     return std::nullopt;
   const double overlap = common / (fixed.area() + over.area() - common);
-  // The root of the likelihood: frames cut a surface out differently, so that planes
-  // of it differ by more than noise, and how they overlap has to count, too.
+  // Frames cut out different parts of a surface, and its planes differ by more than
+  // noise. So the overlap counts, too, and of the likelihood only the root.
   return Pair{p, c, overlap * std::exp (-0.25 * distance)};
 }
 
-/** \brief Lets the pose follow from the planes, the largest first: the less sure it is
- * the more it needs those that cannot be mistaken. */
+/** \brief Corrects the pose by the planes, the largest first: a pose that is not sure
+ * yet needs planes that cannot be mistaken. */
 PoseEstimate
 registered (const Frames& frames, PoseEstimate belief)
 {
@@ -245,7 +246,8 @@ registered (const Frames& frames, PoseEstimate belief)
   return belief;
 }
 
-/** \brief Each plane in one pair at most, the best pairs first. */
+/** \brief Pairs planes greedily, the best pair first; each plane has one pair at most.
+ */
 Labels
 oneToOne (const Frames& frames, const PoseEstimate& belief)
 {

@@ -16,15 +16,14 @@ namespace pcl_ops {
 using namespace internal;
 namespace {
 
-/** \brief The inliers of a plane by their places, so that nothing hangs on their order
- * in the cloud. */
+/** \brief The finite inliers of a plane, sorted by their places on it: the pieces do
+ * not depend on the order of the points in the cloud. */
 struct PlacedInliers {
-  /** \brief Of the plane. */
+  /** \brief Indices into the cloud. */
   pcl::Indices indices;
-  /** \brief For each of \ref indices its place on the plane, a position in \ref places.
-   */
+  /** \brief For each of \ref indices its place, as a position in \ref places. */
   std::vector<std::uint32_t> place_of;
-  /** \brief No two equal. */
+  /** \brief Distinct positions on the plane [m]. */
   PlanarPoints places;
 };
 
@@ -41,7 +40,7 @@ placedInliersOf (const CloudView& cloud, const PlaneSegment& plane)
   for (const pcl::index_t index : plane.inliers) {
     const Eigen::Vector3d point =
         Eigen::Map<const Eigen::Vector3f> (cloud[index]).cast<double>();
-    if (point.allFinite()) // others cannot be sorted
+    if (point.allFinite()) // NaN cannot be sorted
       all.push_back (
           {frame.toPlane (point), plane.normal.dot (point - plane.centroid), index});
   }
@@ -59,7 +58,7 @@ placedInliersOf (const CloudView& cloud, const PlaneSegment& plane)
   return inliers;
 }
 
-/** \brief Two places, by rising numbers, and how far apart they are. */
+/** \brief Two places, first < second, and the distance between them [m]. */
 struct Link {
   double length;
   std::uint32_t first, second;
@@ -72,7 +71,7 @@ struct Link {
   }
 };
 
-/** \brief Sets that are joined in any order. */
+/** \brief Union-find with sizes; the root of a set is its smallest member. */
 class DisjointSets {
 public:
   explicit DisjointSets (const std::vector<std::size_t>& sizes)
@@ -112,10 +111,9 @@ private:
   std::vector<std::size_t> sizes_;
 };
 
-/** \brief The second shortest of the distances to neighbors in four directions, in each
- * that of the nearer side. Along a line of places only one
- * is short, at the corner of an area at least two are; at its border the other side
- * tells. */
+/** \brief The second shortest of four distances, one for each pair of opposite octants:
+ * to the nearer neighbor of both. Along a line of places only one is short; at a corner
+ * of an area two or more are. At its border a neighbor on one side is enough. */
 double
 secondShortest (const std::array<double, octants>& lengths)
 {
@@ -127,15 +125,15 @@ secondShortest (const std::array<double, octants>& lengths)
   return std::isfinite (shorter[1]) ? shorter[1] : shorter[0];
 }
 
-/** \brief How far apart places are at one of them. */
+/** \brief Spacing of the places around one of them [m]. */
 double
 spacingAt (const OctantNeighbors& neighbors)
 {
   return std::sqrt (secondShortest (neighbors.squared_distances));
 }
 
-/** \brief The gap between a group of places and those next to it. Where noise has
- * widened the scan lines of a lidar, it is the distance between two lines. */
+/** \brief Gap between a group of places and the next places around it [m]. Where noise
+ * has widened the scan lines of a lidar, it is the distance between two lines. */
 double
 distanceAround (const OctantTree::Group& group, const PlanarPoints& places)
 {
@@ -154,10 +152,9 @@ distanceAround (const OctantTree::Group& group, const PlanarPoints& places)
   return secondShortest (lengths);
 }
 
-/** \brief The links of places to their nearest neighbors in all directions, among them
- * those of the minimum spanning tree of all places (Yao, 1982), and the spacing around
- * each.
- */
+/** \brief Links each place to its nearest neighbor in each octant, and has the spacing
+ * around each place. The links contain the minimum spanning tree of all places (Yao,
+ * 1982). */
 struct PlaceGraph {
   std::vector<OctantNeighbors> neighbors;
   std::vector<double> spacings;
@@ -173,7 +170,7 @@ graphOf (const PlanarPoints& places, unsigned threads)
   forEach (threads, places.size(), [&] (std::size_t i) {
     graph.neighbors[i] = tree.neighborsOf (static_cast<std::uint32_t> (i));
   });
-  // One place may have near neighbors by chance, some of them together have not.
+  // A single place may have near neighbors by chance, a group of places does not.
   for (const OctantTree::Group& group : tree.groups (threads)) {
     double sum = 0.0;
     for (const std::uint32_t place : group.points)
@@ -186,7 +183,7 @@ graphOf (const PlanarPoints& places, unsigned threads)
   return graph;
 }
 
-/** \brief For each place the number of its piece: the first place of it. */
+/** \brief For each place the number of its piece: the smallest number of its places. */
 std::vector<std::uint32_t>
 pieceOfEachPlace (const PlanarPoints& places,
                   const std::vector<std::size_t>& points_at,
@@ -219,7 +216,8 @@ pieceOfEachPlace (const PlanarPoints& places,
   return numbers;
 }
 
-/** \brief A piece of a plane. \param[in] inliers in an order that their places give */
+/** \brief A piece of a plane.
+ * \param[in] inliers sorted by places, as rounding of sums depends on the order */
 PlaneSegment
 pieceOf (const CloudView& cloud, const PlaneSegment& plane, pcl::Indices inliers)
 {
@@ -240,7 +238,7 @@ pieceOf (const CloudView& cloud, const PlaneSegment& plane, pcl::Indices inliers
   return piece;
 }
 
-/** \brief By the places of their first points. */
+/** \brief The pieces of a plane, in the order of their first places. */
 std::vector<PlaneSegment>
 piecesOf (const CloudView& cloud,
           const PlaneSegment& plane,

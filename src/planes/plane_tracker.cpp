@@ -10,11 +10,11 @@
 namespace pcl_ops {
 namespace {
 
-/** \brief How much what was seen before still counts in a new frame: the moments follow
+/** \brief Factor on the old moments in each new frame: the moments are mainly those of
  * the last three frames or so. */
 constexpr double kept_share = 0.7;
 
-/** \brief Without what rounding has made of a rotation: over frames it would add up. */
+/** \brief Normalizes the rotation of a motion: rounding would add up over frames. */
 Eigen::Isometry3d
 rigid (Eigen::Isometry3d motion)
 {
@@ -23,7 +23,7 @@ rigid (Eigen::Isometry3d motion)
   return motion;
 }
 
-/** \brief The plane as it is seen now, as far as it reached before, too. */
+/** \brief Replaces a plane by the plane seen now; its older moments count less. */
 void
 renew (PlaneSegment& known, const PlaneSegment& seen)
 {
@@ -37,8 +37,8 @@ renew (PlaneSegment& known, const PlaneSegment& seen)
   known.moments = moments.about (seen.centroid);
 }
 
-/** \brief Lets an outline reach around the rectangle of another frame, on the plane as
- * it is seen now. */
+/** \brief Extends an outline to the convex hull of itself and the rectangle seen now,
+ * both projected onto the plane seen now. */
 void
 widen (PlaneExtent& extent, const PlaneSegment& seen)
 {
@@ -75,7 +75,7 @@ PlaneTracker::isForgotten (const TrackedPlane& tracked) const
     return true;
   if (!max_distance_ || tracked.extent.hull.empty())
     return false;
-  // Of the circle around the smallest rectangle.
+  // Radius of the circle around the smallest rectangle of the outline.
   const double radius = 0.5 * std::hypot (tracked.extent.length, tracked.extent.width);
   const double to_center = (tracked.extent.center - pose_.translation()).norm();
   return to_center - radius > *max_distance_;

@@ -16,21 +16,21 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** \brief What the estimate uses of a plane. */
+/** \brief The properties of a plane that the estimate uses. */
 struct Face {
   Vector3d normal, centroid;
   Matrix3d covariance;
-  /** \brief Share of all points on planes. */
+  /** \brief Its share of the points on all planes. */
   double points;
-  /** \brief Share by the root of the points: a near plane has far more points than a
-   * far one of the same size. */
+  /** \brief Its share by the square root of the number of points: a near plane has far
+   * more points than a far one of the same size. */
   double weight;
 };
 
-/** \brief The planes with what they are together. */
+/** \brief All usable planes, with the mean and covariance of their points. */
 struct Faces {
   std::vector<Face> each;
-  /** \brief Of all points on planes. */
+  /** \brief Mean of the points on all planes. */
   Vector3d mean = Vector3d::Zero();
   Matrix3d covariance = Matrix3d::Zero();
 };
@@ -93,10 +93,11 @@ uprightness (const Face& face, const Vector3d& axis, double limit)
   return closeness (std::abs (face.normal.dot (axis)), limit);
 }
 
-/** \brief The direction u near a first one that fits the planes best: the normals n of
- * horizontal planes are along it, those of vertical planes across it. It maximizes the
- * sum of w_h (n . u)^2 - w_v (n . u)^2, where the weights w_h and w_v say how
- * horizontal and how vertical a plane is for the direction of the step before. */
+/** \brief Refines an axis by iteratively reweighted least squares. Its direction u fits
+ * the planes best: normals n of horizontal planes are along it, those of vertical
+ * planes across it. It maximizes the sum of w_h (n . u)^2 - w_v (n . u)^2, where the
+ * weights w_h and w_v say how horizontal and how vertical a plane is for the u of the
+ * step before. */
 Vector3d
 fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
 {
@@ -126,7 +127,7 @@ sorted (std::vector<Item> items, double Item::*value)
   return items;
 }
 
-/** \brief The largest planes' normals, and the directions across two of them. */
+/** \brief Normals of the largest planes, and cross products of two, if long enough. */
 std::vector<Vector3d>
 axesToTry (const Faces& faces)
 {
@@ -146,21 +147,21 @@ axesToTry (const Faces& faces)
   return axes;
 }
 
-/** \brief An axis that up may be along, in one direction or the other. */
+/** \brief An axis that may be vertical; which of its ends is up is open. */
 struct AxisCandidate {
   Vector3d axis;
-  /** \brief Of the planes, by weight: how much is along the axis or across it. */
+  /** \brief Weight of planes that are horizontal or vertical for the axis, 0 to 1. */
   double share;
 };
 
 /** \brief A direction that may be up. */
 struct UpCandidate {
   Vector3d up;
-  /** \brief \ref evidenceFor it. */
+  /** \brief Log-likelihood by \ref evidenceFor. */
   double evidence;
 };
 
-/** \brief The axes floor and walls can agree on, each once. */
+/** \brief Axes with enough horizontal and enough vertical planes, each axis once. */
 std::vector<AxisCandidate>
 candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
 {
@@ -188,7 +189,7 @@ candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
   return distinct;
 }
 
-/** \brief Share of planes that are floor, seat or table top if a direction is up. */
+/** \brief Weight of the planes that face up (floor, seat, table top) for a given up. */
 double
 facingShare (const Faces& faces, const Vector3d& up, double limit)
 {
@@ -199,7 +200,7 @@ facingShare (const Faces& faces, const Vector3d& up, double limit)
   return share;
 }
 
-/** \brief The logarithm of how likely a direction is up, but for a constant. */
+/** \brief Log-likelihood of a direction to be up, but for a constant. */
 double
 evidenceFor (const Vector3d& up,
              const Faces& faces,
@@ -221,20 +222,20 @@ evidenceFor (const Vector3d& up,
   const double along_gaze =
       gaze.dot (up) * gaze.dot (up) / (spread + gaze.squaredNorm());
   const double skewness = third_moment / std::pow (variance, 1.5);
-  // Maximum likelihood on 300 simulated rooms, with a weak prior towards weights of 0.
+  // Weights by maximum likelihood on 300 simulated rooms, with a weak prior towards 0.
   return 13.0 * facingShare (faces, up, limit) + 1.5 * vertical - 13.0 * along_gaze -
          11.0 * variance / spread + 0.8 * std::clamp (skewness, -2.0, 2.0);
 }
 
-/** \brief Whether a scan all around has seen a floor and a ceiling: which of them has
- * more planes depends on the furniture then, not on which is the floor. */
+/** \brief Whether a scan in all directions has seen floor and ceiling. Then furniture
+ * decides which of both has more planes, so that their number does not tell up. */
 bool
 seesFloorAndCeiling (const Vector3d& up,
                      const Faces& faces,
                      const Vector3d& viewpoint,
                      double tolerance)
 {
-  // Cameras have 0.6 and more.
+  // Share of squared_gaze in the sum below: images of cameras have 0.6 and more.
   constexpr double min_directedness = 0.3;
   constexpr double min_share = 0.05;
   const double squared_gaze = (faces.mean - viewpoint).squaredNorm();

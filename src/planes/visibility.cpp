@@ -16,8 +16,8 @@ namespace {
 
 using namespace internal;
 
-/** \brief A point as seen from the place: its cell of the cube of directions, and how
- * far away it is. */
+/** \brief A point as seen from a place: the cell of its direction on a cube around the
+ * place, and its range [m]. */
 using Sighting = std::pair<std::uint32_t, float>;
 
 std::uint32_t
@@ -47,7 +47,7 @@ sightingsFrom (const Eigen::Vector3d& place, const Coordinates& points)
       sightings.emplace_back (cellOf (offset), static_cast<float> (range));
   }
   std::sort (sightings.begin(), sightings.end());
-  // What a sensor writes for missing readings is one place with very many points.
+  // A sensor may give all missing readings one place, which must not count as often.
   constexpr std::size_t max_equal = 256;
   std::size_t kept = 0;
   for (const Sighting& sighting : sightings)
@@ -57,8 +57,8 @@ sightingsFrom (const Eigen::Vector3d& place, const Coordinates& points)
   return sightings;
 }
 
-/** \brief Whether sorted ranges leave a gap with a fifth or more of them on either
- * side: a surface behind another, and not one seen at a low angle. */
+/** \brief Whether sorted ranges have a gap with a fifth or more of them on each side:
+ * one surface behind another, rather than one surface seen at a low angle. */
 bool
 areOfTwoSurfaces (const Sighting* first, std::size_t number)
 {
@@ -77,7 +77,7 @@ pointsDown (const PlaneSegment& plane, const Eigen::Vector3d& up)
   return plane.orientation != Orientation::Vertical && plane.normal.dot (up) < 0.0;
 }
 
-/** \brief Whether a plane passes a place so near that nobody sees it from there. */
+/** \brief Whether a plane is edge-on from a place, and so cannot be seen from there. */
 bool
 isPassing (const PlaneSegment& plane, const Eigen::Vector3d& place)
 {
@@ -86,7 +86,7 @@ isPassing (const PlaneSegment& plane, const Eigen::Vector3d& place)
          min_sine * (plane.centroid - place).norm();
 }
 
-/** \brief Whether a place has nothing to do with planes. */
+/** \brief Whether a place is too far from the planes to be where a sensor was. */
 bool
 isFarFrom (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& place)
 {
@@ -149,7 +149,7 @@ turnUnseenUp (const CloudView& cloud,
               std::vector<PlaneSegment>& planes)
 {
   const auto points_down = [&up] (const auto& plane) { return pointsDown (plane, up); };
-  // Looking through the cloud takes some milliseconds.
+  // Saves the search through the cloud, which takes some milliseconds.
   if (std::none_of (planes.begin(), planes.end(), points_down))
     return;
   const bool turns_all =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The programs' readers and writers of files, apart from the other extension: where PCL
-// is, they load a library of it.
+// The programs' readers and writers of files. They are an extension of their own, as
+// they load a library of PCL where PCL is installed.
 #include "interpreter.h"
 #include <cli/errors.h>
 #include <io/cloud_file.h>
@@ -17,7 +17,8 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief "meter", "foot" or "degree", as a reference system says of x and y. */
+/** \brief Unit of x and y by the reference system: "meter", "foot" or "degree"; else
+ * None. */
 py::object
 unitOf (const FileCloud& cloud)
 {
@@ -44,8 +45,8 @@ vectorOf (const py::array_t<Number, Flags>& numbers)
   return {numbers.data(), numbers.data() + numbers.size()};
 }
 
-/** \brief Works on files while others run.
- * \param[in] error what Python raises where the work cannot be done */
+/** \brief Works on files while other threads of Python run.
+ * \param[in] error exception that Python raises for a ProgramError */
 template <typename Work>
 void
 onFiles (PyObject* error, const Work& work)
@@ -59,7 +60,7 @@ onFiles (PyObject* error, const Work& work)
   }
 }
 
-/** \brief A cloud with the parts of a PointCloud2, so that from_message decodes it. */
+/** \brief A cloud as an object like a PointCloud2, which from_message decodes. */
 py::object
 load (const std::string& file)
 {
@@ -96,13 +97,13 @@ load (const std::string& file)
 
 using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
 
-/** \brief Name, type as in pcl::PCLPointField and count of a field; they follow each
- * other. */
+/** \brief Name, datatype (pcl::PCLPointField) and count of a field. The fields of a
+ * point follow each other without gaps. */
 using Field = std::tuple<std::string, std::uint8_t, pcl::uindex_t>;
 
 /** \brief Writes a .pcd or .ply.
  * \param[in] viewpoint, orientation of the sensor, the latter as w, x, y, z
- * \param[in] labels, distances of all points, or none */
+ * \param[in] labels, distances of all points, or empty */
 void
 writeCloud (const std::string& file,
             const std::vector<Field>& fields,
@@ -134,7 +135,8 @@ writeCloud (const std::string& file,
   });
 }
 
-/** \brief Writes a .las or .laz with every byte of another, which has these points. */
+/** \brief Writes a .las or .laz with every byte of \p source and fields for labels and
+ * distances; raises ValueError if \p source has other points than \p points. */
 void
 writeLas (const std::string& file,
           const std::string& source,

@@ -10,11 +10,12 @@
 
 namespace pcl_ops::python {
 
-/** \brief Lets other threads of Python run during some work that does not touch it.
+/** \brief Does work without the GIL, so that other threads of Python run meanwhile. The
+ * work must not use Python's objects.
  *
- * Where Python ends meanwhile, PyEval_RestoreThread ends the thread by unwinding it:
- * the frames above would let go of Python's objects, which are no longer theirs to
- * count. The thread sleeps instead until the process has ended. */
+ * If Python ends meanwhile, PyEval_RestoreThread unwinds the thread to end it. Then
+ * destructors in the callers would release Python's objects without the GIL.
+ * The thread sleeps instead until the process has ended. */
 template <typename Work>
 void
 whileOthersRun (const Work& work)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The compiled part of the package. What users call, with documentation and checks of
-// arrays, is Python beside it.
+// The compiled part of the package. Users call the Python code beside it, which has the
+// documentation and checks arrays.
 #include "interpreter.h"
 #include "parameters.h"
 #include <metrics/metrics.h>
@@ -27,11 +27,11 @@ namespace pcl_ops::python {
 namespace {
 
 /** \brief Points as the package's own Python code hands them over: aligned, of shape
- * (N, 3), the numbers of a row side by side and rows in order. */
+ * (N, 3), each row contiguous, rows at ascending addresses. */
 using PointRows = py::array_t<float>;
 using PlaneSegments = std::vector<PlaneSegment>;
 
-/** \brief The points where they are. */
+/** \brief A view of the points, without a copy. */
 CloudView
 viewOf (const PointRows& points)
 {
@@ -41,7 +41,7 @@ viewOf (const PointRows& points)
           static_cast<std::size_t> (points.shape (0))};
 }
 
-/** \brief u and v as rows, as numpy has vectors. */
+/** \brief The axes u and v of the plane's frame as rows, as numpy has vectors. */
 Eigen::Matrix<double, 2, 3>
 axesOf (const PlaneSegment& plane)
 {
@@ -60,7 +60,7 @@ matrixOf (const std::optional<PlaneCovariance>& covariance)
 
 using Inliers = Eigen::Matrix<pcl::index_t, Eigen::Dynamic, 1>;
 
-/** \brief A plane of what a pickle has of it. */
+/** \brief Makes a plane from the values in a pickle. */
 PlaneSegment
 segmentOf (const Eigen::Vector3d& centroid,
            const Eigen::Vector3d& normal,
@@ -77,8 +77,8 @@ segmentOf (const Eigen::Vector3d& centroid,
       centroid, normal, orientation, moments, {inliers.begin(), inliers.end()}, noise};
 }
 
-/** \brief The class Segment, base of Python's Plane, which takes what is in the one it
- * is made of. */
+/** \brief Defines the class Segment, base of Python's Plane. Made from a segment, it
+ * moves the contents out of that one. */
 void
 defineSegment (py::module_& module)
 {
@@ -91,7 +91,7 @@ defineSegment (py::module_& module)
       .def_readonly ("noise", &PlaneSegment::noise)
       .def_readonly ("orientation", &PlaneSegment::orientation)
       .def_property_readonly (
-          "inliers", // read where they are, for as long as the plane lives
+          "inliers", // a view without a copy, which keeps the plane alive
           [] (const PlaneSegment& p) {
             const Eigen::Index size = p.inliers.size();
             return Eigen::Map<const Inliers> (p.inliers.data(), size);
@@ -121,7 +121,8 @@ segment (const PointRows& points,
   const detail::DetectorInput input{viewOf (points), nullptr, viewpoint - origin, {}};
   detail::Detection found;
   whileOthersRun ([&] { found = detail::detectChecked (input, parameters); });
-  // Where a cloud has no sensor, what it was detected in has none either.
+  // A zero viewpoint means that no sensor is known. Relative to the origin it is not
+  // zero, so that the detector did not turn normals up.
   if (viewpoint.isZero (0.0) && !origin.isZero (0.0))
     turnUnseenUp (input.cloud,
                   input.viewpoint,
@@ -154,7 +155,7 @@ pieces (const PointRows& points,
   return {std::move (found.pieces), std::move (found.planes)};
 }
 
-/** \brief A plane as one of a cloud of its inliers alone.
+/** \brief A plane as in a cloud that has only its inliers.
  * \param[in] origin zero of that cloud in the frame of the plane */
 PlaneSegment
 ofItsInliers (PlaneSegment plane, const Eigen::Vector3d& origin)
@@ -178,7 +179,7 @@ extent (const PointRows& inliers,
 
 /** \return outline and holes relative to \p origin, and their area
  * \param[in] inliers of the plane, relative to \p origin
- * \param[in] alpha radius of the shape to begin with, 0: by the spacing of the points */
+ * \param[in] alpha radius of the alpha shape to begin with; 0: by the spacing */
 auto
 concaveExtent (const PointRows& inliers,
                const Eigen::Vector3d& origin,
@@ -190,7 +191,7 @@ concaveExtent (const PointRows& inliers,
   return std::make_pair (found.rings(), found.area);
 }
 
-/** \return the planes after merging, and into which of them each plane went */
+/** \return merged planes, and the position among them of each plane's merged one */
 std::pair<PlaneSegments, Labels>
 merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
 {
@@ -210,7 +211,7 @@ merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
       continue;
     const std::size_t into = merged.merged_into[i];
     PlaneSegment& whole = all[into];
-    // It faces where its largest part did, and has its noise.
+    // The merged plane has the side and the noise of its largest part.
     if (planes[i].moments.count > largest[into]) {
       largest[into] = planes[i].moments.count;
       whole.noise = planes[i].noise;
@@ -236,13 +237,13 @@ dictOf (const NamedValues& values)
   return named;
 }
 
-/** \return the positions of those kept, and how many each argument drops */
+/** \return positions of the planes kept, and how many planes each argument drops */
 py::tuple
 filter (const py::list& planes, const PlaneFilter& filter)
 {
   const auto segments = planes.cast<PlaneSegments>();
   const auto extent_of = [&] (const PlaneSegment& segment) {
-    // What Python's Plane at the place of the segment knows.
+    // Python's Plane at the position of the segment has area and size.
     const py::object plane =
         planes[static_cast<std::size_t> (&segment - segments.data())];
     PlaneExtent extent;
@@ -267,8 +268,8 @@ filter (const py::list& planes, const PlaneFilter& filter)
   return py::make_tuple (kept, dictOf (by_name));
 }
 
-/** \brief By what Python's Plane knows of the outline of each, in the same frame.
- * \return their names */
+/** \brief Finds kinds of planes by the hulls of Python's Planes, in the same frame.
+ * \return the name of each plane's kind */
 std::vector<std::string>
 kinds (const py::list& planes,
        const Eigen::Vector3d& up,
@@ -284,7 +285,7 @@ kinds (const py::list& planes,
     PlanarPoints hull;
     for (Eigen::Index corner = 0; corner < corners.rows(); ++corner)
       hull.push_back (frame.toPlane (corners.row (corner).transpose()));
-    // Of a plane without area the centroid stands for its points.
+    // A plane without area has no hull: its centroid stands for its points.
     const PlanarPoints points = hull.empty() ? PlanarPoints{{0.0, 0.0}} : hull;
     extents.push_back (extentOf ({hull}, points, frame));
   }
@@ -405,8 +406,7 @@ plan (const PointRows& points,
   return py::make_tuple (walls, rooms, found.floor, found.height);
 }
 
-/** \brief The class ResultContext, with what is not given at once in the frame of the
- * array. */
+/** \brief Defines ResultContext, whose viewpoint is in the frame of the array. */
 void
 defineContext (py::module_& module)
 {
@@ -443,7 +443,7 @@ defineContext (py::module_& module)
             });
 }
 
-/** \return code and text of what is doubtful, the most important first
+/** \return code and text of each warning, the most important first
  * \param[in] points relative to \p origin */
 std::vector<std::pair<std::string, std::string>>
 warningsOn (const PointRows& points,
@@ -500,7 +500,7 @@ defineTracker (py::module_& module)
 using PlaneNumbers = py::array_t<std::uint32_t, py::array::c_style>;
 
 /** \brief All metrics by name.
- * \param[in] truth, result the plane of each point from 1, 0 for none */
+ * \param[in] truth, result number of each point's plane from 1 on; 0 for no plane */
 py::dict
 evaluate (const PlaneNumbers& truth,
           const PlaneNumbers& result,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The programs' writer of pages, apart from the other extension as the reader is.
+// The programs' writer of pages, an extension of its own like that of files.
 #include "interpreter.h"
 #include <cli/errors.h>
 #include <page/page.h>

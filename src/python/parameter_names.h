@@ -26,7 +26,7 @@ using LocalInliers = FastSamplingPlaneFilteringParameters::Local::Inliers;
 template <typename E>
 using Words = std::vector<std::pair<std::string, E>>;
 
-/** \brief What Python calls the values of enumerations. */
+/** \brief The words that stand for values of enumerations in Python. */
 inline const std::tuple words = {
     Words<Sampling>{{"points", Sampling::Points},
                     {"surfels", Sampling::Surfels},
@@ -44,7 +44,7 @@ inline const std::tuple words = {
                        {"vertical", Orientation::Vertical},
                        {"other", Orientation::Other}}};
 
-/** \brief Those of merging, and which of the merged planes are horizontal. */
+/** \brief Parameters of merging, and of the orientations of merged planes. */
 struct MergePlanesParameters : PlaneDetectorParameters {};
 
 template <typename... Lambdas>
@@ -59,7 +59,7 @@ inline const auto visit_named = [] (PlaneDetectorParameters& p, const auto& visi
   visit ("angle_tolerance", p.angle_tolerance);
 };
 
-/** \brief What all detectors have behind their own. */
+/** \brief Visits the parameters that all detectors have, after their own. */
 inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& visit) {
   visit ("distance_threshold", p.distance_threshold);
   visit ("min_points", p.min_points);
@@ -72,8 +72,8 @@ inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& vis
   visit_named (p, visit);
 };
 
-/** \brief Calls visit (name, member) for each parameter of a struct: its names in
- * Python. Those of a struct within it mostly have the name of that before theirs. */
+/** \brief Calls visit (name in Python, member) for each parameter of a struct. Names of
+ * members of a nested struct mostly begin with the name of that struct. */
 inline const Overloaded visit_parameters = {
     visit_named,
     [] (MergePlanesParameters& p, const auto& visit) {

@@ -13,7 +13,7 @@ struct pybind11::detail::
 : std::false_type {};
 #endif
 
-/** \brief Enumerations are words in Python. */
+/** \brief Converts enumerations to strings in Python and back, by \ref words. */
 template <typename E>
 struct pybind11::detail::type_caster<E, std::enable_if_t<std::is_enum_v<E>>> {
   PYBIND11_TYPE_CASTER (E, const_name ("str"));
@@ -46,7 +46,7 @@ namespace pcl_ops::python {
 
 namespace py = pybind11;
 
-/** \brief One of some words, as an annotation. */
+/** \brief Python's annotation for one of the words of an enumeration. */
 template <typename WordsOfEnum>
 std::string
 literalOf (const WordsOfEnum& words_of_enum)
@@ -57,7 +57,7 @@ literalOf (const WordsOfEnum& words_of_enum)
   return "Literal[" + all + "]";
 }
 
-/** \brief What a parameter has to be, as an annotation. */
+/** \brief Python's annotation for the type of a parameter. */
 template <typename T>
 std::string
 kindOf ()
@@ -76,8 +76,8 @@ kindOf ()
     return "Vector";
 }
 
-/** \brief A value for Python, a vector as a tuple: to copy an array numpy lets other
- * threads run, and where Python ends meanwhile, this one is ended amid its frames. */
+/** \brief A value for Python, with a vector as a tuple and not an array. numpy releases
+ * the GIL to copy an array; if Python ended meanwhile, it would unwind this thread. */
 template <typename T>
 py::object
 valueOf (const T& member)

@@ -20,13 +20,14 @@ namespace {
 using Site = boost::polygon::point_data<std::int32_t>;
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-/** \brief From one point to another, with the inside to its left. */
+/** \brief Indices of the first and the last point of a side; the inside is to its left.
+ */
 using Side = std::pair<std::size_t, std::size_t>;
 
-/** \brief Points as whole numbers, for which Boost finds neighbors without rounding. */
+/** \brief Points as integers, for which Boost finds neighbors without rounding. */
 struct WholeNumbers {
   std::vector<Site> sites;
-  /** \brief So many to a meter. */
+  /** \brief Integer steps per meter [1/m]. */
   double scale = 1.0;
 };
 
@@ -50,8 +51,8 @@ wholeNumbersOf (const PlanarPoints& points)
   return whole;
 }
 
-/** \brief The points around a corner of Voronoi's cells, counter-clockwise: a triangle,
- * or more on one circle. */
+/** \brief The points around a vertex of the Voronoi diagram, counter-clockwise: the
+ * corners of a Delaunay triangle, or more points on one circle. */
 std::vector<std::size_t>
 pointsAround (const Diagram::vertex_type& vertex)
 {
@@ -65,7 +66,8 @@ pointsAround (const Diagram::vertex_type& vertex)
   return points;
 }
 
-/** \brief The sides of small triangles that no other small one has, too, ascending. */
+/** \brief The sides that only one triangle has among those with a circumscribed circle
+ * of radius alpha or less; ascending. */
 std::vector<Side>
 outerSides (const WholeNumbers& whole, double alpha)
 {
@@ -101,7 +103,8 @@ alphaShapeRings (const PlanarPoints& points, double alpha)
   std::vector<std::size_t> position (points.size(), not_passed);
   std::vector<std::size_t> path;
   std::vector<PlanarPoints> rings;
-  // As many sides lead to a point as from it: a path ends where it began.
+  // As many sides lead to a point as from it: a path always comes back to one of its
+  // points and closes a ring.
   while (!next.empty()) {
     if (path.empty()) {
       path.push_back (next.begin()->first);
@@ -122,7 +125,8 @@ alphaShapeRings (const PlanarPoints& points, double alpha)
       position[path[i]] = not_passed;
     }
     path.resize (first);
-    // What is left of the path goes on from here, unless all of its sides are used.
+    // The path goes on from this point, unless it is empty and the point has no more
+    // sides.
     if (next.count (point) > 0 || !path.empty()) {
       position[point] = path.size();
       path.push_back (point);

@@ -8,11 +8,12 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The rings around the triangles between neighboring points (Delaunay) that
- * have a circumscribed circle of radius alpha at most, those around holes among them;
- * in any order. None passes a point twice.
- * \param[in] points finite ones, in any order
- * \param[in] alpha above 0 [m] */
+/** \brief The rings of the alpha shape: the border of the triangles of the Delaunay
+ * triangulation whose circumscribed circle has a radius of at most alpha.
+ * \param[in] points finite points, in any order
+ * \param[in] alpha above 0 [m]
+ * \return outer rings and rings around holes, in any order; no ring passes a point
+ * twice */
 std::vector<PlanarPoints>
 alphaShapeRings (const PlanarPoints& points, double alpha);
 

@@ -28,7 +28,7 @@ pointsWithin (const PlanarPoints& outline, const PlanarPoints& points)
   return within;
 }
 
-/** \brief Points, each standing for some. */
+/** \brief Points, each with the number of points that it stands for. */
 struct WeightedPoints {
   PlanarPoints points;
   std::vector<std::size_t> weights;
@@ -37,9 +37,9 @@ struct WeightedPoints {
 using Cell = std::pair<std::int64_t, std::int64_t>;
 using Cells = std::map<Cell, std::vector<std::size_t>>;
 
-/** \brief All points near the rim, and one for each square cell that has points in all
- * cells around it.
- * \param[in] cell side of a cell [m] */
+/** \brief Thins the points inside: keeps one point of each square cell whose eight
+ * neighbor cells all have points, and all points of the other cells, near the rim.
+ * \param[in] cell side of a cell, in the unit of the points */
 WeightedPoints
 thinInside (const PlanarPoints& points, double cell)
 {
@@ -95,9 +95,11 @@ cornersOf (const Ring& ring, double tolerance)
   return corners;
 }
 
-/** \brief The first ring as an outline, and those within it, not within each other, as
- * its holes.
- * \param[in] least area of a hole [m^2] */
+/** \brief The first ring as outline, and the rings inside it as its holes; a ring
+ * inside a hole is left out.
+ * \param[in] rings counter-clockwise, by falling area; at least one
+ * \param[in] least smallest area of a hole, in the squared unit of the points
+ * \param[in] tolerance of the simplification of rings */
 PlanarRings
 withHoles (const std::vector<Ring>& rings, double least, double tolerance)
 {
@@ -118,7 +120,8 @@ withHoles (const std::vector<Ring>& rings, double least, double tolerance)
   return outline;
 }
 
-/** \brief Repeated ones, as of rounded coordinates, say nothing of the spacing. */
+/** \brief Number of different points. Repeated points, as of rounded coordinates, say
+ * nothing about the spacing. */
 std::size_t
 numberOfPlaces (PlanarPoints points)
 {
@@ -136,7 +139,7 @@ scaled (double factor, PlanarPoints points)
   return points;
 }
 
-/** \brief The outline of points whose coordinates are not all far below 1. */
+/** \brief The concave outline of points that were scaled by \ref unitScale. */
 PlanarRings
 outlineAround (const PlanarPoints& points, double alpha)
 {

@@ -17,8 +17,8 @@ using namespace internal;
 
 using Numbers = std::vector<std::size_t>;
 
-/** \brief Where a ray to the right first meets a ring: the place of that side, and how
- * far to the right. */
+/** \brief Where a ray to the right first meets a ring around its start: the place of
+ * that side in the ring, and the x coordinate of the intersection. */
 std::pair<std::size_t, double>
 landingOf (const Eigen::Vector2d& from,
            const Numbers& ring,
@@ -26,7 +26,7 @@ landingOf (const Eigen::Vector2d& from,
 {
   std::pair landing (std::size_t (0), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    // On the right the ring around runs upwards.
+    // The ring is counter-clockwise: a side where the ray leaves it runs upwards.
     const Eigen::Vector2d& low = corners[ring[i]];
     const Eigen::Vector2d& high = corners[ring[(i + 1) % ring.size()]];
     if (!(low.y() <= from.y() && high.y() > from.y()))
@@ -39,7 +39,8 @@ landingOf (const Eigen::Vector2d& from,
   return landing;
 }
 
-/** \brief Whether the straight way from a ring's corner to a point begins within. */
+/** \brief Whether the segment from a corner of a ring to a point starts inside the
+ * ring. */
 bool
 leadsInside (const Numbers& ring,
              std::size_t place,
@@ -56,8 +57,9 @@ leadsInside (const Numbers& ring,
                    : is_left_of_next || is_right_of_last;
 }
 
-/** \brief The corner of the ring that is seen from a point inside: the farther end of
- * the side to its right, or the corner before it that is next to the ray. */
+/** \brief A corner of the ring that is visible from a point inside. A ray to the right
+ * hits a side; its end with the larger x is visible, unless corners lie in the triangle
+ * in between: then the corner at the smallest angle to the ray is visible. */
 std::size_t
 visibleFrom (const Eigen::Vector2d& from,
              const Numbers& ring,
@@ -86,11 +88,11 @@ visibleFrom (const Eigen::Vector2d& from,
   return visible;
 }
 
-/** \brief An outline with holes as one ring, in which a bridge leads to each hole and
- * back (Eberly, Triangulation by ear clipping, 2002, section 3).
- * \param[in] rings none of which touches another
+/** \brief Joins an outline and its holes to one ring, in which a bridge leads to each
+ * hole and back (Eberly, Triangulation by ear clipping, 2002, section 3).
+ * \param[in] rings the outline, then its holes; no ring touches another one
  * \param[in] corners of all rings, ring after ring
- * \return their numbers; the ends of bridges come twice */
+ * \return indices of the corners; the ends of bridges are repeated */
 Numbers
 joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
 {
@@ -104,12 +106,12 @@ joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
   for (std::size_t r = 1; r < rings.size(); first += rings[r++].size()) {
     Numbers hole (rings[r].size());
     std::iota (hole.begin(), hole.end(), first);
-    // Its rightmost corner first: the bridge begins there.
+    // The hole starts at its rightmost corner, where the bridge begins.
     std::rotate (
         hole.begin(), std::max_element (hole.begin(), hole.end(), is_left), hole.end());
     holes.push_back (hole);
   }
-  // From the right, so that a bridge meets no hole that is not yet part of the ring.
+  // From right to left: so a bridge crosses no hole that is not yet part of the ring.
   std::stable_sort (holes.begin(), holes.end(), [&] (const auto& a, const auto& b) {
     return is_left (b.front(), a.front());
   });
@@ -139,12 +141,13 @@ isEar (const Triangle& triangle, const Numbers& ring, const PlanarPoints& corner
     return false;
   return std::none_of (ring.begin(), ring.end(), [&] (std::size_t other) {
     const Eigen::Vector2d& corner = corners[other];
-    // The other end of a bridge is at the same place.
+    // Corners with a bridge are repeated at the same place.
     return corner != a && corner != b && corner != c && isWithin (corner, a, b, c);
   });
 }
 
-/** \brief The next place, from one on, that a test holds for. */
+/** \brief The first place in the ring, from \p from on and around, whose triangle
+ * passes a test; nothing if no triangle does. */
 template <typename Test>
 std::optional<std::size_t>
 nextPlace (const Numbers& ring, std::size_t from, Test&& holds)
@@ -157,11 +160,11 @@ nextPlace (const Numbers& ring, std::size_t from, Test&& holds)
   return {};
 }
 
-/** \brief Cuts a ring that may touch itself, as one with bridges does, into
- * triangles: takes ears off, corners whose triangle has no other corner in it
- * (Meisters, Polygons have ears, 1975). VTK's triangle filter refuses such rings, its
- * contour triangulator and Delaunay filter lose parts of outlines with many holes.
- * \return counter-clockwise; those up to where there was no ear */
+/** \brief Cuts a ring into triangles by clipping its ears, convex corners whose
+ * triangle has no other corner in it (Meisters, Polygons have ears, 1975). The ring may
+ * touch itself, as a ring with bridges does: VTK's triangle filter refuses such rings,
+ * its contour triangulator and Delaunay filter lose parts of outlines with many holes.
+ * \return counter-clockwise triangles; not all of them if the ring runs out of ears */
 std::vector<Triangle>
 clipEars (Numbers ring, const PlanarPoints& corners)
 {
@@ -172,7 +175,7 @@ clipEars (Numbers ring, const PlanarPoints& corners)
     const auto ear = nextPlace (ring, place, [&] (const Triangle& triangle) {
       return isEar (triangle, ring, corners);
     });
-    // What is on one line covers nothing, but may be in the way of ears.
+    // A corner in line with its neighbors covers no area, but may block ears.
     const auto clipped =
         ear ? ear : nextPlace (ring, place, [&] (const Triangle& triangle) {
           const auto& [a, b, c] = triangle;

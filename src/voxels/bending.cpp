@@ -15,7 +15,7 @@ namespace {
 
 using Terms = Eigen::Matrix<double, 6, 1>;
 
-// Normal equations of the fit: heights [m] over u and v in half extents.
+// Normal equations of the fit of heights [m]; u and v in units of the half extents.
 struct Equations {
   Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
   Terms products = Terms::Zero();
@@ -31,7 +31,7 @@ struct Equations {
     squared_heights += weight * height * height;
   }
 
-  /** \brief Sum of squares that the first \p number terms leave. */
+  /** \brief Residual sum of squares of the fit by the first \p number terms [m^2]. */
   template <int number>
   double
   left () const
@@ -44,8 +44,8 @@ struct Equations {
   }
 };
 
-// A patch's two axes along its plane, each with half the patch's extent [m], as if it
-// were evenly covered.
+// The principal axes u and v in the plane of a patch. The half extents [m] are those of
+// an evenly covered rectangle with the moments of the patch.
 struct PatchAxes {
   Eigen::Vector3d u, v;
   double half_u, half_v;
@@ -90,7 +90,7 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
   Eigen::Matrix2d second_order;
   second_order << x[3], 0.5 * x[4], 0.5 * x[4], x[5];
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bends;
-  bends.computeDirect (second_order); // the other way compiles for four seconds
+  bends.computeDirect (second_order); // compute() takes four seconds to compile
   const int largest =
       std::abs (bends.eigenvalues()[0]) > std::abs (bends.eigenvalues()[1]) ? 0 : 1;
   const Eigen::Vector2d direction = bends.eigenvectors().col (largest);

@@ -9,23 +9,24 @@ namespace pcl_ops::internal {
 
 /** \brief How far a patch bends away from its plane. */
 struct Bending {
-  /** \brief Share of the unevenness that second order terms explain, adjusted for their
-   * number (R^2), up to 1. */
+  /** \brief Adjusted R^2 of the second-order terms: the share of the residual variance
+   * of a flat fit that they explain, at most 1. */
   double explained = 0.0;
-  /** \brief Largest deviation from the plane by the second order terms [m]. */
+  /** \brief Largest second-order height on the ellipse of half extents [m]. */
   double amplitude = 0.0;
-  /** \brief Half the extent of the patch in the direction it bends in [m]. */
+  /** \brief Half the extent of the patch in the direction of its largest bend [m]. */
   double half_extent = 0.0;
 };
 
-/** \brief Least squares of the mean heights of voxels above a plane by 1, u, v, u^2, u
- * v and v^2, u and v along the plane, each voxel weighing as much as its points.
- * \param[in] voxels those of the patch; a bending of 0 for fewer than eight */
+/** \brief Fits 1, u, v, u^2, u v and v^2, with u and v along the plane, to the mean
+ * heights of voxels over it by least squares. A voxel weighs as much as its points.
+ * \param[in] voxels numbers of the voxels of the patch
+ * \return all zero for fewer than eight voxels */
 Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit);
 
-/** \brief Whether a patch is part of a curved surface: the bending explains it, and its
- * slope (amplitude over half extent) is more than a sensor bends a wall by. */
+/** \brief Whether a patch is part of a curved surface: second-order terms explain its
+ * unevenness, and amplitude over half extent is more than a sensor bends a wall by. */
 bool
 isCurved (const Bending& bending);
 

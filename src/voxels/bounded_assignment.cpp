@@ -13,20 +13,20 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Voxels of a piece of work. Each piece holds moments of all planes: few large ones.
+// Voxels of a chunk. Each chunk has moments of all planes: so chunks are few and large.
 constexpr std::size_t voxels_at_once = 4096;
 
-// Points, the planes each may be on, and where the labels go.
+// The input of the assignment, and the labels that it writes.
 struct Assignment {
   const Coordinates& points;
   const VoxelGrid& grid;
   const BoundedPlanes& planes;
   const std::vector<PlaneBand>& bands;
-  // With a given threshold each point is tested by itself: it is promised to all.
+  // A given threshold holds for each point: each is tested, even if its voxel fits.
   bool every_point_counts;
   Labels& labels;
 
-  /** \brief Finds the planes of the voxels around one, each once. */
+  /** \brief Finds the planes of a voxel and its neighbors, each once. */
   void
   findPlanesAround (std::size_t voxel, Labels& around) const
   {
@@ -35,8 +35,8 @@ struct Assignment {
       addOnce (planes.plane_of_voxel[neighbor], around);
   }
 
-  /** \brief Whether the points of a voxel are on a plane as noise is, so that none
-   * needs to be looked at. */
+  /** \brief Whether the points of a voxel are so near to a plane on average that noise
+   * explains it, and that no single point has to be tested. */
   bool
   isAllOn (std::int32_t plane, std::size_t voxel) const
   {
@@ -72,7 +72,7 @@ bandsOf (const BoundedPlanes& planes,
 {
   std::vector<PlaneBand> bands;
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    // A plane without voxels here has noise 0.
+    // A plane without voxels in this grid has noise 0.
     const double noise = std::max (planes.noise[p], smallest_noise);
     bands.emplace_back (
         planes.planes[p], noise, std::min (noise_factor * noise, largest_band));

@@ -9,16 +9,15 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Assigns points to bounded planes: to the likeliest of the planes whose
- * support has a voxel within one voxel of the point, see \ref likeliestOf.
- * \param[in] distance_threshold largest distance of a point to its plane [m]; not given:
- * the noise alone limits it, and where a voxel fits the only plane nearby, all its
- * points are on it
+/** \brief Assigns each point to the likeliest plane (\ref likeliestOf) among the planes
+ * of its voxel and of the neighbors of its voxel.
+ * \param[in] distance_threshold largest distance of a point to its plane [m]. Not
+ * given: the noise alone limits it, and a voxel that fits the only plane around it
+ * gives all its points to this plane
  * \param[in] noise_factor largest distance in units of the plane's noise
- * \param[in] is_left_out voxels whose points stay as they are; empty: none
- * \param[in,out] assigned labels of points, which are overwritten but for voxels left out
- * or without a plane nearby, and the moments of each plane, to which points are added
- */
+ * \param[in] is_left_out not 0 for voxels whose points keep their labels; empty: none
+ * \param[in,out] assigned labels are overwritten, but for points in voxels left out or
+ * without a plane around; points are added to the moments of their planes */
 void
 assignToBoundedPlanes (const Coordinates& points,
                        const VoxelGrid& grid,

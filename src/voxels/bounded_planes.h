@@ -11,15 +11,15 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Planes with the voxels that support them: what bounds each to its surface. */
+/** \brief Planes with their supporting voxels, which tell where a plane ends. */
 struct BoundedPlanes {
   std::vector<Plane> planes;
-  /** \brief Of each plane, the rms distance of its points [m]. */
+  /** \brief Noise of each plane [m], by \ref measureNoise. */
   std::vector<double> noise;
   /** \brief Plane of each voxel, or no_plane. */
   Labels plane_of_voxel;
-  /** \brief Moments of what each plane has outside of these voxels, for the first so
-   * many planes. */
+  /** \brief Moments of the points that each plane has outside these voxels. May be
+   * shorter than \ref planes: the planes after its end have no points elsewhere. */
   std::vector<Moments> moments_elsewhere;
 
   std::size_t
@@ -29,23 +29,23 @@ struct BoundedPlanes {
   }
 };
 
-/** \brief Moments of each plane's points, those elsewhere included. */
+/** \brief Moments of the points of each plane, in these voxels and elsewhere. */
 std::vector<Moments>
 momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes);
 
-/** \brief Fits each plane to its voxels. */
+/** \brief Fits each plane to its points in these voxels and elsewhere. */
 void
 refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes);
 
-/** \brief Replaces planes by those they were merged into; the noise of a merged plane
- * has to be measured anew. */
+/** \brief Replaces planes by the planes they were merged into, and sets the noise of
+ * all planes to 0: it has to be measured again. */
 void
 renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes);
 
-/** \brief A voxel of fewer points does not tell the noise of its points. */
+/** \brief Fewest points of a voxel from which its noise can be measured. */
 inline constexpr double min_points_of_noise = 16.0;
 
-/** \brief No noise is measured more finely than this [m]. */
+/** \brief Lower bound of the noise measured in a grid [m]. */
 inline double
 smallestNoise (const VoxelGrid& grid)
 {
@@ -53,9 +53,9 @@ smallestNoise (const VoxelGrid& grid)
   return share_of_a_voxel * grid.voxel_size;
 }
 
-/** \brief Measures the noise of planes: the median of the rms distances of the points
- * of their voxels to the plane. At least \ref smallestNoise; a plane without voxels
- * here keeps its noise. */
+/** \brief Measures the noise of each plane: the rms distance of the points of a voxel
+ * to the plane, the median over its voxels, at least \ref smallestNoise. A plane
+ * without voxels in this grid keeps its noise. */
 void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);
 

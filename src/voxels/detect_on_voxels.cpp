@@ -23,8 +23,8 @@ namespace {
 
 using Parameters = OrientedPointSamplingParameters;
 
-// The neighborhood of k points may hold half as many: small CAD models have no more
-// around a voxel. A place with fewer than twice as many is sparse.
+// Neighborhoods may hold k / times_k points: small CAD models have no more around a
+// voxel. A neighborhood with fewer than times_k * k points is sparse.
 constexpr double times_k = 2.0;
 
 VoxelLevels
@@ -50,7 +50,7 @@ orient (const VoxelGrid& grid,
       grid, surfels.resolutions, min_points, parameters.threads, plane_of_voxel);
 }
 
-// Finds planes in voxels that have none, and lets all planes grow.
+// Finds planes in voxels that have none, then grows all planes.
 void
 findPlanes (const VoxelGrid& grid,
             const Parameters& parameters,
@@ -68,7 +68,7 @@ findPlanes (const VoxelGrid& grid,
   clock.lap (durations.extraction);
 }
 
-// Real walls are not flat: whether two planes are one follows their noise.
+// Real walls are not flat: by default planes are merged by their noise.
 MergingParameters
 mergingByNoise (MergingParameters merging)
 {
@@ -77,7 +77,7 @@ mergingByNoise (MergingParameters merging)
   return merging;
 }
 
-// Which planes are one: those that noise divided, and those that a gap did.
+// Merges planes that are one: pieces divided by noise, then pieces divided by a gap.
 MergedPlanes
 mergedPlanes (const VoxelGrid& grid,
               const Parameters& parameters,
@@ -96,7 +96,7 @@ mergedPlanes (const VoxelGrid& grid,
   return merged;
 }
 
-// Makes one plane of those that are one, in voxels of both sizes.
+// Replaces planes that are one by their merged plane, in the voxels of both sizes.
 void
 joinPlanes (const VoxelGrid& grid,
             const Parameters& parameters,
@@ -110,7 +110,7 @@ joinPlanes (const VoxelGrid& grid,
   measureNoise (finer.grid, parameters.threads, finer.planes);
 }
 
-// The points of coarse voxels that are not refined, and those of the finer ones.
+// Assigns the points of coarse voxels that are not refined, then those of finer voxels.
 AssignedPoints
 assign (const Points& points,
         const VoxelLevels& voxels,
@@ -136,13 +136,13 @@ assign (const Points& points,
   return assigned;
 }
 
-// What a look at points tells besides their labels.
+// What labelPoints reports besides the labels.
 struct Tally {
   std::size_t planes_before_merging = 0;
   UsedLengths used;
 };
 
-// Where half of the planes end: the distance up to which a point counts as noise.
+// The median over all planes of the largest distance of an inlier to its plane [m].
 std::optional<double>
 usualDistance (const BoundedPlanes& planes,
                const Refinement& finer,
@@ -169,7 +169,7 @@ labelPoints (const Points& points,
              StageDurations& durations,
              Tally& tally);
 
-// Looks for planes among some of the points, which another voxel size does justice.
+// Finds planes among the given points, in voxels of a size that suits these points.
 void
 labelAnew (const Points& points,
            const Indices& numbers,
@@ -189,7 +189,7 @@ labelAnew (const Points& points,
       assigned.labels[numbers[i]] = before + more.labels[i];
   assigned.moments.insert (
       assigned.moments.end(), more.moments.begin(), more.moments.end());
-  // A ground goes on where it becomes sparse.
+  // Merges planes again: a ground continues where its points become sparse.
   MergedPlanes merged =
       mergePlanes (assigned.moments, mergingByNoise (parameters.merging));
   relabel (assigned.labels, merged.merged_into, parameters.threads);
@@ -221,7 +221,7 @@ labelSparsePoints (const Points& points,
                 assigned);
 }
 
-// The straight line of OPS on voxels.
+// The stages of OPS on voxels, one after the other.
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,
@@ -239,7 +239,7 @@ labelPoints (const Points& points,
   BoundedPlanes planes;
   planes.plane_of_voxel.assign (grid.size(), no_plane);
   clock.lap (durations.search);
-  // n_i and Pi: normals from the moments around, planes spread over like neighbors
+  // n_i and Pi: normals from the moments around, planes grown over voxels alike
   findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock();
   // what no plane explains, in voxels of half the edge
@@ -252,7 +252,7 @@ labelPoints (const Points& points,
   joinPlanes (grid, parameters, planes, finer);
   tally.used.distance_threshold = usualDistance (planes, finer, parameters);
   clock.lap (durations.merging);
-  // every point of P, not of P_s alone, to a plane
+  // assigns every point of P, not of P_s alone, to a plane
   AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
   clock.lap (durations.assignment);
   labelSparsePoints (points, voxels, parameters, durations, assigned);
@@ -274,7 +274,7 @@ detectOnVoxels (const Points& points,
 {
   Tally tally;
   AssignedPoints assigned = labelPoints (points, parameters, durations, tally);
-  // Planes are fitted to their points; which are one has been settled.
+  // Fits each plane to its points; planes that are one have been merged already.
   MergingParameters keep_apart;
   keep_apart.enabled = false;
   LabelledPlanes found =

@@ -9,16 +9,16 @@ namespace pcl_ops::internal {
 
 using SurfelParameters = OrientedPointSamplingParameters::Surfels;
 
-/** \brief Edge of the largest voxels where their size is given; else 0. Voxels of a
- * given size begin at whole multiples of it in the frame of the input cloud, so that
- * parts of a cloud have the voxels of the whole. */
+/** \brief Edge of the voxels of the coarsest resolution [m] if the voxel size is given;
+ * else 0. Voxels of a given size begin at whole multiples of their edge in the frame of
+ * the input cloud, so that parts of a cloud have the voxels of the whole. */
 double
 coarsestVoxel (const SurfelParameters& surfels);
 
-/** \brief The recommended sampling: the flat voxels of a grid, with the normals of the
- * moments around; planes end where their voxels end. Coarse first: only points that no
- * plane explains are looked at in voxels of half the edge.
- * \param[in,out] durations what each stage took is added [ms] */
+/** \brief Detects planes by Sampling::Surfels. The samples are the flat voxels of a
+ * grid, with normals from the moments around them; planes end where their voxels end.
+ * Points that no plane explains are looked at again, in voxels of half the edge.
+ * \param[in,out] durations the time of each stage is added [ms] */
 LabelledPlanes
 detectOnVoxels (const Points& points,
                 const OrientedPointSamplingParameters& parameters,

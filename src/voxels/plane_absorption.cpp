@@ -12,15 +12,15 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief A plane with what decides over its absorption. */
+/** \brief A plane with the data that decide about its absorption. */
 struct Region {
   Plane plane;
   Moments moments;
-  /** \brief Of the plane [m^2]. */
+  /** \brief Squared noise of the plane [m^2]. */
   double squared_noise = 0.0;
-  /** \brief Planes that it touches, ascending. */
+  /** \brief Numbers of the planes that it touches, ascending. */
   std::vector<std::size_t> neighbors;
-  /** \brief Since its plane was fitted. */
+  /** \brief Whether it has got points since its plane was fitted. */
   bool has_grown = false;
 };
 
@@ -56,7 +56,7 @@ regionsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
   return regions;
 }
 
-// Mean squared distance of a plane's points to it [m^2], at least its noise.
+// Mean squared distance of a plane's points to it [m^2], at least its squared noise.
 double
 squaredRms (const Region& region)
 {
@@ -64,8 +64,9 @@ squaredRms (const Region& region)
                    meanSquaredDistance (region.moments, region.plane));
 }
 
-// Mean squared distance of a plane's points to a larger plane, over the largest for the
-// two to be one. Points that err together make bumps of a few times the noise.
+// Mean squared distance of the points of the smaller plane to the larger one, over its
+// limit: below 1 both are one plane. The limit is a few times the noise, as points that
+// err together make bumps of this height.
 double
 misfitTo (const Region& larger, const Region& smaller, double noise_factor)
 {
@@ -74,7 +75,7 @@ misfitTo (const Region& larger, const Region& smaller, double noise_factor)
           commonSquaredNoise (squaredRms (larger), squaredRms (smaller)));
 }
 
-// Of the larger neighbors of a plane the one it fits best, or itself.
+// The larger neighbor that the plane p fits best; p itself if it fits none.
 std::size_t
 absorberOf (const std::vector<Region>& regions, std::size_t p, double noise_factor)
 {
@@ -96,7 +97,7 @@ absorberOf (const std::vector<Region>& regions, std::size_t p, double noise_fact
   return absorber;
 }
 
-// Moves regions into those they go to; what is left behind is empty.
+// Adds regions to the regions that absorb them, and leaves them empty.
 void
 join (const std::vector<std::size_t>& goes_into, std::vector<Region>& regions)
 {
@@ -137,7 +138,7 @@ absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& p
   while (has_changed) {
     for (std::size_t p = 0; p < regions.size(); ++p)
       goes_into[p] = absorberOf (regions, p, noise_factor);
-    // A chain of absorptions ends: each goes to a larger one.
+    // Follows chains of absorptions to their end: each absorber is larger.
     for (std::size_t& to : goes_into)
       while (goes_into[to] != to)
         to = goes_into[to];

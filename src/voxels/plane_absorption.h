@@ -6,9 +6,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Finds planes that go into a larger neighbor: their points are no farther from
- * it than a multiple of the noise of both.
- * \return for each plane the one that it ends in, itself if it stays */
+/** \brief Finds planes to absorb into a larger plane that they touch: the rms distance
+ * of their points to it is below \p noise_factor times the noise of both planes.
+ * \return for each plane the plane that finally absorbs it; itself if none does */
 Labels
 absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& planes);
 

@@ -14,10 +14,10 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane and the noise of its points. */
+/** \brief A plane with the noise of its points, and how far they may be from it. */
 struct PlaneBand {
   FloatPlane surface;
-  /** \brief Largest distance of a point [m]. */
+  /** \brief Distance below which the plane takes points [m]; 0: it takes no point. */
   float band = 0.0f;
   /** \brief 1 / sigma^2 of the noise [1/m^2]. */
   float inverse_variance = 0.0f;
@@ -35,10 +35,11 @@ struct PlaneBand {
   {}
 };
 
-/** \brief Of some planes the one that a point most likely is of, or no_plane: the one
- * with the least d^2 / sigma^2 + 2 ln sigma. Distances in units of sigma alone would
- * give points of a clean plane to a noisy one that it meets.
- * \param[in] planes positions of the planes that are asked for */
+/** \brief The plane that a point most likely belongs to; no_plane if it lies in no
+ * band. Of the others it is the one with the least d^2 / sigma^2 + 2 ln sigma, d its
+ * distance. With d / sigma alone a noisy plane would take points of a clean plane that
+ * it meets.
+ * \param[in] planes the candidates, as positions in \p bands */
 inline std::int32_t
 likeliestOf (const Labels& planes,
              const std::vector<PlaneBand>& bands,
@@ -60,7 +61,7 @@ likeliestOf (const Labels& planes,
   return likeliest;
 }
 
-/** \brief Adds a plane to some, each of which is there once. */
+/** \brief Appends a plane to a list, unless it is no_plane or in the list already. */
 inline void
 addOnce (std::int32_t plane, Labels& planes)
 {

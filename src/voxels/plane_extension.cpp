@@ -15,8 +15,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Planes that are narrower than a voxel go on nowhere, as those of a car would across
-// the street: they get no band.
+// Planes narrower than a voxel get an empty band, and are not extended: else a plane of
+// a car would continue across the street.
 std::vector<PlaneBand>
 bandsOf (const std::vector<Moments>& planes,
          double voxel_size,
@@ -26,7 +26,7 @@ bandsOf (const std::vector<Moments>& planes,
   std::vector<PlaneBand> bands (planes.size());
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const std::optional<PlaneFit> fit = fitPlane (planes[p]);
-    // Of a strip that is evenly covered the width is sqrt (12) deviations.
+    // The width of an evenly covered strip is sqrt (12) standard deviations.
     if (!fit || 12.0 * fit->variances[1] < voxel_size * voxel_size)
       continue;
     const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
@@ -35,7 +35,7 @@ bandsOf (const std::vector<Moments>& planes,
   return bands;
 }
 
-// The planes that the points of each larger voxel are on.
+// For each larger voxel the planes of its points.
 std::vector<Labels>
 planesIn (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& labels)
 {
@@ -61,7 +61,7 @@ planesIn (const LargerVoxels& larger, const std::vector<Labels>& planes)
   return joined;
 }
 
-// The planes of the voxels around one, each once.
+// The planes of a voxel and its neighbors, each once.
 Labels
 planesAround (const VoxelNeighbors& neighbors,
               std::size_t voxel,
@@ -74,8 +74,8 @@ planesAround (const VoxelNeighbors& neighbors,
   return around;
 }
 
-// Gives open points that have no plane yet the likeliest one around their voxels, which
-// are those of equal voxels one after the other.
+// Gives open points without a plane the likeliest plane around their voxels. Points of
+// the same voxel follow each other, so that its planes are found once.
 void
 extendToVoxels (const Coordinates& points,
                 const std::vector<OpenPoint>& open,

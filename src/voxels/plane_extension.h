@@ -12,13 +12,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Lets planes go on where points are sparse, as the rings of a lidar on the
- * ground are: a point on no plane goes to the likeliest of the planes in the larger
- * voxels around, first in those of twice the edge; planes as wide as these voxels.
- * \param[in] open those on no plane where points are sparse, voxel after voxel
+/** \brief Extends planes to sparse points, as lidar rings on the ground are. A point on
+ * no plane goes to the likeliest plane (\ref likeliestOf) in larger voxels around it,
+ * first in those of twice the edge. Planes narrower than these voxels are not extended.
+ * \param[in] open points on no plane in sparse voxels, voxel after voxel
  * \param[in] levels how many times the edge is doubled
- * \param[in,out] assigned labels of all points, and the moments of each plane's, which
- * the new ones are added to */
+ * \param[in,out] assigned labels of all points, and moments of each plane; points that
+ * get a plane are added to both */
 void
 extendPlanes (const Coordinates& points,
               const VoxelGrid& grid,

@@ -11,8 +11,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Of the planes next to a voxel the one its points are nearest to, in units of the
-// largest distance [m] there may be to each; or no_plane.
+// The plane of a neighbor that the points of a voxel are nearest to, by rms distance
+// over the plane's limit [m]; no_plane if all are beyond their limits.
 std::int32_t
 nearestPlaneAround (const VoxelGrid& grid,
                     const BoundedPlanes& planes,
@@ -20,7 +20,7 @@ nearestPlaneAround (const VoxelGrid& grid,
                     std::size_t voxel)
 {
   std::int32_t nearest = no_plane;
-  // Neighbors in a row mostly are on the same plane.
+  // Successive neighbors mostly are on the same plane.
   std::int32_t last = no_plane;
   double best = 1.0;
   for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
@@ -49,7 +49,7 @@ openVoxels (const Labels& plane_of_voxel)
   return open;
 }
 
-// The voxels without a plane that touch one of some voxels, each once.
+// The voxels without a plane that touch one of the given voxels, each once.
 Indices
 openVoxelsNextTo (const VoxelGrid& grid,
                   const Indices& voxels,

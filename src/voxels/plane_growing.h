@@ -8,15 +8,15 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Largest rms distance of a voxel's points to the plane the voxel goes to, in
- * units of that plane's noise: surfaces meet in voxels at its border. */
+/** \brief Largest rms distance of a voxel's points to the plane that takes the voxel,
+ * in units of the plane's noise: at the border of a plane voxels hold two surfaces. */
 constexpr double noises_of_a_voxel = 3.0;
 
-/** \brief Lets planes grow, voxel by voxel: of the voxels without a plane, each goes to
- * that of the planes next to it which its points are nearest to, in units of the
- * plane's noise; up to \ref noises_of_a_voxel.
- * \param[in] distance_threshold theta_h: largest rms distance [m], if any
- * \param[in,out] planes with their noise; refitted to their voxels */
+/** \brief Grows planes voxel by voxel. A voxel without a plane goes to the plane of a
+ * neighbor that fits its points best: the least rms distance in units of the largest
+ * one allowed, \ref noises_of_a_voxel times the noise of the plane.
+ * \param[in] distance_threshold theta_h: upper bound of the rms distance [m], if given
+ * \param[in,out] planes with their noise; refitted to their points in the end */
 void
 growPlanes (const VoxelGrid& grid,
             std::optional<double> distance_threshold,

@@ -11,7 +11,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Voxels without a plane that hold points enough for one, and those next to them, so
+// Marks voxels without a plane that hold enough points for one, and their neighbors, so
 // that finer voxels have neighbors.
 std::vector<char>
 voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_voxel)
@@ -29,7 +29,7 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   return is_refined;
 }
 
-// The finest voxels in coarse ones that are refined.
+// Numbers of the finest voxels in refined coarse voxels.
 Indices
 voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
 {
@@ -55,7 +55,7 @@ selected (const VoxelGrid& grid, const Indices& voxels)
   return some;
 }
 
-// The plane that each finer voxel has from the coarse one that holds it.
+// For each finer voxel the plane of its coarse voxel if its points lie on that plane.
 Labels
 inheritedPlanes (const BoundedPlanes& planes,
                  const Indices& coarse_of_finest,
@@ -75,7 +75,7 @@ inheritedPlanes (const BoundedPlanes& planes,
   return inherited;
 }
 
-// Of each plane the moments of voxels that are not refined.
+// For each plane the moments of its points in coarse voxels that are not refined.
 std::vector<Moments>
 momentsLeft (const VoxelGrid& coarse,
              BoundedPlanes planes,

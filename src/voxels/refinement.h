@@ -8,20 +8,20 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The part of a cloud that no plane explains in coarse voxels, in voxels of
- * half their edge. */
+/** \brief Voxels of half the edge, for the part of a cloud that no plane explains in
+ * coarse voxels. */
 struct Refinement {
-  /** \brief Whether a coarse voxel's points are looked at here. */
+  /** \brief For each coarse voxel, whether its points are in \ref grid. */
   std::vector<char> is_refined;
   VoxelGrid grid;
-  /** \brief The coarse planes with the voxels here that they explain. */
+  /** \brief The coarse planes, with the voxels of \ref grid that they explain. */
   BoundedPlanes planes;
 };
 
-/** \brief Divides coarse voxels of 8 points and more that have no plane, and those next
- * to them, into voxels of half the edge. A voxel there keeps the plane of the coarse
- * one that holds it if its points lie on it.
- * \param[in] planes those found in coarse voxels, with their noise */
+/** \brief Divides coarse voxels of 8 points and more that have no plane, and their
+ * neighbors, into voxels of half the edge. A finer voxel keeps the plane of the coarse
+ * voxel that holds it if its points lie on that plane.
+ * \param[in] planes found in the coarse voxels, with their noise */
 Refinement
 refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads);
 

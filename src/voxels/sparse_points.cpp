@@ -13,10 +13,10 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Fewer points than one in so many are left alone.
+// Sparse points are left alone if they are fewer than one in this many.
 constexpr std::size_t min_share = 100;
 
-// Of a voxel and those around it.
+// Number of points in a voxel and its neighbors.
 double
 pointsAround (const VoxelGrid& grid, std::size_t voxel)
 {
@@ -26,8 +26,8 @@ pointsAround (const VoxelGrid& grid, std::size_t voxel)
   return points;
 }
 
-// Whether points do not tell a plane from a mist: they scatter farther than most points
-// of the cloud do, and a quarter as far or more as they are from each other.
+// Whether the points of a plane may be a mist: their rms distance to it is far above
+// that of most points of the cloud, and above a quarter of their spacing.
 bool
 isMist (const Moments& moments, double squared_noise)
 {
@@ -35,13 +35,13 @@ isMist (const Moments& moments, double squared_noise)
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)
     return false;
-  // Of a square that is evenly covered the edge is sqrt (12) deviations.
+  // The edge of an evenly covered square is sqrt (12) standard deviations.
   const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
   return fit->variances[0] > std::max (other_noise * other_noise * squared_noise,
                                        spacings * spacings * area / moments.count);
 }
 
-// Mean squared distance of points to their planes [m^2].
+// Mean squared distance of points to their planes [m^2]; infinite without planes.
 double
 squaredNoise (const std::vector<Moments>& planes)
 {

@@ -12,10 +12,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The voxels that hold, with those around, too few points to tell: where a
- * cloud is far sparser than in most of its voxels.
- * \param[in] min_points fewest points of voxels that can tell
- * \return them, or none where they hold less than a hundredth of the points */
+/** \brief The voxels that have, with their neighbors, fewer than \p min_points points.
+ * \return their numbers; empty if they hold less than a hundredth of all points */
 Indices
 sparseVoxels (const VoxelGrid& grid, double min_points);
 
@@ -25,21 +23,22 @@ struct OpenPoint {
   std::uint32_t voxel;
 };
 
-/** \brief The points on no plane in some voxels, voxel after voxel. */
+/** \brief The points on no plane in the given voxels, voxel after voxel. */
 std::vector<OpenPoint>
 openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels);
 
-/** \brief The points, ascending, that another voxel size does justice.
- * \param[in] open those of \ref sparseVoxels
- * \return none where they are not a cloud of their own: less than a hundredth of all
- * points, or more than half, whose voxels these are */
+/** \brief The points among which to detect planes anew, with a voxel size of their own.
+ * \param[in] open points on no plane in the \ref sparseVoxels
+ * \param[in] all number of points in the cloud
+ * \return numbers, ascending; empty for less than a hundredth of all points, and for
+ * more than half, as the voxel size is already theirs */
 Indices
 sparsePoints (const std::vector<OpenPoint>& open, std::size_t all);
 
-/** \brief Takes planes from sparse points that scatter far more than those of the dense
- * ones, and a quarter as far or more as they are from each other: voxels as large as
- * sparse points need make a plane of any mist.
- * \param[in,out] sparse points with their planes; moments of rejected ones are empty */
+/** \brief Rejects planes of sparse points whose points scatter far more than those of
+ * dense planes, and more than a quarter of their spacing: in voxels as large as sparse
+ * points need, any mist makes a plane.
+ * \param[in,out] sparse a rejected plane gets empty moments, its points get no_plane */
 void
 rejectMist (const std::vector<Moments>& dense,
             unsigned threads,

@@ -15,13 +15,13 @@ namespace {
 
 using Surfels = std::vector<std::optional<Surfel>>;
 
-/** \brief Connected voxels on one plane, in the order it reached them. */
+/** \brief Connected voxels on one plane, in the order in which it reached them. */
 struct SurfelPatch {
   Indices voxels;
   Moments moments;
 };
 
-/** \brief Of each voxel, whether it has a surfel that no plane has yet. */
+/** \brief For each voxel, whether it has a surfel flat enough and no plane yet. */
 std::vector<char>
 openVoxels (const Surfels& surfels, double max_thickness, const Labels& plane_of_voxel)
 {
@@ -32,7 +32,7 @@ openVoxels (const Surfels& surfels, double max_thickness, const Labels& plane_of
   return is_open;
 }
 
-/** \brief Spreads a plane from a surfel to those around it. */
+/** \brief Grows a plane from a seed surfel over neighboring surfels. */
 struct SurfelSpread {
   const VoxelGrid& grid;
   const Surfels& surfels;
@@ -42,7 +42,7 @@ struct SurfelSpread {
   std::uint32_t round = 0;
   std::vector<double> noise_of = std::vector<double> (grid.size(), 0.0);
 
-  /** \brief What a plane reaches from a seed, refitted when that has grown by half. */
+  /** \brief Grows a patch from a seed; refits its plane when it has grown by half. */
   SurfelPatch
   from (std::uint32_t seed)
   {
@@ -66,9 +66,9 @@ struct SurfelSpread {
   }
 
 private:
-  // Asks a voxel, once while the plane spreads. What lies on two planes seems noisier
-  // than either: the noise of a voxel is at most a little more than that of the voxel
-  // the plane comes from.
+  // Adds a voxel if its normal and its points fit the plane; tests its points once per
+  // seed. Surfels on two planes seem noisier than either: the noise of a voxel counts
+  // at most like_noise times that of the voxel the plane comes from.
   void
   take (std::uint32_t voxel,
         const Plane& plane,
@@ -91,16 +91,16 @@ private:
   }
 };
 
-/** \brief The patches that are no planes. */
+/** \brief The voxels of curved patches, which are no planes. */
 struct CurvedSurfaces {
   const VoxelGrid& grid;
   const Surfels& surfels;
   double smallest_cosine;
   std::vector<char> is_curved = std::vector<char> (grid.size(), 0);
 
-  /** \brief Adds a patch if it is curved together with the curved surfaces it
-   * continues: the narrow strip that those leave of a cylinder is flat by itself.
-   * \return whether it was */
+  /** \brief Adds a patch if it is curved together with the curved voxels next to it: a
+   * narrow strip that is left of a cylinder is flat by itself.
+   * \return whether the patch is curved */
   bool
   take (const Indices& patch, const PlaneFit& fit)
   {

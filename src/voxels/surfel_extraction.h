@@ -11,14 +11,14 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Finds planes that are connected: each surfel is a hypothesis of its own, as a
- * point with its normal is in one-point RANSAC, but no draw is needed. The flattest
- * surfel that no plane has yet spreads to its neighbors while all their points lie on
- * its plane, which is refitted on the way; only neighbors are asked, so that the cost
- * does not depend on the number of planes. What is curved is no plane.
+/** \brief Finds connected planes by region growing. Each surfel is a plane hypothesis,
+ * as a point with its normal is in one-point RANSAC, but no draw is needed: the
+ * flattest surfel on no plane yet is the seed. Its plane spreads to neighboring voxels
+ * whose points lie on it, and is refitted on the way. Only neighbors are tested, so
+ * that the cost does not depend on the number of planes. Curved patches are no planes.
  * \param[in] max_thickness surfels thicker than this support no plane
- * \param[in,out] planes those found before, whose voxels are not asked; new ones are
- * added, those of the flattest surfels first */
+ * \param[in,out] planes found before, whose voxels are left out; new planes are
+ * appended, those of the flattest seeds first */
 void
 extractSurfelPlanes (const VoxelGrid& grid,
                      const std::vector<std::optional<Surfel>>& surfels,

@@ -25,22 +25,22 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
           std::sqrt (axes.values[0] / axes.values[1])};
 }
 
-// Thickness of a neighborhood over its width up to which no other is looked at.
+// Thickness of a neighborhood below which no other is looked at.
 constexpr double flat_enough_of_voxels = 0.2;
 
-// The voxels of one resolution, and the planes around them.
+// The voxels of one resolution, and the planes of their neighborhoods.
 struct GridLevel {
   const VoxelNeighbors& neighbors;
   double voxel_size;
-  /** \brief Empty for the finest level. */
+  /** \brief The voxel that holds each finest voxel; empty for the finest level. */
   Indices voxel_of_finest;
   std::size_t size;
   std::vector<std::optional<Surfel>> normals =
       std::vector<std::optional<Surfel>> (size);
-  /** \brief Of the normals, apart because most are looked at for this only; 1 where
-   * there is none. */
+  /** \brief Thickness of each of \ref normals, 1 where there is none. Apart, as most
+   * normals are read for their thickness only. */
   std::vector<double> thickness = std::vector<double> (size, 1.0);
-  /** \brief For each voxel the one around it, or itself, with the least thickness. */
+  /** \brief For each voxel the thinnest among its neighbors and itself. */
   Indices flattest_around = Indices (size);
 
   std::size_t
@@ -50,16 +50,16 @@ struct GridLevel {
   }
 };
 
-// Whether points cover a surface: what is narrower than a voxel is a line, and has a
-// plane along any direction.
+// Whether points cover a surface: if they are narrower than a voxel, they form a line,
+// which lies in planes of many directions.
 bool
 isSurface (const PrincipalAxes& axes, double voxel_size)
 {
-  // Of a strip that is evenly covered the width is sqrt (12) deviations.
+  // The width of an evenly covered strip is sqrt (12) standard deviations.
   return 12.0 * axes.values[1] >= voxel_size * voxel_size;
 }
 
-// The normals of a range of voxels.
+// Finds the normals of the voxels begin to end - 1.
 void
 findNormals (const std::vector<Moments>& of_voxels,
              double min_points,
@@ -92,14 +92,14 @@ findNormals (const std::vector<Moments>& of_voxels,
   }
 }
 
-// Finds the planes around the voxels of a level.
+// Finds the normals of all voxels of a level, and the flattest one around each.
 void
 findAllNormals (const std::vector<Moments>& moments,
                 double min_points,
                 unsigned threads,
                 GridLevel& level)
 {
-  // So few that what is noted of them stays in the processor's first cache.
+  // So few that their buffers stay in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
   parallelFor (threads, level.size, voxels_at_once, [&] (auto begin, auto end) {
     findNormals (moments, min_points, begin, end, level);
@@ -113,7 +113,7 @@ findAllNormals (const std::vector<Moments>& moments,
   });
 }
 
-// Grids, each of twice the voxel size of the one before, as far as the octree goes.
+// Levels, each of twice the voxel size of the one before, as far as the octree goes.
 std::vector<GridLevel>
 findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned threads)
 {
@@ -137,15 +137,15 @@ findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned 
   return levels;
 }
 
-// The flattest of the planes around a voxel of a level that the finest voxel lies in.
+// The flattest plane found so far that fits the points of one of the finest voxels.
 struct FlattestPlane {
   const Moments& voxel;
   double smallest_noise;
   const Surfel* best = nullptr;
   double thickness = 1.0;
 
-  /** \brief Considers the planes around a voxel of a level. The flattest may mostly
-   * serve, and spares a look at the others. */
+  /** \brief Considers the planes of a voxel and its neighbors. The flattest mostly
+   * fits, and saves a look at the others. */
   void
   considerAll (const GridLevel& level, std::size_t at)
   {
@@ -183,7 +183,7 @@ surfelOf (std::size_t voxel,
     const std::size_t at = level.voxelHolding (voxel);
     if (level.thickness[at] < flat_enough_of_voxels)
       plane.consider (level, at);
-    // Where nothing around is flat enough, a coarser level is likely to have better.
+    // If no plane around is flat enough, a coarser level likely has a better one.
     if (plane.thickness >= flat_enough_of_voxels &&
         level.thickness[level.flattest_around[at]] < flat_enough_of_voxels)
       plane.considerAll (level, at);
@@ -195,18 +195,18 @@ surfelOf (std::size_t voxel,
   return plane.best ? std::optional<Surfel> (*plane.best) : std::nullopt;
 }
 
-// Whether a voxel's surroundings are far noisier than its own points: not noise, then,
-// but surfaces finer than the voxels, say the two slopes of a roof.
+// Whether a voxel's surroundings are far noisier than its own points: then the cause is
+// not noise but surfaces finer than the voxels, say the two slopes of a roof.
 bool
 hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise)
 {
   if (voxel.count < min_points_of_noise || surfel.noise <= other_noise * smallest_noise)
     return false;
-  // A plane fits its own three points without noise: n - 3 are left to measure it.
+  // A plane fits three points exactly: n - 3 degrees of freedom measure the noise.
   const double squared_limit = surfel.noise * surfel.noise /
                                (other_noise * other_noise) * (voxel.count - 3.0) /
                                voxel.count;
-  // Positive definite exactly if the least eigenvalue of the covariance is above.
+  // Positive definite exactly if all eigenvalues of the covariance exceed the limit.
   const Eigen::Matrix3d rest =
       voxel.covariance() - squared_limit * Eigen::Matrix3d::Identity();
   return rest.llt().info() != Eigen::Success;

@@ -10,7 +10,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The plane of a voxel's surroundings. */
+/** \brief The plane fitted to the points in the surroundings of a voxel. */
 struct Surfel {
   Plane plane;
   /** \brief Rms distance of the surrounding points to the plane [m]: the noise, where
@@ -23,14 +23,15 @@ struct Surfel {
 
 /** \brief The oriented samples of a grid: a surfel for each voxel, or nothing.
  *
- * The neighborhood is the 3 x 3 x 3 voxels around at the finest of several resolutions
- * that is flat and holds enough points: noise that grows with distance gets the larger
- * neighborhoods it needs. Next to an edge, where the voxel's own neighborhood bends,
- * the flattest one of those around its neighbors that the voxel lies in serves instead
+ * A neighborhood is 3 x 3 x 3 voxels, at the finest of several resolutions where they
+ * are flat and hold enough points: noise that grows with distance gets the larger
+ * neighborhoods it needs. Next to an edge, where the neighborhood of a voxel bends, the
+ * voxel gets the flattest neighborhood of an adjacent voxel whose plane fits its points
  * (the idea of Kuwahara's edge-preserving filter).
- * \param[in] resolutions grids, each of twice the voxel size of the one before
+ * \param[in] resolutions number of grids, each of twice the voxel size before
  * \param[in] min_points fewest points of a neighborhood
- * \param[in] plane_of_voxel voxels on planes need no surfel; empty: none has one */
+ * \param[in] plane_of_voxel voxels on planes get no surfel; empty: none is on a plane
+ */
 std::vector<std::optional<Surfel>>
 findSurfels (const VoxelGrid& grid,
              int resolutions,

@@ -16,8 +16,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Of the points of a voxel about their plane [m], in voxels as flat as a quarter of
-// those that have any: the steps of a quantized depth have none.
+// Lower quartile of the rms distances of the points of a voxel to their plane [m], over
+// voxels that have any noise: the steps of a quantized depth have none.
 double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
@@ -38,8 +38,8 @@ noiseOfFlatVoxels (const VoxelGrid& grid)
   return noise.empty() ? 0.0 : *quarter;
 }
 
-// Points in the voxel of a point, on average over all points: many more than in a voxel
-// on average where a cloud is far denser in some places than in others.
+// Number of points in the voxel of a point, on average over all points. It is far above
+// the average over voxels if some places of the cloud are far denser than others.
 double
 meanPointsAroundPoints (const VoxelGrid& grid)
 {
@@ -52,10 +52,11 @@ meanPointsAroundPoints (const VoxelGrid& grid)
   return squares / points;
 }
 
-// Voxels hold the more points the more there are, as noise does not shrink with them.
-// Where there is next to none, smaller ones tell more. And one size is too large near a
-// lidar and too small far from it: a cloud of uneven density gets the voxels that suit
-// its dense places; sparse places are looked at by themselves, see \ref sparsePoints.
+// The voxel size [m] for the noise of a cloud, at most that of the grid. In denser
+// clouds voxels hold more points, as noise does not shrink with voxels. If there is
+// next to no noise, smaller voxels tell more. One size is too large near a lidar and
+// too small far from it: a cloud of uneven density gets the voxels that suit its dense
+// places, and sparse places are looked at by themselves, see \ref sparsePoints.
 double
 voxelSizeByNoise (const VoxelGrid& grid)
 {
@@ -63,7 +64,7 @@ voxelSizeByNoise (const VoxelGrid& grid)
   constexpr double many_points = 128.0;
   constexpr double min_contrast = 1.7;
   constexpr double largest_noise_share = 0.014;
-  // However many points are at one place, the whole cloud has to have voxels.
+  // However many points one place has, the voxels have to suit the whole cloud.
   constexpr double smallest_share = 1.0 / 16.0;
   const double points = meanPointsAroundPoints (grid);
   const bool is_uneven = points > min_contrast * meanPointsPerVoxel (grid);
@@ -113,7 +114,7 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
       points, wantedVoxels (points.size(), sampling_rate, min_points_per_voxel));
   if (!(size > 0.0))
     return {};
-  // Of twice the edge, as they are halved where needed.
+  // In rounding steps: at least 8 per voxel after coarse voxels are halved.
   constexpr double smallest_in_steps = 2.0 * 8.0;
   const double smallest = smallest_in_steps * singlePrecisionStep (points);
   VoxelLevels voxels =

@@ -8,20 +8,20 @@
 namespace pcl_ops::internal {
 
 /** \brief How many voxels to divide a cloud into. Measured on rooms of 50 k to 3 M
- * points: smaller planes need more voxels, but noise does not shrink with their size,
- * so that their number grows much more slowly than that of the points. */
+ * points: smaller planes need more voxels, but noise does not shrink with the voxels,
+ * so that their number grows with the cube root of that of the points. */
 double
 wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel);
 
-/** \brief The steps to which single precision rounds coordinates far from zero [m]:
- * half a meter in the northings of UTM. They are planes to cells no larger than they.
- */
+/** \brief Spacing of single-precision numbers at the largest coordinate of the cloud's
+ * origin [m]: half a meter for northings of UTM. In voxels no larger than it,
+ * coordinates rounded to these steps look like planes. */
 double
 singlePrecisionStep (const Points& points);
 
 /** \brief Divides a cloud into voxels as large as its noise asks and its points allow.
  * \param[in] sampling_rate alpha_s, which the number of voxels grows with
- * \return an empty grid for fewer than two different points */
+ * \return empty grids for fewer than two different points */
 VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads);
 

@@ -23,7 +23,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief "0,0,1", with so many digits. */
+/** \brief A vector as "0,0,1", with this many significant digits. */
 std::string
 vectorText (const Eigen::Vector3d& vector, int digits)
 {
@@ -34,7 +34,7 @@ vectorText (const Eigen::Vector3d& vector, int digits)
   return text.str();
 }
 
-/** \brief The parameter, and whose it is. */
+/** \brief The parameter for the length of a meter, and the functions it belongs to. */
 std::string
 meterOf (const std::string& length, const ParameterText& text)
 {
@@ -42,7 +42,7 @@ meterOf (const std::string& length, const ParameterText& text)
          (text.isPython() ? " to plane_kinds and floor_plan" : "");
 }
 
-/** \brief From a number to the next one in single precision. */
+/** \brief Distance from |number| to the next larger number in single precision. */
 double
 stepOfSingle (double number)
 {
@@ -51,7 +51,7 @@ stepOfSingle (double number)
   return double (std::nextafter (single, above)) - double (single);
 }
 
-/** \brief How far a sample reaches along an axis without stray points. */
+/** \brief Extent of coordinates along one axis, without stray_share at either end. */
 double
 extentWithoutStrays (std::vector<float> values)
 {
@@ -61,7 +61,7 @@ extentWithoutStrays (std::vector<float> values)
   return double (*(values.end() - 1 - strays)) - double (*(values.begin() + strays));
 }
 
-/** \brief Whether x and y look like degrees beside a z in meters. */
+/** \brief Whether x and y look like degrees and z like meters. */
 bool
 looksLikeDegrees (const LabelledSample& sample)
 {
@@ -80,7 +80,8 @@ looksLikeDegrees (const LabelledSample& sample)
          sides.z() > warning_constants.min_height_of_width * width;
 }
 
-/** \brief Whether a plane is level, has points enough, and next to nothing is below. */
+/** \brief Whether a plane is level, has enough points, and has hardly any points below
+ * it. */
 bool
 isFloorAlong (const Eigen::Vector3d& up,
               const PlaneSegment& plane,
@@ -102,7 +103,8 @@ isFloorAlong (const Eigen::Vector3d& up,
                                             static_cast<double> (sample.labels.size());
 }
 
-/** \brief Whether points are where a depth camera at zero sees them: ahead along z. */
+/** \brief Whether nearly all points lie in the view of a depth camera at zero that
+ * looks along z. */
 bool
 looksLikeCamera (const LabelledSample& sample)
 {

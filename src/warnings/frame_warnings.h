@@ -12,39 +12,39 @@
 
 namespace pcl_ops::internal {
 
-// What is doubtful about the frame and the unit of a result: each function says one
-// thing, or nothing.
+// Warnings about the frame and the unit of a result. Each function returns one warning,
+// or nothing.
 
-/** \brief Why a floor plan has no wall.
- * \param[in] on_unit what is said of the unit, which is the reason if there is any */
+/** \brief Warns that a floor plan has no walls, and gives the reason.
+ * \param[in] on_unit the warning about the unit; if there is one, it is the reason */
 std::optional<ResultWarning>
 warnOfEmptyPlan (const ResultContext& context,
                  const std::optional<ResultWarning>& on_unit,
                  const ParameterText& text);
 
-/** \brief That poses are those of a camera and clouds are those of a lidar. */
+/** \brief Warns that the poses look like a camera's but are used as the lidar's. */
 std::optional<ResultWarning>
 warnOfPoses (const ResultContext& context, const ParameterText& text);
 
-/** \brief That coordinates are no meters. */
+/** \brief Warns that the coordinates are not meters: degrees, feet or millimeters. */
 std::optional<ResultWarning>
 warnOfUnit (const LabelledSample& sample,
             const ResultContext& context,
             const ParameterText& text);
 
-/** \brief That coordinates in single precision are too far from zero to tell its points
- * apart, as those of UTM. */
+/** \brief Warns that coordinates are so far from zero, as in UTM, that single precision
+ * hardly tells neighboring points apart. */
 std::optional<ResultWarning>
 warnOfPrecision (const LabelledSample& sample, const ResultContext& context);
 
-/** \brief That the cloud was not seen from where the sensor is said to have been. */
+/** \brief Warns that the cloud was not seen from the given viewpoint. */
 std::optional<ResultWarning>
 warnOfViewpoint (const CloudView& cloud,
                  const ResultContext& context,
                  const ParameterText& text);
 
-/** \brief That kinds of planes were asked for, and up is not known: planes cannot tell
- * it, or the default is doubtful. */
+/** \brief Warns that kinds of planes were asked for but the up axis is not known: the
+ * planes cannot tell it, or the default is doubtful. */
 std::optional<ResultWarning>
 warnOfUp (const LabelledSample& sample,
           const std::vector<PlaneSegment>& planes,

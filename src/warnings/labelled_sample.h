@@ -10,12 +10,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Some points of a cloud with their planes, the same whatever their order. */
+/** \brief A sample of the finite points of a cloud, with the plane of each point. The
+ * order of the cloud's points does not change which are sampled. */
 struct LabelledSample {
   /** \brief Relative to \ref origin. */
   Coordinates points;
   Labels labels;
-  /** \brief Zero of the points in the frame of the planes. */
+  /** \brief Zero of the frame of \ref points, in the frame of the planes. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /** \brief How many points of the cloud are finite, and how many are on planes. */
   std::size_t finite = 0;
@@ -36,7 +37,7 @@ struct LabelledSample {
   }
 };
 
-/** \param[in] shift zero of the cloud's frame in that of the planes
+/** \param[in] shift zero of the cloud's frame, in the frame of the planes
  * \throw std::invalid_argument if an inlier is no point of the cloud */
 LabelledSample
 sampleWithLabels (const CloudView& cloud,

@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief The parameter of Python's segment that an option stands for. */
+/** \brief Name in Python's segment of the parameter of a command line option. */
 std::string
 pythonNameOf (std::string option)
 {
@@ -27,7 +27,8 @@ pythonNameOf (std::string option)
   return option;
 }
 
-/** \brief The power of ten that is the first digit of a length; 1 for none. */
+/** \brief The power of ten of the first significant digit of a length; 1 for length 0.
+ */
 double
 unitOf (double length)
 {

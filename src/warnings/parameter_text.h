@@ -9,19 +9,20 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A length with two digits, as people write it: 0.18, 1500. */
+/** \brief A length rounded to two significant digits, as text: 0.18, 1500. */
 std::string
 roundedLength (double length);
 
-/** \brief The number above a length with one digit. */
+/** \brief The next number above a length that has one significant digit, as text. */
 std::string
 roundedUpLength (double length);
 
-/** \brief A share of one in per cent: "45 %". */
+/** \brief A share, 0 to 1, in whole per cent: "45 %". */
 std::string
 perCentOf (double share);
 
-/** \brief Names of parameters where users give them. */
+/** \brief Writes parameters the way users give them: on the command line or in Python.
+ */
 struct ParameterText {
   ParameterNames names;
 
@@ -31,26 +32,26 @@ struct ParameterText {
     return names == ParameterNames::Python;
   }
 
-  /** \brief "--threshold 0.1", or "distance_threshold=0.1".
-   * \param[in] option without dashes
-   * \param[in] value as the user would type it; may be empty for the option's name */
+  /** \brief A parameter with a value: "--threshold 0.1" or "distance_threshold=0.1".
+   * \param[in] option name of the command line option, without dashes
+   * \param[in] value as the user would type it; empty: the name alone */
   std::string
   of (const std::string& option, const std::string& value) const;
 
-  /** \brief Of the plane at a position: labels of files begin with 1, of arrays with 0.
-   */
+  /** \brief The label of the plane at a position in the list of planes: labels in files
+   * begin with 1, labels in Python's arrays with 0. */
   std::string
   planeNumber (std::int32_t position) const
   {
     return std::to_string (isPython() ? position : position + 1);
   }
 
-  /** \brief "--up auto", or "up="auto"": of values that are words. */
+  /** \brief A parameter whose value is a word: "--up auto" or "up="auto"". */
   std::string
   ofWord (const std::string& option, const std::string& word) const;
 
-  /** \brief "--up x,y,z", or "up=(x, y, z)": of values that are an axis of the user's.
-   */
+  /** \brief A parameter whose value is an axis that the user has to choose:
+   * "--up x,y,z" or "up=(x, y, z)". */
   std::string
   ofAxis (const std::string& option) const
   {

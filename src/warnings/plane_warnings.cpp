@@ -16,15 +16,16 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief What the fit of a plane says about its points. */
+/** \brief A plane fit and how its points spread; 0 points if they span no plane. */
 struct PlaneSpread {
   Plane plane;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double points = 0.0;
-  /** \brief About the fit, also of planes that were moved since [m]. */
+  /** \brief rms distance of the points to this fit [m], even if the plane of the
+   * segment is another one. */
   double rms = 0.0;
-  /** \brief Sides of the rectangle that even points would fill [m]: variances of its
-   * points are a^2 / 12 and b^2 / 12. */
+  /** \brief Sides of the rectangle that uniformly distributed points of the same
+   * variances would fill [m]: a rectangle a x b gives a^2 / 12 and b^2 / 12. */
   double width = 0.0;
   double length = 0.0;
 
@@ -85,7 +86,8 @@ distanceBetween (const PlaneSpread& one, const PlaneSpread& other)
                    std::abs (other.plane.distance (one.centroid)));
 }
 
-/** \param[in] share of the points of the plane that are known */
+/** \param[in] share of all points of the plane that the cloud has: with the others,
+ * the spacing is smaller */
 bool
 isThick (const PlaneSpread& spread, const std::optional<double>& noise, double share)
 {
@@ -94,7 +96,8 @@ isThick (const PlaneSpread& spread, const std::optional<double>& noise, double s
                           spread.spacing();
 }
 
-/** \brief What makes planes thinner than so many times their noise. */
+/** \brief The parameter that makes planes thinner than thick_noises times their noise.
+ */
 std::string
 fixOfThickPlanes (double noise,
                   const std::optional<TiledSearch>& tiles,
@@ -111,7 +114,7 @@ isExact (const PlaneSpread& plane)
   return plane.points > 0.0 && plane.rms <= warning_constants.max_exact * plane.width;
 }
 
-/** \brief Whether one of two exact planes is the next level of the other. */
+/** \brief Whether two exact planes are levels, one behind the other. */
 bool
 areLevels (const PlaneSpread& one, const PlaneSpread& other)
 {
@@ -125,7 +128,7 @@ areLevels (const PlaneSpread& one, const PlaneSpread& other)
          lateral < 0.5 * (one.length + other.length);
 }
 
-/** \brief 0 where there is none. */
+/** \brief Distance to the nearest other level [m]; 0 if there is no other level. */
 double
 stepToNextLevel (const PlaneSpread& plane, const std::vector<PlaneSpread>& exact)
 {
@@ -137,15 +140,16 @@ stepToNextLevel (const PlaneSpread& plane, const std::vector<PlaneSpread>& exact
   return step;
 }
 
-/** \brief Neighbors of points on planes: all, and those on another plane that may be
- * the same surface, by the two planes. */
+/** \brief Numbers of neighbors of points on planes: all that are on planes, those on
+ * another plane that may be the same surface (mixed), and the mixed ones of each pair
+ * of planes. */
 struct NeighborCounts {
   std::size_t all = 0;
   std::size_t mixed = 0;
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> by_planes;
 };
 
-/** \brief Whether a point on one plane might as well be on another. */
+/** \brief Whether a point on one plane may also belong to another plane. */
 bool
 mayBeOnBoth (const Eigen::Vector3d& point,
              const PlaneSpread& own,
@@ -223,7 +227,7 @@ warnOfLevels (const std::vector<PlaneSegment>& planes,
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
   std::vector<PlaneSpread> exact;
   std::copy_if (spreads.begin(), spreads.end(), std::back_inserter (exact), isExact);
-  // The faces of a model are in several directions, some of them small.
+  // Exact planes in several directions, small ones included, are faces of a model.
   for (const PlaneSpread& plane : exact)
     if (!areWithin (warning_constants.max_angle_of_levels, exact.front(), plane))
       return std::nullopt;

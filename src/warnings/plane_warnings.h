@@ -12,24 +12,26 @@
 
 namespace pcl_ops::internal {
 
-// What is doubtful about planes by themselves: each function says one thing, or
-// nothing.
+// Warnings about the planes themselves. Each function returns one warning, or nothing.
 
-/** \brief That much is on planes whose rms is several times the noise around them. */
+/** \brief Warns that most points on planes are on thick planes, whose rms distance is
+ * several times the noise around them. */
 std::optional<ResultWarning>
 warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
                    const std::optional<TiledSearch>& tiles,
                    const ParameterText& text);
 
-/** \brief That planes of rms 0 lie one behind another, as levels of a depth image do.
- * \param[in] is_default_search whether the engine found them that looks for levels, or
- * there is no other */
+/** \brief Warns that planes of rms distance 0 lie one behind another, as the levels of
+ * a depth image do.
+ * \param[in] is_default_search true: the planes are of OPS on neighborhoods or of a
+ * survey in tiles, and a voxel size is advised; false: OPS without one is advised */
 std::optional<ResultWarning>
 warnOfLevels (const std::vector<PlaneSegment>& planes,
               bool is_default_search,
               const ParameterText& text);
 
-/** \brief That points side by side are on different planes that may be one surface. */
+/** \brief Warns that neighboring points are on different planes that may be one
+ * surface. */
 std::optional<ResultWarning>
 warnOfMixedLabels (const LabelledSample& sample,
                    const std::vector<PlaneSegment>& planes,

@@ -22,7 +22,7 @@ resultWarnings (const CloudView& cloud,
     if (warning && warnings.size() < context.max_warnings)
       warnings.push_back (*std::move (warning));
   };
-  // What makes a whole output wrong or empty comes first.
+  // Warnings about outputs that are wrong or empty as a whole come first.
   const std::optional<ResultWarning> on_unit = warnOfUnit (sample, context, text);
   const std::optional<ResultWarning> on_plan = warnOfEmptyPlan (context, on_unit, text);
   add (on_plan ? on_plan : on_unit);

@@ -14,13 +14,14 @@ namespace {
 
 using OpsParameters = OrientedPointSamplingParameters;
 
-/** \brief A search with another value of one parameter, and how to ask for it. */
+/** \brief A search with another value of one parameter, and the advice to use it. */
 struct OtherSearch {
   OpsParameters parameters;
   std::string advice;
 };
 
-/** \brief Searches without a value that the user gave and that leaves points out. */
+/** \brief Searches with the default of one parameter each, instead of a value of the
+ * user that may leave points out. */
 std::vector<OtherSearch>
 searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
 {
@@ -41,8 +42,8 @@ searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
   return searches;
 }
 
-/** \brief Share of the points on planes that are no scraps.
- * \param[in] points those of the cloud that are finite */
+/** \brief Share of the points on planes with at least min_plane_share of all points.
+ * \param[in] points number of finite points of the cloud */
 double
 shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
 {
@@ -54,7 +55,7 @@ shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
   return on_planes / all;
 }
 
-/** \brief The nearest points on no plane of one of them, x, y, z of each. */
+/** \brief x, y, z of the points on no plane that are nearest to one of them. */
 std::vector<float>
 surroundings (const Points& points, const Indices& unassigned, std::uint32_t center)
 {
@@ -78,8 +79,9 @@ surroundings (const Points& points, const Indices& unassigned, std::uint32_t cen
   return positions;
 }
 
-/** \brief Whether points on no plane lie on planes where they are by themselves, as the
- * sides of a thin wall do and trees do not: a second search is worth its time. */
+/** \brief Whether points on no plane lie on planes if they are searched without the
+ * other points, as the sides of a thin wall do and trees do not. If so, a search of the
+ * whole cloud is worth its time. */
 bool
 areFlatPlaces (const CloudView& cloud,
                const std::vector<PlaneSegment>& planes,

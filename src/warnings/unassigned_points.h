@@ -12,8 +12,9 @@
 
 namespace pcl_ops::internal {
 
-/** \brief That many points are on no plane which another value of a parameter puts on
- * planes: a second search tells, of clouds that are not too large for it. */
+/** \brief Warns that many points are on no plane although another value of a parameter
+ * puts them on planes. Further searches find this out; too large clouds are not
+ * searched again, and get no warning. */
 std::optional<ResultWarning>
 warnOfUnassignedPoints (const CloudView& cloud,
                         const LabelledSample& sample,
@@ -21,8 +22,8 @@ warnOfUnassignedPoints (const CloudView& cloud,
                         const OrientedPointSamplingParameters& search,
                         const ParameterText& text);
 
-/** \brief The same of a survey: smaller voxels put points of places on none on planes.
- */
+/** \brief The same for a survey: searches \ref TiledSearch::places_on_none with voxels
+ * of half the edge. */
 std::optional<ResultWarning>
 warnOfUnassignedPoints (const LabelledSample& sample,
                         const TiledSearch& tiles,
