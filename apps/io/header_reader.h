@@ -95,7 +95,7 @@ public:
     if (!readLine (line_))
       failTruncated();
     splitWords (line_, ' ', words_);
-    return !line_.empty();
+    return !line_.empty() && line_ != "\r"; // lines may end with CR LF
   }
 
   /** \brief Appends the following lines to the current one if it then has exactly

@@ -186,6 +186,15 @@ TEST_F (CloudFile, KeepsPointsFieldsAndPoseInEveryFormat)
   }
 }
 
+TEST_F (CloudFile, SkipsEmptyLinesOfEitherEnd)
+{
+  for (const std::string end : {"\n", "\r\n"}) {
+    const std::string points = "1 2 3" + end + end + "4 5 6" + end;
+    EXPECT_EQ (textOf (load ("a.pcd", pcdWith ("POINTS 2", points))),
+               "x 1 4; y 2 5; z 3 6");
+  }
+}
+
 TEST_F (CloudFile, KeepsAPoseInMapCoordinates)
 {
   const std::string pose =
