@@ -12,14 +12,14 @@
 
 namespace pcl_ops {
 
-/** \brief The positions of a cloud of any point type, each three floats side by side:
- * all that the library sees of a cloud, so that nothing behind it is a template.
+/** \brief View of the positions of a cloud of any point type: x, y and z are adjacent
+ * floats. The library reads clouds only through it and so needs no templates.
  *
- * It does not own the points and is valid as long as the cloud stays as it is. */
+ * It does not own the points. It becomes invalid if the cloud is resized or deleted. */
 struct CloudView {
   CloudView() = default;
 
-  /** \tparam PointT a type with x, y, z side by side, as PCL_ADD_POINT4D gives them */
+  /** \tparam PointT a type with adjacent x, y, z, as PCL_ADD_POINT4D declares them */
   template <typename PointT>
   CloudView (const pcl::PointCloud<PointT>& cloud)
   : first (cloud.empty() ? nullptr : &cloud[0].x)
@@ -30,14 +30,14 @@ struct CloudView {
                    "a cloud's positions are a whole number of floats apart");
   }
 
-  /** \brief Positions in a buffer of any other layout, as of a PointCloud2 message: x,
-   * y and z are floats side by side.
+  /** \brief Views positions in a buffer of any layout with adjacent floats x, y and z,
+   * for example of a PointCloud2 message.
    * \param[in] data the first point, aligned as floats are
    * \param[in] x_offset bytes from the beginning of a point to its x, a multiple of 4
    * \param[in] point_step bytes from each point to the next, a multiple of 4
-   * \param[in] points their number
-   * \throw std::invalid_argument if floats would not be aligned, there is no buffer, or
-   * there are more points than indices can tell */
+   * \param[in] points number of points
+   * \throw std::invalid_argument if the floats are not aligned, if the buffer is null
+   * but has points, or if there are more points than pcl::index_t can count */
   CloudView (const void* data,
              std::size_t x_offset,
              std::size_t point_step,

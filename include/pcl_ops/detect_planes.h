@@ -12,9 +12,9 @@
 
 namespace pcl_ops {
 
-/** \brief As \ref detectPlanes.
- * \return the planes with the times of the stages and the lengths that were used, as the
- * classes of the detectors tell them */
+/** \brief Finds planes as \ref detectPlanes does.
+ * \return the planes, the times of the stages, the number of planes before merging, and
+ * the voxel size and distance threshold that were used */
 template <typename Parameters>
 detail::Detection
 detectPlanesInDetail (const CloudView& cloud,
@@ -24,13 +24,13 @@ detectPlanesInDetail (const CloudView& cloud,
   return detail::detectChecked ({cloud, nullptr, viewpoint, nullptr}, parameters);
 }
 
-/** \brief Finds planes in any buffer of positions, without a pcl::PointCloud; the type
+/** \brief Finds planes in any buffer of positions, without a pcl::PointCloud. The type
  * of the parameters chooses the detector.
- * \param[in] cloud finite points or not
- * \param[in] parameters ones \ref validate finds nothing wrong with
- * \param[in] viewpoint origin of the sensor in the frame of the cloud [m]; normals
- * point to it; where it is 0 0 0, as \ref PlaneSegment::normal says
- * \return planes by falling size
+ * \param[in] cloud may have points with NaN or infinite coordinates, which are skipped
+ * \param[in] parameters must be valid (\ref validate)
+ * \param[in] viewpoint origin of the sensor in the frame of the cloud [m]. Normals
+ * point to it; \ref PlaneSegment::normal has the exception for 0 0 0
+ * \return planes by descending number of inliers
  * \throw std::invalid_argument if the cloud is empty or the parameters are wrong */
 template <typename Parameters>
 std::vector<PlaneSegment>

@@ -19,60 +19,65 @@ struct StageDurations {
   double extraction = 0.0;
   double assignment = 0.0;
   double merging = 0.0;
-  /** \brief Everything between a loaded cloud and labels for all points. */
+  /** \brief The whole detection, from the input cloud to the list of planes. */
   double detection = 0.0;
 };
 
-/** \brief Lengths that a detection worked with, whether they were given or followed the
- * cloud [m]. */
+/** \brief Lengths that a detection used [m], either given by the user or chosen for the
+ * cloud. */
 struct UsedLengths {
   /** \brief Edge of the voxels of Sampling::Surfels, some of which are divided into
-   * halves of it. None: of all others. */
+   * voxels of half the edge. Not set for all other samplings and detectors. */
   std::optional<double> voxel_size;
-  /** \brief Largest distance of a point to its plane, as it was given; where it follows
-   * the noise, 3 times the median noise of the planes. None: no plane was found to tell
-   * it. */
+  /** \brief Largest distance of a point to its plane: the given one. Not given: with
+   * Sampling::Neighborhoods 3 times the median noise of the planes. With
+   * Sampling::Surfels the median, over the planes, of assignment_noise_factor times the
+   * noise, a given value being an upper limit. Not set if none is given and no plane is
+   * found. */
   std::optional<double> distance_threshold;
 };
 
-/** \brief What OPS on neighborhoods finds out from all points of a cloud before it
- * looks at single places. A part of a cloud that is given that of the whole cloud has
- * the planes of the whole. */
+/** \brief Noise statistics of a cloud, which Sampling::Neighborhoods measures before it
+ * searches planes. If a cloud is searched in tiles with the statistics of the whole
+ * cloud, the tiles have the same planes as the whole cloud. */
 struct CloudNoise {
-  /** \brief Number of distinct points of the cloud; the more there are, the more a
-   * plane needs. */
+  /** \brief Number of distinct points of the cloud. In larger clouds a plane needs more
+   * points. */
   double points = 0.0;
-  /** \brief By how much neighborhoods of each size scatter more until they hold many
-   * independent errors; 1 and more, from the smallest on. */
+  /** \brief For each size of neighborhoods, smallest first: the factor, 1 or more, from
+   * its scatter to that of a neighborhood with many independent errors. */
   std::vector<double> growth;
-  /** \brief How many neighboring points err as one; 1 for white noise. */
+  /** \brief Number of neighboring points that share one independent error; 1 for white
+   * noise. */
   double common_errors = 1.0;
-  /** \brief What points scatter by in the median [m], and the same where the density of
-   * points [1/m^2] has this logarithm to base 2, rounded down. */
+  /** \brief Median noise of the points [m]: of the whole cloud, and for each octave of
+   * the point density. The key is log2 of the density [1/m^2], rounded down. */
   double usual = 0.0;
   std::map<int, double> usual_of_octave;
 };
 
-/** \brief The stages of OPS on neighborhoods that can be looked at, in their order, and
- * what StageResult has of each. */
+/** \brief Stages of detection with Sampling::Neighborhoods, in their order, and the
+ * content of StageResult for each stage. */
 enum class Stage {
-  /** \brief Values: the points per area around each point, roughly [1/m^2]. */
+  /** \brief Values: the approximate density of points around each point [1/m^2]. */
   Density,
-  /** \brief Values: how far the points around each scatter about their surface [m]. */
+  /** \brief Values: the noise of each point, the scatter of the points around it about
+   * their surface [m]. */
   Noise,
-  /** \brief Values: the width [m] of the support that each point is taken for. Labels:
-   * 0 where it is flat, else no_plane. */
+  /** \brief Values: the width [m] of the support (neighborhood) chosen for each point.
+   * Labels: 0 if the support is flat, else no_plane. */
   Supports,
-  /** \brief Labels: the region that grew over each point. */
+  /** \brief Labels: the number of the grown region that contains the point. */
   Regions,
-  /** \brief Labels: the same after pieces of one plane were joined, by the number of
-   * the region that took the others. */
+  /** \brief Labels: the region of each point after pieces of one plane were joined. It
+   * has the number of the region that absorbed the others. */
   Joined,
-  /** \brief Labels: the same, of regions alone for which more speaks that they are
-   * planes than against it. */
+  /** \brief Labels: the same numbers, but no_plane for regions whose evidence speaks
+   * against a plane. */
   Planes,
-  /** \brief Labels: the positions of the planes in the result, after each point went to
-   * the likeliest one, layers were told apart and thick planes left out. */
+  /** \brief Labels: the index of each point's plane in the result. Before, points are
+   * assigned to their likeliest plane, layers are separated, and thick planes dropped.
+   */
   Labels
 };
 
@@ -84,22 +89,23 @@ inline constexpr Stage all_stages[] = {Stage::Density,
                                        Stage::Planes,
                                        Stage::Labels};
 
-/** \brief "density", "noise" and so on. */
+/** \brief Returns the name of a stage: "density", "noise" and so on. */
 PCL_OPS_EXPORT const char*
 toString (Stage stage);
 
-/** \brief What a stage made of each point of the input cloud, equal ones too. Points
- * that are not searched, as those without coordinates, have NaN and no_plane. */
+/** \brief Result of a stage for each point of the input cloud, including duplicates.
+ * Points that are not searched, such as non-finite points, have NaN and no_plane. */
 struct StageResult {
   Stage stage = Stage::Density;
-  /** \brief Empty where the stage has labels alone. */
+  /** \brief One value per point; empty if the stage has only labels. */
   std::vector<float> values = {};
-  /** \brief Empty where the stage has values alone. */
+  /** \brief One label per point; empty if the stage has only values. */
   pcl_ops::Labels labels = {};
 };
 
-/** \brief Gets each result once, in the order of the stages, in the thread of the call;
- * of a cloud with too few points for the first stage the labels alone. */
+/** \brief Function that is called once per stage, in the order of the stages, in the
+ * thread that called the detector. If a cloud has too few points for the first stage,
+ * it is called only for Stage::Labels. */
 using StageObserver = std::function<void (const StageResult& result)>;
 
 } // namespace pcl_ops

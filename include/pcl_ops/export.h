@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/** \brief What programs may call: everything else stays inside the library. */
+/** \brief Marks functions and classes that the shared library exports. */
 #if defined(_WIN32)
 #define PCL_OPS_EXPORT
 #else

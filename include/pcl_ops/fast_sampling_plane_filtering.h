@@ -8,83 +8,88 @@
 
 namespace pcl_ops {
 
-/** \brief Parameters of FastSamplingPlaneFiltering; the defaults are the recommended
- * ones: the paper's, with the radii it finds the most accurate (Table I). */
+/** \brief Parameters of FastSamplingPlaneFiltering. The defaults are recommended: they
+ * are the paper's, with the most accurate radii of its Table I. */
 struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParameters {
-  /** \brief Of the class, for messages. */
+  /** \brief Name of the detector's class, for error messages. */
   static constexpr const char* class_name = "FastSamplingPlaneFiltering";
 
   /** \brief How planes are sampled in spheres (paper section III-B, Algorithm 2). */
   struct Local {
-    /** \brief The inliers of a sphere's plane: the paper says both. */
+    /** \brief Which points are inliers of a sphere's plane: the paper says both. */
     enum class Inliers {
-      /** \brief All points of the sphere within theta_h of it (its text). */
+      /** \brief All points of the sphere within theta_h of the plane (its text). */
       Sphere,
-      /** \brief Those of the N_loc tested points that are (its Algorithm 2). */
+      /** \brief Only the N_loc tested points within theta_h (its Algorithm 2). */
       Samples
     };
 
-    /** \brief r1: p_r1 and p_r2 are drawn from the points this near to p_r0 [m]. */
+    /** \brief r1: p_r1 and p_r2 are drawn within this distance of p_r0 [m]. */
     double inner_radius = 0.1;
-    /** \brief r2: a hypothesis is tested on the points this near to p_r0 [m]. */
+    /** \brief r2: a hypothesis is tested on points within this radius of p_r0 [m]: the
+     * sphere. */
     double outer_radius = 0.2;
-    /** \brief N_loc: how many of these it is tested on, drawn with repetition;
-     * spheres with fewer points have no plane. */
+    /** \brief N_loc: number of test points, drawn from the sphere with replacement.
+     * Spheres with fewer points give no plane. */
     unsigned local_samples = 80;
-    /** \brief alpha_min: it needs more than this share of inliers among them. */
+    /** \brief alpha_min: a hypothesis is accepted if more than this share of the test
+     * points are inliers. */
     double min_inlier_fraction = 0.8;
-    /** \brief Which points of an accepted sphere count, for its plane and for N_max. */
+    /** \brief Which inliers of an accepted hypothesis count, for the plane and N_max.
+     */
     Inliers inliers = Inliers::Sphere;
-    /** \brief N_max, as a multiple of the number of points: sampling ends at so many
-     * inliers, a point counted as often as it is one. */
+    /** \brief N_max, as a multiple of the number of points: sampling ends at this
+     * number of inliers. A point counts once for each plane of which it is an inlier.
+     */
     double max_inliers_per_point = 2.0;
-    /** \brief K_max: hypotheses sampling ends after, as a multiple of the points. */
+    /** \brief K_max, as a multiple of the number of points: sampling ends after this
+     * number of hypotheses. */
     double max_hypotheses_per_point = 1.0;
-    /** \brief Points looked at in all spheres, and 100 for each, as a multiple of the
-     * number of points, before sampling gives up: in dense noise, among equal points,
-     * or with radii far from right K_max would take hours. Not in the paper; clouds of
-     * rooms come to some 10, with Inliers::Samples to 100. */
+    /** \brief Sampling also ends at this number of examined points in all spheres, plus
+     * 100 for each sphere, as a multiple of the number of points. Not in the paper:
+     * with dense noise, equal points or bad radii K_max would take hours. Clouds of
+     * rooms reach some 10, with Inliers::Samples 100. */
     double max_visits_per_point = 100.0;
   };
 
   /** \brief r1, r2, N_loc, alpha_min, N_max and K_max. */
   Local local;
 
-  /** \brief The algorithm of the paper with the row of its Table IV: r1 0.07 m, r2
-   * 0.14 m, 80 local samples, four fifths of them inliers, 0.05 m. */
+  /** \brief The algorithm of the paper with the parameters of its Table IV: r1 0.07 m,
+   * r2 0.14 m, N_loc 80, alpha_min 0.8, theta_h 0.05 m. */
   static FastSamplingPlaneFilteringParameters
   paper ();
 };
 
-/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of the parameters; empty if they are valid. */
 PCL_OPS_EXPORT std::string
 validate (const FastSamplingPlaneFilteringParameters& parameters);
 
 namespace detail {
 
-/** \brief The work behind the class; validate has found nothing wrong. */
+/** \brief Detects planes; the parameters must be valid, which is not checked. */
 PCL_OPS_EXPORT Detection
 detect (const DetectorInput& input,
         const FastSamplingPlaneFilteringParameters& parameters);
 
 } // namespace detail
 
-/** \brief FSPF: finds planes by testing, all over a point cloud, whether the points in
- * a small sphere lie on the plane through three of them.
+/** \brief FSPF: finds planes in small spheres all over a point cloud. It tests whether
+ * the points of a sphere lie on the plane through three of them.
  *
  * Sun & Mordohai, "Oriented Point Sampling for Plane Detection in Unorganized Point
  * Clouds", ICRA 2019, section III-B: the method of Biswas & Veloso, "Planar polygon
  * extraction and merging from depth images", IROS 2012, in spheres instead of image
  * windows.
  *
- * Its planes, hundreds of small ones, are merged before points are assigned to them:
- * each point goes to the largest merged plane within theta_h.
+ * Hundreds of small planes are merged first. Then each point is assigned to the largest
+ * merged plane within theta_h.
  *
- * Without \c setSearchMethod spheres are found in a grid of voxels, several times
- * faster than by a kd-tree, and in another order: other points are drawn from them.
+ * Without \c setSearchMethod the points of a sphere are found in a voxel grid, several
+ * times faster than in a k-d tree. Their order is different, so that the random draws,
+ * and the planes, differ from those with a k-d tree.
  *
- * Its calls are those that PlaneDetector shares among all detectors; its own parameters
- * are set by \c setParameters.
+ * PlaneDetector has its member functions. Set its own parameters by \c setParameters.
  * \ingroup segmentation */
 template <typename PointT>
 class FastSamplingPlaneFiltering

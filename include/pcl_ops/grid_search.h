@@ -14,13 +14,13 @@
 
 namespace pcl_ops {
 
-/** \brief Exact nearest neighbors and radius search for any user of PCL, built in
- * about a third of the time of pcl::KdTreeFLANN: worth most where few of the points are
- * asked for.
+/** \brief Exact search for nearest neighbors and within a radius, for all users of
+ * pcl::search. Building it takes about a third of the time of pcl::KdTreeFLANN, which
+ * saves most if only few points are searched for.
  *
- * Points with a NaN or infinite coordinate are left out. Distances are those of
- * pcl::search::KdTree to the last bit; neighbors at the same distance come by their
- * index. Any number of threads may search at once.
+ * Points with a NaN or infinite coordinate are left out. Distances are equal to those
+ * of pcl::search::KdTree to the last bit. Neighbors at the same distance are sorted by
+ * index. Several threads may search at the same time.
  * \tparam PointT a point type with x, y, z */
 template <typename PointT>
 class GridSearch : public pcl::search::Search<PointT> {
@@ -31,18 +31,18 @@ public:
   using IndicesConstPtr = typename Base::IndicesConstPtr;
   using Ptr = pcl::shared_ptr<GridSearch<PointT>>;
   using ConstPtr = pcl::shared_ptr<const GridSearch<PointT>>;
-  /** \brief void or bool, as the version of PCL has it. */
+  /** \brief Return type of setInputCloud: void or bool, depending on PCL's version. */
   using Accepted = decltype (std::declval<Base&>().setInputCloud (nullptr));
 
   using Base::nearestKSearch;
   using Base::radiusSearch;
 
-  /** \param[in] sorted whether neighbors come by rising distance */
+  /** \param[in] sorted whether neighbors are sorted by distance */
   explicit GridSearch (bool sorted = true) : Base ("GridSearch", sorted) {}
 
-  /** \brief Builds the tree; later changes of the cloud are not seen.
-   * \param[in] cloud the cloud that results are indices into
-   * \param[in] indices the points to search among, each within the cloud; none: all */
+  /** \brief Builds the tree. Later changes of the cloud have no effect.
+   * \param[in] cloud the cloud whose indices searches return
+   * \param[in] indices of the points to search among, all valid; null: all points */
   Accepted
   setInputCloud (const PointCloudConstPtr& cloud,
                  const IndicesConstPtr& indices = IndicesConstPtr()) override
@@ -51,8 +51,9 @@ public:
     return Base::setInputCloud (cloud, indices);
   }
 
-  /** \brief Finds the k nearest points, fewer where the input has fewer.
-   * \return the number found; 0 without input or for a point that is not finite */
+  /** \brief Finds the k nearest points, or all if the input has fewer than k.
+   * \return number of neighbors; 0 without an input cloud or if the point is not finite
+   */
   int
   nearestKSearch (const PointT& point,
                   int k,
@@ -64,10 +65,10 @@ public:
     return find (point, query, k_indices, k_sqr_distances);
   }
 
-  /** \brief Finds the points at most a radius away, the nearest max_nn of them, if that
+  /** \brief Finds the points within a radius; only the nearest max_nn of them if max_nn
    * is not 0.
-   * \return the number found; 0 without input, for a point that is not finite or a
-   * radius below 0 */
+   * \return number of neighbors; 0 without an input cloud, if the point is not finite,
+   * or if the radius is negative or NaN */
   int
   radiusSearch (const PointT& point,
                 double radius,

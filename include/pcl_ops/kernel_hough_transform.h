@@ -9,13 +9,14 @@
 
 namespace pcl_ops {
 
-/** \brief Parameters of KernelHoughTransform; the defaults are the recommended ones. */
+/** \brief Parameters of KernelHoughTransform; the defaults are recommended. */
 struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
-  /** \brief Of the class, for messages. */
+  /** \brief Name of the detector's class, for error messages. */
   static constexpr const char* class_name = "KernelHoughTransform";
 
-  /** \brief What makes an octree node a cluster of approximately coplanar points
-   * (Limberger & Oliveira 2015, section 3.1). */
+  /** \brief Tests whether the points of an octree node are a cluster of approximately
+   * coplanar points (Limberger & Oliveira 2015, section 3.1). The eigenvalues of their
+   * covariance are l1 <= l2 <= l3. */
   struct Clusters {
     /** \brief Nodes with fewer points are not used. */
     std::size_t min_samples = 30;
@@ -25,16 +26,18 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
     double s_alpha = 25.0;
     /** \brief s_beta: the elongation l2 / l3 of coplanar nodes is above 1 / s_beta. */
     double s_beta = 6.0;
-    /** \brief Nodes of this level, up to 60, are not split: many equal points end. */
+    /** \brief The deepest level, up to 60. Nodes of this level are not split, which
+     * ends the recursion for many equal points. */
     int max_level = 20;
   };
 
-  /** \brief How planes are freed from the accumulator's bins. */
+  /** \brief How planes are refitted, away from the centers of accumulator bins. */
   struct Refit {
-    /** \brief Off: planes stay at their bins' centers and have no end: each point goes
-     * to the first one within theta_h. */
+    /** \brief False: planes stay at the centers of their bins and are unbounded. Each
+     * point goes to the first plane within theta_h. */
     bool enabled = true;
-    /** \brief Smallest share of all points that the clusters of a plane hold. */
+    /** \brief Planes are dropped if their clusters hold a smaller share of all points.
+     */
     double min_share = 0.001;
   };
 
@@ -43,46 +46,46 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   /** \brief rho_num: steps of the accumulator from its center to the farthest point,
    * 2 .. 10000. */
   int rho_num = 300;
-  /** \brief Minimum samples, s_level, s_alpha and s_beta. The published s_level 5 and
-   * s_alpha 25 lose the surfaces of noisy clouds: 3 and 15 are the defaults here. */
+  /** \brief Minimum samples, s_level, s_alpha and s_beta. The defaults are s_level 3
+   * and s_alpha 15 here: the published 5 and 25 lose the surfaces of noisy clouds. */
   Clusters clusters;
-  /** \brief Fits the planes to the points of their clusters; they end where their
-   * clusters end, as far as they grow from there over the occupied voxels of a grid. */
+  /** \brief Refits the planes to the points of their clusters. A refitted plane is
+   * bounded: it covers the voxels of its clusters and grows from there over occupied
+   * voxels. */
   Refit refit;
 
   KernelHoughTransformParameters();
 
-  /** \brief The algorithm as published, with the best row of the OPS paper's Table II:
-   * 80 / 800 bins, clusters of 30 points or more from level 5 on; each point goes to
-   * the first plane within theta_h, and no planes are merged or refitted. */
+  /** \brief The algorithm as published, with the best parameters of the OPS paper's
+   * Table II: 80 / 800 bins, clusters of 30 points or more from level 5 on; each point
+   * goes to the first plane within theta_h, and no planes are merged or refitted. */
   static KernelHoughTransformParameters
   paper ();
 };
 
-/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of the parameters; empty if they are valid. */
 PCL_OPS_EXPORT std::string
 validate (const KernelHoughTransformParameters& parameters);
 
 namespace detail {
 
-/** \brief The work behind the class; validate has found nothing wrong. */
+/** \brief Detects planes; the parameters must be valid, which is not checked. */
 PCL_OPS_EXPORT Detection
 detect (const DetectorInput& input, const KernelHoughTransformParameters& parameters);
 
 } // namespace detail
 
-/** \brief 3D-KHT: finds planes by a Hough transform that nodes of an octree vote in.
+/** \brief 3D-KHT: finds planes by a Hough transform in which octree nodes vote.
  *
  * Limberger & Oliveira, "Real-time detection of planar regions in unorganized point
  * clouds", Pattern Recognition 48(6), 2015.
  *
- * The preset \c paper () is the method as published: normals quantized to the
- * accumulator's bins, planes without end, and a point's plane decided by their order.
- * The defaults fit planes to their clusters, end them where the clusters do and merge
- * them. \c setSearchMethod and \c setSeed change nothing.
+ * The preset \c paper () is the method as published: normals are quantized to the bins
+ * of the accumulator, planes are unbounded, and a point goes to the first plane in the
+ * list. The defaults fit planes to their clusters, bound and merge them. \c
+ * setSearchMethod and \c setSeed have no effect.
  *
- * Its calls are those that PlaneDetector shares among all detectors; its own parameters
- * are set by \c setParameters.
+ * PlaneDetector has its member functions. Set its own parameters by \c setParameters.
  * \ingroup segmentation */
 template <typename PointT>
 class KernelHoughTransform

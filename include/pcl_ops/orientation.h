@@ -10,11 +10,11 @@
 
 namespace pcl_ops {
 
-/** \brief 7 degrees [rad]: the paper's tolerance of orientations and of merging. */
+/** \brief 7 degrees [rad]: the paper's tolerance for orientations and for merging. */
 constexpr double paper_angle_tolerance = 7.0 * (M_PI / 180.0);
 
-/** \brief Against gravity in the optical frame of a level camera: x points to the
- * right, y down, z ahead. */
+/** \brief Returns the direction against gravity in the optical frame of a level camera:
+ * x points to the right, y down, z ahead. */
 inline Eigen::Vector3d
 cameraUp ()
 {
@@ -28,17 +28,18 @@ enum class Orientation { Horizontal, Vertical, Other };
 PCL_OPS_EXPORT const char*
 toString (Orientation orientation);
 
-/** \brief The group of a plane.
- * \param[in] normal unit normal, either sign
+/** \brief Returns the orientation of a plane.
+ * \param[in] normal unit normal of either sign
  * \param[in] up unit vector against gravity, in the same frame
- * \param[in] tolerance largest angle between the normal and the up axis (horizontal) or
- * the plane perpendicular to it (vertical) [rad] */
+ * \param[in] tolerance for a horizontal plane, the largest angle between the normal
+ * and the up axis [rad]; for a vertical plane, the largest angle between the normal and
+ * the horizontal */
 PCL_OPS_EXPORT Orientation
 orientationOf (const Eigen::Vector3d& normal,
                const Eigen::Vector3d& up,
                double tolerance);
 
-/** \brief The angle between a plane and the horizontal, 0 to pi/2 [rad]. */
+/** \brief Returns the angle between a plane and the horizontal, 0 to pi/2 [rad]. */
 PCL_OPS_EXPORT double
 slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up);
 

@@ -20,8 +20,8 @@
 namespace pcl_ops {
 
 /** \brief Count, sum and sum of outer products of a set of points: all that a least
- * squares plane needs. The sums are taken about \ref origin, which should lie near the
- * points: that keeps them exact enough for clouds 10^6 m from the frame's zero. */
+ * squares plane fit needs. The sums are taken about \ref origin, which should lie near
+ * the points: then they are exact enough for clouds 10^6 m from the frame's zero. */
 struct PCL_OPS_EXPORT Moments {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double count = 0.0;
@@ -29,7 +29,8 @@ struct PCL_OPS_EXPORT Moments {
   /** \brief xx xy xz yy yz zz */
   std::array<double, 6> products{};
 
-  /** \brief Of points of which only mean and population covariance are known. */
+  /** \brief Returns the moments of \p count points from their mean and population
+   * covariance, with the mean as origin. */
   static Moments
   of (double count, const Eigen::Vector3d& mean, const Eigen::Matrix3d& covariance);
 
@@ -57,12 +58,12 @@ struct PCL_OPS_EXPORT Moments {
       products[i] += other.products[i];
   }
 
-  /** \brief Adds another set; its sums are shifted if its origin differs. A set without
-   * points becomes the other one, with its origin. */
+  /** \brief Adds another set, whose sums are shifted to this origin if its own origin
+   * differs. If this set has no points, it becomes a copy of the other one. */
   Moments&
   operator+= (const Moments& other);
 
-  /** \brief The same set of points with its sums taken about another origin. */
+  /** \brief Returns the moments of the same points, taken about another origin. */
   Moments
   about (const Eigen::Vector3d& new_origin) const;
 
@@ -122,7 +123,7 @@ meanSquaredDistance (const Moments& moments, const Plane& plane)
 
 } // namespace detail
 
-/** \brief A least squares plane with what its fit says about the points. */
+/** \brief A least squares plane, with the centroid and the variances of its points. */
 struct PlaneFit {
   Plane plane;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -131,8 +132,10 @@ struct PlaneFit {
   Eigen::Vector3d variances = Eigen::Vector3d::Zero();
 };
 
-/** \brief The plane with the smallest sum of squared distances (centered, in double).
- * \return nothing for fewer than three points, for a line or all equal ones */
+/** \brief Fits the plane with the smallest sum of squared distances, from the centered
+ * covariance in double precision. The sign of the normal is arbitrary.
+ * \return nothing if there are fewer than three points, or if all points are equal or
+ * on one line */
 PCL_OPS_EXPORT std::optional<PlaneFit>
 fitPlane (const Moments& moments);
 
@@ -143,40 +146,42 @@ planeThrough (const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
   return Plane{normal, -normal.dot (point)};
 }
 
-/** \brief The plane of each point, voxel or plane of a list: a position in a list of
- * planes, or \ref no_plane. */
+/** \brief For each element (point, voxel or plane) of a list, the index of its plane in
+ * a list of planes, or \ref no_plane. */
 using Labels = std::vector<std::int32_t>;
 
 constexpr std::int32_t no_plane = -1;
 
-/** \brief Which of the unbounded planes within theta_h gets a point. */
+/** \brief Decides which plane gets a point that is within theta_h of several unbounded
+ * planes. */
 enum class AssignmentRule {
-  /** \brief The nearest; of two equally near ones the first. */
+  /** \brief The nearest plane; the first one if two are equally near. */
   Nearest,
-  /** \brief The first of the list. */
+  /** \brief The first plane in the list. */
   First
 };
 
 /** \brief A detected plane with the points on it, in the frame of the input cloud. */
 struct PCL_OPS_EXPORT PlaneSegment {
-  /** \brief Mean of the inliers; of a plane that is not fitted to them, as of 3D-KHT's
-   * paper preset or where equal points counted once, taken onto it along the normal. */
+  /** \brief Mean of the inliers. If the plane is not fitted to all inliers, the mean is
+   * projected onto the plane: with 3D-KHT's paper preset, and in clouds with duplicate
+   * points that counted once in the fit. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  /** \brief Unit normal towards the sensor's origin. Where a cloud says 0 0 0 and was
-   * not seen from there, normals point up, but for vertical planes (turnUnseenUp). */
+  /** \brief Unit normal towards the sensor's origin. If that is 0 0 0 but the points
+   * were not seen from it, normals of non-vertical planes point up (turnUnseenUp). */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   Orientation orientation = Orientation::Other;
   /** \brief Moments of the inliers, taken about \ref centroid. */
   Moments moments;
   /** \brief Ascending indices into the input cloud. */
   pcl::Indices inliers;
-  /** \brief The noise of the plane's surroundings [m]: how far points scatter about the
-   * surface through them and those around them, in neighborhoods large enough to hold
-   * independent errors; the median over the plane, and at most 4 times what is usual
-   * where points are as dense. Known with Sampling::Neighborhoods, and with
-   * Sampling::Automatic if it has no voxel size; not of exact points. The \ref rms is
-   * at most 12 times this, or .002 of the plane's width if that is more, where no
-   * threshold and no merging distance is given. */
+  /** \brief Noise of the points on the plane [m]: the median, over the inliers, of the
+   * rms distance of a point's neighborhood to a local plane fit. The neighborhoods are
+   * large enough to hold independent errors. The noise of a point is at most 4 times
+   * the usual noise at its point density. Only Sampling::Neighborhoods sets it, and
+   * Sampling::Automatic without a voxel size; exact points have no noise. Without a
+   * distance threshold and a merging distance, \ref rms is at most 12 times this value
+   * or .002 of the plane's width, whichever is larger. */
   std::optional<double> noise = std::nullopt;
 
   Plane
@@ -189,7 +194,7 @@ struct PCL_OPS_EXPORT PlaneSegment {
   double
   rms () const;
 
-  /** \brief Moves the plane by a shift, as its cloud was or will be moved. */
+  /** \brief Translates the plane, if its cloud is translated by the same shift. */
   void
   moveBy (const Eigen::Vector3d& shift)
   {
@@ -198,62 +203,62 @@ struct PCL_OPS_EXPORT PlaneSegment {
   }
 };
 
-/** \brief The angle at which two planes meet, 0 to pi/2 [rad]; exact where they are
- * nearly parallel, too. */
+/** \brief Returns the angle between two planes, 0 to pi/2 [rad]. It is exact for nearly
+ * parallel planes, too. */
 inline double
 angleBetween (const PlaneSegment& first, const PlaneSegment& second)
 {
   return slopeOf (first.normal, second.normal);
 }
 
-/** \brief How far the fit of a plane may be from the surface it is of. */
+/** \brief Uncertainty of a fitted plane: the covariance of its parameter errors. */
 struct PlaneCovariance {
-  /** \brief u and v, as columns: unit vectors in the plane with u x v = normal, those
-   * of PlaneFrame. They depend on the normal alone. */
+  /** \brief Columns u and v: unit vectors in the plane with u x v = normal, the same as
+   * in PlaneFrame. They depend only on the normal. */
   Eigen::Matrix<double, 3, 2> axes;
   /** \brief Covariance of the errors of (tilt along u [rad], tilt along v [rad], offset
-   * [m]). With errors (a, b, c) the surface has the height c + a s + b t over the plane
-   * at centroid + s u + t v: its normal is that of the plane - a u - b v, and c is how
-   * far it lies before the centroid, along the normal. */
+   * [m]). With errors (a, b, c) the true surface has the height c + a s + b t over the
+   * fitted plane at centroid + s u + t v. So the surface has the direction normal - a u
+   * - b v as normal, and lies c before the centroid, along the normal of the plane. */
   Eigen::Matrix3d matrix;
 };
 
-/** \brief Covariance of the parameters of a plane whose inliers err independently of
- * each other, from their moments and noise. For depth cameras call \ref
- * planeCovariance.
+/** \brief Returns the covariance of the parameters of a plane whose inliers have
+ * independent errors, from their moments. For depth cameras call \ref planeCovariance.
  *
- * The normal equations of heights over the plane, A with a row (s, t, 1) for each
- * inlier: matrix = v (A^T A)^-1 with the residual variance v = rms^2 n / (n - 3). It is
- * right for noise along the normal that is independent from point to point; in images
- * of depth cameras neighbors err alike, and errors are some 7 times larger than it
- * says.
- * \return nothing for fewer than four inliers, for a line or all equal ones */
+ * It is the covariance of a least squares fit of heights over the plane: matrix = v
+ * (A^T A)^-1, where A has a row (s, t, 1) for each inlier and the residual variance is
+ * v = rms^2 n / (n - 3). It holds for noise along the normal that is independent from
+ * point to point. In images of depth cameras neighbors have similar errors, and the
+ * true errors of planes are some 7 times larger.
+ * \return nothing if there are fewer than four inliers, or if all inliers are equal or
+ * on one line */
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
 independentPlaneCovariance (const PlaneSegment& plane);
 
-/** \brief Covariance of the parameters of a plane where neighboring points err alike or
- * the noise grows with the depth, as in images of depth cameras.
+/** \brief Returns the covariance of the parameters of a plane whose neighboring points
+ * have similar errors, or whose noise grows with the depth, as in depth images.
  *
- * The plane is divided into some 64 square blocks, and the residuals h are taken as
- * independent from block to block only: with g the sum of (s, t, 1) h in each of B
- * blocks, matrix = f^2 B / (B - 3) (A^T A)^-1 (sum of g g^T) (A^T A)^-1 (the
+ * The plane is divided into some 64 square blocks. Residuals h of different blocks
+ * count as independent, residuals of one block do not: with g the sum of (s, t, 1) h in
+ * each of B blocks, matrix = f^2 B / (B - 3) (A^T A)^-1 (sum of g g^T) (A^T A)^-1 (the
  * cluster-robust covariance of Liang & Zeger, 1986). rms^2 / matrix (2, 2) is the
  * effective number of points. f = 1.7 is measured: frames cut a surface out
  * differently, and errors as long as the plane are fitted. The normalized errors |z| of
  * planes matched over exact poses then have a median of 0.53 to 0.75 (0.67 for a normal
  * distribution).
- * \param[in] cloud the one the plane was found in, in the frame of the plane
- * \return nothing where the moments alone give none, or the inliers lie in fewer than
- * four blocks
+ * \param[in] cloud the input cloud of the detection, in the frame of the plane
+ * \return nothing if \ref independentPlaneCovariance returns nothing, or the inliers
+ * lie in fewer than four blocks
  * \throw std::invalid_argument if an inlier lies outside the cloud */
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
 planeCovariance (const CloudView& cloud, const PlaneSegment& plane);
 
-/** \brief Names the orientation of planes anew, for another up axis.
- * \param[in,out] planes only their orientation changes
+/** \brief Sets the orientations of planes for another up axis.
+ * \param[in,out] planes only \ref PlaneSegment::orientation changes
  * \param[in] up against gravity, any length but 0
- * \param[in] tolerance largest angle to be horizontal or vertical, 0 to pi/2 [rad]
- * \return false, with the planes as they were, where one of them is out of range */
+ * \param[in] tolerance as in \ref orientationOf, 0 to pi/2 [rad]
+ * \return false if \p up or \p tolerance is out of range: no plane is changed then */
 PCL_OPS_EXPORT bool
 nameOrientations (std::vector<PlaneSegment>& planes,
                   const Eigen::Vector3d& up,

@@ -24,20 +24,21 @@ namespace pcl_ops {
 
 namespace detail {
 
-/** \brief Planes as PCL has them; their inliers are moved out. */
+/** \brief Converts planes to PCL's types. Moves the inliers out of \p planes. */
 PCL_OPS_EXPORT void
 toModels (std::vector<PlaneSegment>& planes,
           const pcl::PCLHeader& header,
           std::vector<pcl::ModelCoefficients>& coefficients,
           std::vector<pcl::PointIndices>& inliers);
 
-/** \brief Does it, and says by PCL_ERROR in the name of the detector what it threw.
- * \return whether it threw nothing */
+/** \brief Calls \p detect. Reports an exception by PCL_ERROR, with the class name of
+ * the detector.
+ * \return false if \p detect threw an exception */
 PCL_OPS_EXPORT bool
 runAndReport (const std::string& class_name, const std::function<void()>& detect);
 
-/** \brief What a detector works on, from what PCL hands in: no indices, all points; no
- * search, none used. */
+/** \brief Makes the input of a detector from PCL's types. Null \p indices stand for all
+ * points. With a null \p search the library searches by itself. */
 template <typename PointT>
 DetectorInput
 detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
@@ -49,7 +50,7 @@ template <typename PointT>
 using PlanarRegions = std::vector<pcl::PlanarRegion<PointT>,
                                   Eigen::aligned_allocator<pcl::PlanarRegion<PointT>>>;
 
-/** \brief Where planes end, as pcl::OrganizedMultiPlaneSegmentation says it. */
+/** \brief Converts planes to regions with a contour, the convex hull of the inliers. */
 template <typename PointT>
 void
 toRegions (const pcl::PointCloud<PointT>& cloud,
@@ -58,13 +59,13 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 
 } // namespace detail
 
-/** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take
- * planes out. A detector derives from it; for its parameters there are a \c validate
- * (parameters) and a \c detail::detect (input, parameters), which does the work for all
- * point types.
+/** \brief Base class of all detectors: takes a cloud and returns planes as other PCL
+ * classes do. Its template needs two functions for the parameters of a detector: \c
+ * validate (parameters), and \c detail::detect (input, parameters), which does the work
+ * for all point types.
  * \tparam PointT a point type with x, y, z
- * \tparam ParametersT its parameters, derived from PlaneDetectorParameters, with the
- * name of its class */
+ * \tparam ParametersT parameters of the detector: derived from
+ * PlaneDetectorParameters, with a member \c class_name */
 template <typename PointT, typename ParametersT>
 class PlaneDetector : public pcl::PCLBase<PointT> {
 public:
@@ -74,9 +75,9 @@ public:
   using PlanarRegions = detail::PlanarRegions<PointT>;
 
   /** \brief Finds the planes of the input cloud. Use one detector for each thread.
-   * \param[out] planes by falling size; cleared first
-   * \return false for misuse (no input, empty input, wrong indices or parameters), said
-   * by PCL_ERROR. No plane found is success with empty output. */
+   * \param[out] planes sorted by descending number of inliers; empty on failure
+   * \return false on failure, which PCL_ERROR reports: no input, empty input, wrong
+   * indices or parameters. True with empty output if the cloud has no planes. */
   bool
   segment (std::vector<PlaneSegment>& planes)
   {
@@ -96,10 +97,11 @@ public:
     return success;
   }
 
-  /** \brief As above, in the order of pcl::OrganizedMultiPlaneSegmentation.
-   * \param[out] coefficients a b c d of a x + b y + c z + d = 0 with a unit normal
-   * as \ref PlaneSegment::normal, in the frame of the input cloud; single precision,
-   * so that far from zero the overload above is better
+  /** \brief The same planes in PCL's types, with the arguments in the order of
+   * pcl::OrganizedMultiPlaneSegmentation.
+   * \param[out] coefficients a b c d of a x + b y + c z + d = 0 with the unit normal
+   * \ref PlaneSegment::normal, in the frame of the input cloud. They are in single
+   * precision: far from the origin the overload above is more exact
    * \param[out] inliers ascending, disjoint indices into the input cloud */
   bool
   segment (std::vector<pcl::ModelCoefficients>& coefficients,
@@ -111,7 +113,8 @@ public:
     return success;
   }
 
-  /** \brief The largest plane alone.
+  /** \brief Finds the planes and returns only the one with the most inliers. Both
+   * outputs are empty if there is no plane.
    * \param[out] inliers ascending indices into the input cloud
    * \param[out] coefficients a b c d of that plane */
   bool
@@ -127,18 +130,19 @@ public:
     return success;
   }
 
-  /** \brief The largest plane alone, in the order of pcl::SACSegmentation: what
-   * segmentLargest() does. */
+  /** \brief Calls segmentLargest(). The arguments are in the order of
+   * pcl::SACSegmentation. */
   bool
   segment (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
   {
     return segmentLargest (inliers, coefficients);
   }
 
-  /** \brief Where each plane ends, as pcl::OrganizedMultiPlaneSegmentation says it.
+  /** \brief The same planes as regions with a contour, the type that
+   * pcl::OrganizedMultiPlaneSegmentation returns.
    * \param[out] regions centroid, covariance and number of the inliers, coefficients,
-   * and as contour the convex hull (\ref planeExtent), counter-clockwise seen from the
-   * side the normal points to; of a contour's points only x, y and z are set */
+   * and the contour: the convex hull (\ref planeExtent), counter-clockwise seen from
+   * the side the normal points to. Points of a contour have only x, y and z set */
   bool
   segment (PlanarRegions& regions)
   {
@@ -150,8 +154,8 @@ public:
     return success;
   }
 
-  /** \brief The points of each plane, as pcl::RegionGrowing and
-   * pcl::EuclideanClusterExtraction give their clusters. */
+  /** \brief Returns only the inliers of each plane, with the signature of
+   * pcl::RegionGrowing and pcl::EuclideanClusterExtraction. */
   bool
   extract (std::vector<pcl::PointIndices>& clusters)
   {
@@ -159,7 +163,7 @@ public:
     return segment (coefficients, clusters);
   }
 
-  /** \brief All parameters at once, for example a preset. */
+  /** \brief Sets all parameters at once, for example to a preset. */
   void
   setParameters (const Parameters& parameters)
   {
@@ -171,8 +175,9 @@ public:
     return parameters_;
   }
 
-  /** \brief theta_h: largest distance of a point to its plane [m]. 0: it follows the
-   * noise of the cloud, which OPS alone allows, but for Sampling::Points. */
+  /** \brief theta_h: largest distance of a point to its plane [m]. 0: the distance
+   * follows the noise of the cloud. Only OPS accepts 0, and not with Sampling::Points.
+   */
   void
   setDistanceThreshold (double threshold)
   {
@@ -185,8 +190,8 @@ public:
     return parameters_.distance_threshold.value_or (0.0);
   }
 
-  /** \brief A plane with fewer points (inliers) than this is not returned, and its
-   * points are on no plane; 0, the default: no limit. */
+  /** \brief Smallest number of inliers of a plane. Smaller planes are dropped, and
+   * their points are on no plane. 0, the default: no limit. */
   void
   setMinPoints (std::size_t min_points)
   {
@@ -198,13 +203,15 @@ public:
     return parameters_.min_points;
   }
 
-  /** \brief Direction against gravity; any length but 0. */
+  /** \brief Direction against gravity in the frame of the input cloud, of any length
+   * but 0. */
   void
   setUpAxis (const Eigen::Vector3f& up_axis)
   {
     parameters_.up_axis = up_axis;
   }
-  /** \brief In double precision, as estimateUpAxis() and cameraUp() give it. */
+  /** \brief The same for vectors in double precision, which estimateUpAxis() and
+   * cameraUp() return. */
   template <typename Derived>
   void
   setUpAxis (const Eigen::MatrixBase<Derived>& up_axis)
@@ -217,7 +224,8 @@ public:
     return parameters_.up_axis;
   }
 
-  /** \brief Largest angle to be horizontal or vertical [rad]. */
+  /** \brief Largest angle of a horizontal plane to the horizontal, and of a vertical
+   * plane to the vertical [rad]. */
   void
   setAngleTolerance (double tolerance)
   {
@@ -229,8 +237,8 @@ public:
     return parameters_.angle_tolerance;
   }
 
-  /** \brief Same seed, same result, whatever the number of threads. Only FSPF and
-   * OPS with Sampling::Points draw at random. */
+  /** \brief Sets the seed of random draws: equal seeds give equal results, with any
+   * number of threads. Only FSPF and OPS with Sampling::Points draw at random. */
   void
   setSeed (std::uint32_t seed)
   {
@@ -242,7 +250,7 @@ public:
     return parameters_.seed;
   }
 
-  /** \brief Number of threads; 0: all. */
+  /** \brief Number of threads; 0: one for each processor. */
   void
   setNumberOfThreads (unsigned threads)
   {
@@ -266,8 +274,8 @@ public:
     return parameters_.merging;
   }
 
-  /** \brief Any neighbor search, in place of the library's own; its input cloud is set
-   * by the detector. Only FSPF and OPS with Sampling::Points ask it. */
+  /** \brief Sets a neighbor search that replaces the library's own. The detector sets
+   * the input cloud of the search. Only FSPF and OPS with Sampling::Points use it. */
   void
   setSearchMethod (const SearchPtr& search)
   {
@@ -279,23 +287,24 @@ public:
     return search_;
   }
 
-  /** \brief Time of each stage of the last call. */
+  /** \brief Time of each stage of the last call [ms]. */
   const StageDurations&
   getStageDurations () const
   {
     return last_.durations;
   }
 
-  /** \brief How many planes the last call had before any of them were merged; on
-   * neighborhoods all regions that grew, also those that became no plane. */
+  /** \brief Number of planes that the last call found before it merged planes. With
+   * Sampling::Neighborhoods it counts all grown regions, including regions that did not
+   * become planes. */
   std::size_t
   getNumberOfPlanesBeforeMerging () const
   {
     return last_.planes_before_merging;
   }
 
-  /** \brief Lengths that the last call worked with, where parameters leave them to the
-   * cloud. */
+  /** \brief Voxel size and distance threshold of the last call, whether parameters
+   * gave them or they were chosen for the cloud. */
   const UsedLengths&
   getUsedLengths () const
   {
@@ -316,7 +325,7 @@ private:
   }
 
   SearchPtr search_;
-  /** \brief The last call's durations and numbers, its planes given out. */
+  /** \brief Durations and numbers of the last call, without its planes. */
   detail::Detection last_;
 };
 

@@ -15,31 +15,33 @@
 
 namespace pcl_ops {
 
-/** \brief What the parameters of all detectors have in common. */
+/** \brief The parameters that all detectors share. */
 struct PlaneDetectorParameters {
   /** \brief theta_h: largest distance of a point to its plane [m], before the last fit
-   * and merging. Not given, which only OPS but for Sampling::Points allows: it follows
-   * the noise of the cloud, whatever its unit. */
+   * and merging. Not given: the distance follows the noise of the cloud, in any unit.
+   * Every detector needs it except OPS without Sampling::Points. */
   std::optional<double> distance_threshold = 0.05;
-  /** \brief A plane with fewer points (inliers) than this is not returned, and its
-   * points are on no plane; 0: no limit. */
+  /** \brief Smallest number of inliers of a plane. Smaller planes are dropped, and
+   * their points are on no plane. 0: no limit. */
   std::size_t min_points = 0;
-  /** \brief Direction against gravity in the frame of the input cloud, any length but
-   * 0. It names the orientation of a plane and turns normals that no sensor
-   * decides (turnUnseenUp); else detection does not depend on it, except where planes
-   * are looked for per orientation (Strategy::DivideThenDetect). */
+  /** \brief Direction against gravity in the frame of the input cloud, of any length
+   * but 0. It decides the orientation of a plane, and the sign of its normal if the
+   * sensor position is not known (turnUnseenUp). Only with Strategy::DivideThenDetect
+   * it also decides which planes are found. */
   Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ();
-  /** \brief Largest angle to be horizontal or vertical [rad]. */
+  /** \brief Largest angle of a horizontal plane to the horizontal, and of a vertical
+   * plane to the vertical [rad]. */
   double angle_tolerance = paper_angle_tolerance;
   /** \brief Seed of every random choice. */
   std::uint32_t seed = 42;
-  /** \brief Number of threads; 0: all. The result does not depend on it. */
+  /** \brief Number of threads; 0: one for each processor. The result does not depend
+   * on it. */
   unsigned threads = 1;
   MergingParameters merging;
 };
 
-/** \brief What is wrong with the parameters all detectors share, as a sentence; empty
- * if nothing is. */
+/** \brief Checks the parameters that all detectors share.
+ * \return the first problem as a sentence; empty for valid parameters */
 PCL_OPS_EXPORT std::string
 validate (const PlaneDetectorParameters& parameters);
 

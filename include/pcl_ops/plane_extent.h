@@ -12,15 +12,16 @@
 
 namespace pcl_ops {
 
-/** \brief A right-handed frame in a plane: u, v, and the normal as the third axis. */
+/** \brief A right-handed frame with two axes u and v in a plane and its normal as the
+ * third axis. */
 class PCL_OPS_EXPORT PlaneFrame {
 public:
-  /** \param[in] origin zero of the frame, on the plane and near the points: that keeps
-   * doubles exact however far the cloud is from its own zero
+  /** \param[in] origin zero of the frame: a point on the plane, near the points. Then
+   * coordinates are exact, too, if the cloud is far from its own zero
    * \param[in] normal unit normal of the plane */
   PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
 
-  /** \brief Where a point lies once it is projected onto the plane. */
+  /** \brief Returns the coordinates u and v of a point projected onto the plane [m]. */
   Eigen::Vector2d
   toPlane (const Eigen::Vector3d& point) const
   {
@@ -31,7 +32,7 @@ public:
   {
     return origin_ + axes_ * point;
   }
-  /** \brief As \ref toSpace, for a direction. */
+  /** \brief The same as \ref toSpace for a direction: without the origin. */
   Eigen::Vector3d
   directionInSpace (const Eigen::Vector2d& direction) const
   {
@@ -46,31 +47,32 @@ private:
 /** \brief Points or a polygon in a plane, in the coordinates of a PlaneFrame [m]. */
 using PlanarPoints = std::vector<Eigen::Vector2d>;
 
-/** \brief An outline with holes: the ring around it, counter-clockwise, then those
- * around its holes, clockwise; no ring repeats its first corner. Empty where there is
- * no outline. */
+/** \brief A polygon with holes: first its outer ring, counter-clockwise, then the rings
+ * of its holes, clockwise. No ring repeats its first corner. Empty: no polygon. */
 using PlanarRings = std::vector<PlanarPoints>;
 
-/** \brief Where a plane ends, in the frame of the input cloud. */
+/** \brief Outline, area and bounding rectangle of a plane, in the frame of the plane's
+ * cloud. */
 struct PlaneExtent {
   /** \brief Corners of the outline, on the plane, counter-clockwise seen from the side
-   * the normal points to, the first not repeated. Empty where the points span no area:
-   * fewer than three, all on one line, or all equal. */
+   * the normal points to. The first corner is not repeated. Empty if the points span no
+   * area: fewer than three points, or points that are equal or on one line. */
   std::vector<Eigen::Vector3d> hull;
-  /** \brief Outlines of holes inside of it, clockwise; of a convex outline none. */
+  /** \brief Outlines of holes, clockwise. A convex hull has no holes. */
   std::vector<std::vector<Eigen::Vector3d>> holes;
-  /** \brief Area inside the outline, less the holes [m^2]. */
+  /** \brief Area inside the outline minus the area of the holes [m^2]. */
   double area = 0.0;
-  /** \brief The smallest rectangle around the outline: its center, its sides as unit
-   * vectors with long_axis x short_axis = normal, and how long they are [m]. Of points
-   * on one line the width is 0, of equal points the length, too. */
+  /** \brief The minimum-area bounding rectangle of the outline: its center, unit
+   * vectors along its sides with long_axis x short_axis = normal, and the lengths of
+   * the sides [m]. The width is 0 for points on one line; both are 0 for equal points.
+   */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d long_axis = Eigen::Vector3d::UnitX();
   Eigen::Vector3d short_axis = Eigen::Vector3d::UnitY();
   double length = 0.0;
   double width = 0.0;
 
-  /** \brief \ref hull, then the \ref holes; nothing where there is no hull. */
+  /** \brief Returns \ref hull, then the \ref holes. */
   std::vector<std::vector<Eigen::Vector3d>>
   rings () const
   {
@@ -82,42 +84,44 @@ struct PlaneExtent {
   }
 };
 
-/** \brief The convex outline of points in a plane, without the fringe that noise gives
- * its rim.
+/** \brief Returns the convex hull of points in a plane without the outliers that noise
+ * scatters beyond the edge.
  *
- * A raw hull hangs on the few points that noise carried farthest. So its corners are
- * taken off, layer by layer, while points there are less than half as dense as within:
- * the edge of a surface, blurred by noise, is where the density has fallen to one half.
- * Sharp edges keep every point.
- * \param[in] points in any order; those with a NaN or infinite coordinate are left out
- * \param[in] max_outside largest share of the points that is left outside, 0 to 1; 0:
- * none
- * \return counter-clockwise, the first corner not repeated; empty where the points span
+ * The corners of the hull of all points are the few points with the largest errors. So
+ * the outermost points are removed layer by layer, while the density of a layer is less
+ * than half of the mean density inside. Noise blurs the edge of a surface, and at the
+ * true edge the density has fallen to one half. At a sharp edge no points are removed.
+ * \param[in] points in any order; points with a NaN or infinite coordinate are left out
+ * \param[in] max_outside largest share of the points that may be outside, 0 to 1; 0:
+ * the hull of all points
+ * \return corners counter-clockwise, the first not repeated; empty if the points span
  * no area */
 PCL_OPS_EXPORT PlanarPoints
 convexHull (const PlanarPoints& points, double max_outside = 0.01);
 
-/** \brief Area and smallest rectangle of an outline, convex or not.
- * \param[in] rings in the coordinates of the frame [m]
- * \param[in] points what the rectangle is put around where there is no outline
- * \param[in] frame the plane of the rings
- * \return in the frame of the cloud, with the area less that of the holes [m^2] */
+/** \brief Returns the extent of an outline, convex or not: area and bounding rectangle.
+ * \param[in] rings the outline and its holes, in the coordinates of \p frame [m]
+ * \param[in] points points whose bounding rectangle is used if the outline is empty
+ * \param[in] frame the frame in the plane of the rings
+ * \return the extent in the frame of the cloud */
 PCL_OPS_EXPORT PlaneExtent
 extentOf (const PlanarRings& rings,
           const PlanarPoints& points,
           const PlaneFrame& frame);
 
-/** \brief The inliers of a plane in a cloud, projected onto a frame; cloud, plane and
- * frame are in one frame of coordinates.
- * \throw std::invalid_argument if an inlier lies outside the cloud */
+/** \brief Returns the inliers of a plane, projected onto the plane of \p frame, in its
+ * coordinates [m]. Cloud, plane and \p frame must be in the same coordinate system.
+ * \throw std::invalid_argument if an inlier is not an index into the cloud */
 PCL_OPS_EXPORT PlanarPoints
 pointsOnPlane (const CloudView& cloud,
                const PlaneSegment& plane,
                const PlaneFrame& frame);
 
-/** \brief Extent, area and convex hull of a plane in its input cloud; at least 99 % of
- * its inliers lie inside (\ref convexHull). The plane is as it was found: not moved.
- * \throw std::invalid_argument if an inlier lies outside the cloud */
+/** \brief Returns the extent of a plane, with the convex hull of its inliers as
+ * outline: at least 99 % of the inliers lie inside (\ref convexHull).
+ * \param[in] cloud the input cloud of the detection
+ * \param[in] plane in the frame of the cloud
+ * \throw std::invalid_argument if an inlier is not an index into the cloud */
 PCL_OPS_EXPORT PlaneExtent
 planeExtent (const CloudView& cloud, const PlaneSegment& plane);
 

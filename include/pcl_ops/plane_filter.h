@@ -20,23 +20,23 @@
 
 namespace pcl_ops {
 
-/** \brief Which planes to keep; by default all. */
+/** \brief Conditions for planes to keep. By default all planes are kept. */
 struct PlaneFilter {
   std::optional<Orientation> orientation;
-  /** \brief Planes whose normals are parallel to it, of either sign, are kept: a vector
-   * of any length but 0, in the frame of the planes. */
+  /** \brief Planes whose normals, of either sign, are parallel to this vector are kept.
+   * It has any length but 0, in the frame of the planes. Not given: any. */
   std::optional<Eigen::Vector3d> direction;
   /** \brief Largest angle between a normal and \ref direction [rad]; default 10
    * degrees. */
   double direction_tolerance = 10.0 * (M_PI / 180.0);
-  /** \brief Smallest and largest angle between the plane and the horizontal [rad], of
-   * 0 to pi/2. Not given: any. */
+  /** \brief Smallest and largest angle between the plane and the horizontal, both 0 to
+   * pi/2 [rad]. Not given: any. */
   std::optional<std::array<double, 2>> slope;
-  /** \brief For \ref slope, against gravity, in the frame of the planes; of any length
-   * but 0. */
+  /** \brief Direction against gravity for \ref slope, in the frame of the planes, of
+   * any length but 0. */
   Eigen::Vector3d up_axis = Eigen::Vector3d::UnitZ();
-  /** \brief How many points a plane needs: inliers, or points of the moments where
-   * there are no inliers. */
+  /** \brief Smallest number of points of a plane: its inliers, or the count of its
+   * moments if it has no inliers. */
   std::size_t min_points = 0;
   /** \brief Smallest area inside the outline [m^2]. */
   double min_area = 0.0;
@@ -46,14 +46,15 @@ struct PlaneFilter {
   std::optional<double> max_area;
   /** \brief Largest width of the rectangle around the outline [m]. Not given: any. */
   std::optional<double> max_width;
-  /** \brief {side, side, tolerance} of the rectangle around the outline [m], the sides
-   * in any order: a board of known size. Not given: any. */
+  /** \brief {side, side, tolerance} of the rectangle around the outline [m], with the
+   * sides in any order: finds a board of known size. Not given: any. */
   std::optional<std::array<double, 3>> size;
-  /** \brief Of the planes that are left, the first so many are kept. */
+  /** \brief Largest number of planes: of planes that pass all tests, the first ones in
+   * the list are kept. Not given: no limit. */
   std::optional<std::size_t> max_planes;
 };
 
-/** \brief What is wrong with a filter, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of a filter; empty if it is valid. */
 PCL_OPS_EXPORT std::string
 validate (const PlaneFilter& filter);
 
@@ -79,31 +80,32 @@ struct DroppedPlanes {
   }
 };
 
-/** \brief Where a plane ends. */
+/** \brief A function that returns the extent of a plane. */
 using ExtentOfPlane = std::function<PlaneExtent (const PlaneSegment&)>;
 
-/** \brief The positions of the planes that a filter keeps, in their order.
+/** \brief Returns the indices of the planes that a filter keeps, ascending.
  * \param[in] planes in any frame
- * \param[in] filter one \ref validate finds nothing wrong with
- * \param[in] extent_of asked, with elements of \p planes, only for planes whose area or
- * width decides
- * \param[out] dropped how many are dropped, and why
- * \throw std::invalid_argument if there is a problem */
+ * \param[in] filter must be valid (\ref validate)
+ * \param[in] extent_of is called with elements of \p planes, only for planes that pass
+ * the other tests and only if the filter tests areas, widths or sizes
+ * \param[out] dropped number of dropped planes for each test
+ * \throw std::invalid_argument if the filter is not valid */
 PCL_OPS_EXPORT std::vector<std::size_t>
 keptPlanes (const std::vector<PlaneSegment>& planes,
             const PlaneFilter& filter,
             const ExtentOfPlane& extent_of,
             DroppedPlanes& dropped);
 
-/** \brief Drops the planes that a filter does not keep, as \ref keptPlanes says.
- * \return how many were dropped, and why */
+/** \brief Removes the planes that a filter does not keep (\ref keptPlanes).
+ * \return number of dropped planes for each test */
 PCL_OPS_EXPORT DroppedPlanes
 filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,
               const ExtentOfPlane& extent_of);
 
 /** \brief The same with the extents of \ref planeExtent in the input cloud.
- * \throw std::invalid_argument if one asked for has an inlier outside the cloud, too */
+ * \throw std::invalid_argument if the filter is not valid, or if an inlier of a plane
+ * whose extent is needed is not an index into the cloud */
 PCL_OPS_EXPORT DroppedPlanes
 filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,

@@ -13,55 +13,56 @@
 
 namespace pcl_ops {
 
-/** \brief How much planes of two frames must overlap to be one, and how accurate the
- * given pose between the frames is. */
+/** \brief The overlap that matched planes of two frames need, and the accuracy of the
+ * given pose between the frames. */
 struct PlaneMatchingParameters {
-  /** \brief How far the rotation of the pose is off about any axis, one standard
-   * deviation [rad]; default 3 degrees. Errors of three of these, up to 20 degrees in
-   * all, are corrected. */
+  /** \brief Standard deviation of the error of the pose's rotation about each axis
+   * [rad]; by default 3 degrees. Errors of up to three standard deviations, but at most
+   * 20 degrees, are corrected. */
   double rotation_error = 3.0 * (M_PI / 180.0);
-  /** \brief The same of its translation along any axis [m]. */
+  /** \brief Standard deviation of the error of the pose's translation along each axis
+   * [m]. */
   double translation_error = 0.05;
-  /** \brief The smallest share of the smaller of two planes that must lie over the
-   * other, 0 to 1. */
+  /** \brief Smallest overlap of two matched planes, as a share of the area of the
+   * smaller one, 0 to 1. */
   double min_overlap = 0.3;
 };
 
-/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of the parameters; empty if they are valid. */
 PCL_OPS_EXPORT std::string
 validate (const PlaneMatchingParameters& parameters);
 
-/** \brief Which planes of two frames are one. */
+/** \brief Matches between the planes of two frames, and the corrected pose. */
 struct PlaneMatches {
-  /** \brief For each current plane the position of the previous one that it continues,
-   * or \ref no_plane. No previous plane is continued twice. */
+  /** \brief For each current plane, the index of the previous plane it matches, or \ref
+   * no_plane. Each previous plane has at most one match. */
   Labels previous;
-  /** \brief The pose that was given, moved as little as makes these planes agree. */
+  /** \brief The given pose, corrected by the matched planes. */
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
-/** \brief Finds the planes of a frame again in the next.
+/** \brief Matches the planes of a frame with the planes of the frame before.
  *
- * Two planes are one if their equations agree and they overlap. Equations agree if what
- * differs, two slopes and a height, lies within three standard deviations of what the
- * pose and both fits may be off; for a fit, that is \ref independentPlaneCovariance
- * without its division by the number of points, as neighboring points err alike. Where
- * a plane ends is known by its moments, as the rectangle that has the same.
+ * Two planes match if their equations agree and they overlap. Equations agree if the
+ * differences, two slopes and a height, are within three standard deviations of the
+ * errors of the pose and of both plane fits. The errors of a fit are those of \ref
+ * independentPlaneCovariance without its division by the number of points, because
+ * neighboring points have similar errors. The extent of a plane is the rectangle with
+ * the moments of the plane.
  *
- * The larger planes correct the pose first, each by an update of an iterated Kalman
- * filter; then all pairs are looked at with the pose that came of it, the best first:
- * those with the largest product of intersection over union and the root of the
- * likelihood. The sides of a plane are not told apart. The result does not depend on
- * the order of the planes but for ties.
- * \param[in] previous planes of one frame, of which moments and normals are looked at
+ * First the planes correct the pose, the largest plane first, each by an update of an
+ * iterated extended Kalman filter. Then all pairs are tested with the corrected pose
+ * and matched greedily. The best pair has the largest product of intersection over
+ * union and the square root of the likelihood. The sign of normals does not matter. The
+ * result does not depend on the order of the planes except for ties.
+ * \param[in] previous planes of one frame; only their moments and normals are used
  * \param[in] current planes of the other frame
- * \param[in] pose the current frame in the previous: a point p of the current frame is
- * pose * p in the previous one. The error of its rotation is about the current frame's
- * zero, which should be the sensor or near it
- * \param[in] parameters of which \ref validate finds nothing wrong
+ * \param[in] pose of the current frame in the previous frame: a point p of the current
+ * frame is pose * p in the previous frame. Its rotation error is about the origin of
+ * the current frame, which should be at or near the sensor
+ * \param[in] parameters must be valid (\ref validate)
  * \return a match for each current plane; planes whose points span no plane have none
- * \throw std::invalid_argument if there is a problem with the parameters, or the pose
- * is not finite */
+ * \throw std::invalid_argument if the parameters are wrong or the pose is not finite */
 PCL_OPS_EXPORT PlaneMatches
 matchPlanes (const std::vector<PlaneSegment>& previous,
              const std::vector<PlaneSegment>& current,

@@ -11,34 +11,34 @@
 namespace pcl_ops {
 
 /** \brief Parameters of the merging process of all detectors (paper section III-C). A
- * detector fills in what is not given; where \ref mergePlanes is called alone, each
- * member says what stands in. */
+ * detector chooses values that are not given. The members also say which value \ref
+ * mergePlanes uses if it is called without a detector. */
 struct MergingParameters {
-  /** \brief Off: planes are left as they were found. Neighborhoods and surfels still
-   * join pieces that touch. */
+  /** \brief False: planes are not merged. But Sampling::Neighborhoods and
+   * Sampling::Surfels still join pieces that touch. */
   bool enabled = true;
   /** \brief Largest angle between the normals [rad]. */
   double angle_threshold = paper_angle_tolerance;
   /** \brief Largest distance of either centroid to the other plane [m]. Not given: the
-   * detector's theta_h; with Sampling::Neighborhoods and Sampling::Surfels the noise
-   * decides alone. Without a detector: 0.05 m. */
+   * detector's theta_h; with Sampling::Neighborhoods and Sampling::Surfels the distance
+   * is not tested and only the noise decides. Without a detector: 0.05 m. */
   std::optional<double> distance_threshold;
-  /** \brief Planes within the angle are one, too, if the rms distance of the smaller
-   * one's points to the larger plane is below this many times the noise of the noisier
-   * one, which counts as at most 6 times that of the cleaner one; the noise of a plane
-   * is the rms distance of its points to it. Not in the paper. With
-   * Sampling::Neighborhoods it is how many noises of their surroundings planes are
-   * apart that are joined over a gap, too. Not given: 2 with
-   * Sampling::Neighborhoods, 1.5 with Sampling::Surfels, whose surfaces, as real walls,
-   * are not flat; 0 elsewhere.
-   */
+  /** \brief A second test, not in the paper: planes within the angle are also merged if
+   * the rms distance of the smaller one's points to the larger plane is below this many
+   * times their noise. The noise of a plane is its rms distance. The larger of the two
+   * noises counts, but at most 6 times the smaller one. With Sampling::Neighborhoods
+   * the factor limits the distance of planes that are joined over a gap, in units of
+   * the noise of their surroundings. Not given: 2 with Sampling::Neighborhoods; 1.5
+   * with Sampling::Surfels, because real walls are not flat; 0 (no second test)
+   * elsewhere. */
   std::optional<double> noise_factor;
 };
 
 namespace detail {
 
-/** \brief The coplanarity test on a pair of planes: the angle between the normals, and
- * both distances of a centroid to the other plane, are below the thresholds. */
+/** \brief The coplanarity test on a pair of planes.
+ * \return true if the angle between the normals [rad] and the distances of both
+ * centroids to the other plane [m] are below the thresholds */
 PCL_OPS_EXPORT bool
 areCoplanar (const PlaneFit& first,
              const PlaneFit& second,
@@ -49,19 +49,19 @@ areCoplanar (const PlaneFit& first,
 
 /** \brief The planes after merging. */
 struct MergedPlanes {
-  /** \brief Moments of each, by falling count. Sets without a plane (fewer than three
-   * points, or all on one line) are dropped. */
+  /** \brief Moments of each merged plane, by descending count. Input planes whose
+   * points span no plane (fewer than three points, or all on one line) are dropped. */
   std::vector<Moments> moments;
-  /** \brief The least squares plane of each. */
+  /** \brief Least squares fits to \ref moments. */
   std::vector<PlaneFit> fits;
-  /** \brief For each plane put in, the position of the one it went into, or
-   * \ref no_plane where it was dropped. */
+  /** \brief For each input plane, the index of the merged plane in \ref moments, or
+   * \ref no_plane if it was dropped. */
   Labels merged_into;
 };
 
-/** \brief Merges coplanar planes until no pair passes the test. The larger plane takes
- * the smaller; moments are added and the plane refitted at once, so that a merge costs
- * O(1) however many points the planes have.
+/** \brief Merges coplanar planes until no pair passes the test. Each merge adds the
+ * moments of the smaller plane to the larger one and refits it at once. So its time
+ * does not depend on the number of points.
  * \param[in] planes moments of each plane's points, all in one frame
  * \param[in] parameters thresholds */
 PCL_OPS_EXPORT MergedPlanes

@@ -13,39 +13,38 @@
 namespace pcl_ops {
 
 struct PlanePiecesParameters {
-  /** \brief Widest gap within a piece, as a multiple of the spacing of the points on
-   * either side of it, the smaller one where they differ.
+  /** \brief Widest gap within a piece, in units of the spacing of the points at its two
+   * sides; the smaller spacing counts.
    *
-   * The spacing at a point is that of its neighbors along the wider direction on the
-   * plane: rings of a lidar are as far apart as the next ring, not as the next point of
-   * the ring. */
+   * The spacing at a point is that in the sparser direction on the plane: in a lidar
+   * scan it is the distance to the next ring, not to the next point of the ring. */
   double max_gap = 8.0;
-  /** \brief Fewer points are no piece of their own, but part of the nearest one. */
+  /** \brief Smaller pieces are joined to the nearest piece. */
   std::size_t min_points = 20;
 };
 
-/** \brief What is wrong with these parameters, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of the parameters; empty if they are valid. */
 PCL_OPS_EXPORT std::string
 validate (const PlanePiecesParameters& parameters);
 
-/** \brief Connected pieces of planes, by falling size. */
+/** \brief Connected pieces of planes, by descending number of inliers. */
 struct PlanePieces {
-  /** \brief Each piece has inliers, centroid and moments of its own, and the normal and
-   * the orientation of the plane it lies on; the centroid is taken onto that plane. */
+  /** \brief Each piece has its own inliers, centroid and moments, and the normal and
+   * the orientation of its plane. The centroid is projected onto that plane. */
   std::vector<PlaneSegment> pieces;
-  /** \brief For each piece the position of the plane it lies on. */
+  /** \brief For each piece, the index of its plane in the list of planes. */
   std::vector<std::size_t> planes;
 };
 
-/** \brief Divides planes where their points leave gaps: windows of a facade, two tables
- * of one height. Each inlier is in one piece, but for those that are not finite; a
- * plane without a gap is its only piece, as it is.
- * \param[in] cloud the one the planes were found in, in their frame
- * \param[in] planes as a detector gives them
- * \param[in] parameters ones \ref validate finds nothing wrong with
- * \param[in] threads 0: all; the result stays the same
- * \throw std::invalid_argument if an inlier lies outside the cloud or the parameters are
- * wrong */
+/** \brief Divides planes at gaps between their points into connected components: for
+ * example two tables of one height. A plane without gaps is one piece, unchanged. If a
+ * plane is divided, each finite inlier is in one piece, and others in none.
+ * \param[in] cloud the input cloud of the detection, in the frame of the planes
+ * \param[in] planes the planes that a detector returned
+ * \param[in] parameters must be valid (\ref validate)
+ * \param[in] threads 0: one for each processor; the result does not depend on it
+ * \throw std::invalid_argument if an inlier is not an index into the cloud or the
+ * parameters are wrong */
 PCL_OPS_EXPORT PlanePieces
 findPlanePieces (const CloudView& cloud,
                  const std::vector<PlaneSegment>& planes,

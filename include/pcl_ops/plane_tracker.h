@@ -16,59 +16,61 @@
 
 namespace pcl_ops {
 
-/** \brief A plane with the number it has in all frames. */
+/** \brief A plane with its number, which is the same in all frames. */
 struct TrackedPlane {
-  /** \brief From 1, in the order of appearance. */
+  /** \brief Counted from 1, in the order in which planes were first seen. */
   std::uint32_t number = 0;
-  /** \brief In the common frame, without inliers; its orientation is that by the up
-   * axis of the last frame. Its moments are a sum over the frames it was seen in, in
-   * which the last ones count most: their count is no number of points. */
+  /** \brief The plane in the common frame. Its orientation is that of the frame it was
+   * last seen in. Its moments are a weighted sum over the frames it was seen in, with
+   * the largest weights on the latest: their count is no number of points. It has no
+   * inliers. */
   PlaneSegment plane;
-  /** \brief Where it was seen in any frame: the convex outline around the rectangles
-   * that have the moments of each frame; nothing is known of holes. */
+  /** \brief Convex hull of the plane in all frames, in the common frame. Each frame
+   * adds the rectangle that has the moments of the plane. Holes are not known. */
   PlaneExtent extent;
-  /** \brief The first and the last frame it was seen in, from 0. */
+  /** \brief Numbers of the first and the last frame it was seen in, from 0. */
   std::size_t first_seen = 0;
   std::size_t last_seen = 0;
   /** \brief The number of frames it was seen in. */
   std::size_t times_seen = 0;
 };
 
-/** \brief Numbers for planes that they keep from frame to frame, also where they are
- * out of sight for a while. Copy it to try what a frame would do. */
+/** \brief Tracks planes: gives each plane a number that it keeps from frame to frame,
+ * also if it is not seen for a while. Track a frame in a copy to try it. */
 class PCL_OPS_EXPORT PlaneTracker {
 public:
-  /** \param[in] parameters of the poses; errors are those from one frame to the next
-   * \param[in] memory frames a plane is remembered after it was last seen; not given:
-   * for ever
-   * \param[in] max_distance planes of which every part is farther from the sensor are
-   * forgotten [m]; not given: none
-   * \throw std::invalid_argument if there is a problem with the parameters */
+  /** \param[in] parameters of the matching; the pose errors are those of the motion
+   * from one frame to the next
+   * \param[in] memory number of frames after which a plane that is not seen again is
+   * forgotten; not given: never
+   * \param[in] max_distance planes with all parts farther than this from the sensor are
+   * forgotten [m]; not given: no limit
+   * \throw std::invalid_argument if the parameters are wrong */
   explicit PlaneTracker (
       const PlaneMatchingParameters& parameters = PlaneMatchingParameters(),
       std::optional<std::size_t> memory = std::nullopt,
       std::optional<double> max_distance = std::nullopt);
 
   /** \brief Numbers the planes of the next frame.
-   * \param[in] planes as a detector gives them, in the frame's own coordinates
-   * \param[in] pose the frame in a common one: a point p of the frame is pose * p
-   * there. Only how it moved since the frame before counts, so that poses may drift;
-   * the same for all frames if the sensor stands still
+   * \param[in] planes the planes that a detector returned, in the sensor's frame
+   * \param[in] pose of the sensor in a common frame: a point p has the position pose *
+   * p there. Only the motion since the last frame is used, so that poses may drift. If
+   * the sensor does not move, all poses are equal
    * \return the number of each plane, all different; planes that were not seen before
-   * get new ones, in their order
+   * get new numbers, in the order of \p planes
    * \throw std::invalid_argument if the pose is not finite */
   std::vector<std::uint32_t>
   track (const std::vector<PlaneSegment>& planes, const Eigen::Isometry3d& pose);
 
-  /** \brief All planes that are remembered, by their numbers. */
+  /** \brief Returns all remembered planes, by ascending number. */
   const std::vector<TrackedPlane>&
   planes () const
   {
     return remembered_;
   }
 
-  /** \brief The last frame in the common one, as its planes say: drift is corrected
-   * where planes are seen again. */
+  /** \brief Returns the pose of the last frame in the common frame, corrected by its
+   * planes: planes that are seen again correct drift. */
   const Eigen::Isometry3d&
   pose () const
   {
@@ -84,7 +86,7 @@ private:
   std::optional<double> max_distance_;
   std::vector<TrackedPlane> remembered_;
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
-  /** \brief As it was given for the last frame. */
+  /** \brief The uncorrected pose of the last frame. */
   Eigen::Isometry3d given_pose_ = Eigen::Isometry3d::Identity();
   std::size_t frames_ = 0;
   std::uint32_t last_number_ = 0;

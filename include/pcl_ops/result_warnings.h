@@ -16,93 +16,94 @@
 
 namespace pcl_ops {
 
-/** \brief What is doubtful about a result. */
+/** \brief A warning that a result may be wrong. */
 struct ResultWarning {
-  /** \brief A word for programs, which stays the same: "thick-planes". */
+  /** \brief Identifier for programs, which does not change: "thick-planes". */
   std::string code;
-  /** \brief For people, one line: what is doubtful; what to do about it. */
+  /** \brief Text for users, one line: what may be wrong, then what to do about it. */
   std::string text;
 };
 
-/** \brief How texts name parameters: as options of the programs or as Python does. */
+/** \brief Names of parameters in warning texts: command line options or Python. */
 enum class ParameterNames { CommandLine, Python };
 
-/** \brief How it is known which way is up. */
+/** \brief Where the up axis comes from. */
 enum class UpKnowledge {
-  /** \brief Nobody said it; it is the default. */
+  /** \brief It is the default: neither a user nor a file gave it. */
   Assumed,
-  /** \brief A user or the format of the file says it, or the planes are sure of it. */
+  /** \brief A user or the file format gave it, or the planes told it reliably. */
   Known,
-  /** \brief The planes were asked for it and could not tell. */
+  /** \brief It was to be estimated from the planes, but they could not tell it. */
   NotFound
 };
 
-/** \brief What the coordinates are, as the reference system of a file says. */
+/** \brief Unit of the coordinates by the coordinate reference system of a file. */
 enum class CoordinateUnit { Unknown, Meter, Foot, Degree };
 
-/** \brief What became of the floor plan of a result. */
+/** \brief Numbers of walls and wall planes of a floor plan. */
 struct PlanCounts {
   /** \brief Walls of the plan. */
   std::size_t walls = 0;
-  /** \brief Planes that are walls, before filters and after them. */
+  /** \brief Number of planes that are walls, before and after filters. */
   std::size_t wall_planes_found = 0;
   std::size_t wall_planes_kept = 0;
-  /** \brief Whether one of the planes before filters is a floor. */
+  /** \brief Whether a plane is a floor, before filters. */
   bool has_floor = false;
 };
 
-/** \brief How a survey was searched that is too large to be looked at as a whole. */
+/** \brief How a survey was searched that is too large for one cloud: in tiles. */
 struct TiledSearch {
-  /** \brief Edge of the voxels [m], all that a user can change. */
+  /** \brief Edge of the voxels [m], the only parameter of the search users can set. */
   double voxel_size = 0.0;
-  /** \brief Share of the survey's points that the cloud has: above 0, up to 1. */
+  /** \brief The cloud is a sample with this share of the survey's points: above 0, up
+   * to 1. */
   double sampled_share = 1.0;
-  /** \brief Small clouds of all points of the survey, each around a point of the sample
-   * that is on no plane. */
+  /** \brief Small clouds with all points of the survey around some points of the sample
+   * that are on no plane. */
   std::vector<CloudView> places_on_none;
 };
 
-/** \brief What is known beside a cloud and its planes. What is not set is not looked
- * at. */
+/** \brief Further information for \ref resultWarnings. Optional members that are not
+ * set give no warnings. */
 struct ResultContext {
-  /** \brief Zero of the cloud's frame in that of the planes. */
+  /** \brief Origin of the cloud's frame in the frame of the planes [m]. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  /** \brief Where a user or a file says that the sensor was, in the frame of the cloud.
-   */
+  /** \brief Position of the sensor given by a user or a file, in the frame of the cloud
+   * [m]. */
   std::optional<Eigen::Vector3d> viewpoint;
   CoordinateUnit unit = CoordinateUnit::Unknown;
-  /** \brief Whether the user gave the length of a meter: then the unit is known. */
+  /** \brief Whether the user gave the length of a meter. If so, the unit is known. */
   bool has_meter = false;
   UpKnowledge up_knowledge = UpKnowledge::Known;
-  /** \brief Against gravity, as it was used. */
+  /** \brief The direction against gravity that was used. */
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  /** \brief Another axis that the planes are sure of, where \ref up is assumed. */
+  /** \brief Another up axis, estimated reliably from the planes, if \ref up is the
+   * default. */
   std::optional<Eigen::Vector3d> suggested_up;
-  /** \brief Whether kinds of planes or a floor plan were asked for: these need to know
-   * which way is up. */
+  /** \brief Whether kinds of planes or a floor plan were requested. Both need the up
+   * axis. */
   bool uses_kinds = false;
   /** \brief Whether the poses look like those of KITTI's camera, but are used as those
    * of a lidar. */
   bool has_camera_poses = false;
-  /** \brief Of the floor plan, where one was asked for. */
+  /** \brief Numbers of the floor plan, if one was requested. */
   std::optional<PlanCounts> plan;
-  /** \brief How the planes were searched for. In clouds of up to 100,000 points other
-   * values are tried, by more searches. */
+  /** \brief Parameters of the search for planes. In clouds of up to 100,000 points with
+   * many points on no plane, other values are tried by more searches. */
   std::optional<OrientedPointSamplingParameters> search;
-  /** \brief How they were searched for if the cloud is a sample of a survey. */
+  /** \brief The search of the whole survey, if the cloud is a sample of a survey. */
   std::optional<TiledSearch> tiles;
   ParameterNames names = ParameterNames::CommandLine;
-  /** \brief Only the most important ones are told. */
+  /** \brief Largest number of warnings; less important ones are left out. */
   std::size_t max_warnings = 3;
 };
 
-/** \brief What is doubtful about planes, the most important first
- * (src/doc/command_line.md has the list). They depend on cloud, planes and context, not
- * on the order of the points.
- * \param[in] cloud the input cloud the planes were found in
- * \param[in] planes as a detector gives them
- * \param[in] context what else is known
- * \throw std::invalid_argument if an inlier is no point of the cloud */
+/** \brief Returns warnings about a result, the most important first
+ * (src/doc/command_line.md has the list). The order of the points does not matter.
+ * \param[in] cloud the input cloud of the detection
+ * \param[in] planes the planes that a detector returned
+ * \param[in] context further information
+ * \throw std::invalid_argument if an inlier is not an index into the cloud */
 PCL_OPS_EXPORT std::vector<ResultWarning>
 resultWarnings (const CloudView& cloud,
                 const std::vector<PlaneSegment>& planes,

@@ -9,12 +9,12 @@
 
 namespace pcl_ops {
 
-/** \brief A plane from one oriented point, for PCL's own estimators
- * (pcl::RandomSampleConsensus, MSAC, MLESAC, LMedS, PROSAC): with a sample of one point
- * their stop rule log (1 - p) / log (1 - w) is the paper's N_iter. RRANSAC and RMSAC
- * may never end before PCL 1.15, with this model as with PCL's own.
+/** \brief A plane model from one oriented point, for PCL's own estimators
+ * (pcl::RandomSampleConsensus, MSAC, MLESAC, LMedS, PROSAC). With a sample of one point
+ * their number of iterations log (1 - p) / log (1 - w) is the paper's N_iter. Before
+ * PCL 1.15 RRANSAC and RMSAC may never end, with this model and with PCL's own models.
  *
- * The points of the cloud carry their unit normals. Coefficients are a b c d with a
+ * The points of the cloud need unit normals. Coefficients are a b c d with a
  * unit normal. Distances, inliers and counts are those of
  * pcl::SampleConsensusModelPlane.
  * \tparam PointNT a point type with x, y, z and normal_x, normal_y, normal_z
@@ -33,29 +33,30 @@ public:
   explicit SampleConsensusModelOrientedPoint (const PointCloudConstPtr& cloud,
                                               bool random = false);
 
-  /** \brief The model over some points of a cloud. */
+  /** \brief Makes the model of the points with these indices. */
   SampleConsensusModelOrientedPoint (const PointCloudConstPtr& cloud,
                                      const pcl::Indices& indices,
                                      bool random = false);
 
-  /** \brief Seeds the draws and starts them over; PCL itself offers no way to. */
+  /** \brief Seeds the random draws and restarts them, which PCL's own models cannot. */
   void
   setSeed (std::uint32_t seed);
 
-  /** \brief The plane through a point perpendicular to its normal.
-   * \param[in] samples one index
+  /** \brief Computes the plane through a point, perpendicular to its normal.
+   * \param[in] samples index of the point
    * \param[out] model_coefficients a b c d
-   * \return false if there is not one sample, or it or its normal is not finite or the
-   * normal is zero */
+   * \return false if the number of samples is not one, if the point or its normal is
+   * not finite, or if the normal is zero */
   bool
   computeModelCoefficients (const pcl::Indices& samples,
                             Eigen::VectorXf& model_coefficients) const override;
 
-  /** \brief The centered least squares plane of the inliers.
+  /** \brief Fits a plane to the inliers by centered least squares.
    * \param[in] inliers indices of points
-   * \param[in] model_coefficients kept where the inliers, fewer than three or all on a
-   * line, have no plane of their own, or one that breaks the model constraints
-   * \param[out] optimized_coefficients a b c d, on the same side as the model */
+   * \param[in] model_coefficients returned unchanged if the inliers span no plane
+   * (fewer than three, or all on a line), or if this or the fitted model is not valid
+   * \param[out] optimized_coefficients a b c d, with the normal on the side of the
+   * model's normal */
   void
   optimizeModelCoefficients (const pcl::Indices& inliers,
                              const Eigen::VectorXf& model_coefficients,

@@ -11,51 +11,50 @@
 
 namespace pcl_ops {
 
-/** \brief The direction against gravity, as the planes of a room tell it. */
+/** \brief The direction against gravity, estimated from the planes of a room. */
 struct UpAxis {
   /** \brief Unit vector in the frame of the planes. */
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  /** \brief How sure that is, 0 to 1: the share of right answers to expect among rooms
-   * that look like this one. */
+  /** \brief Estimated probability, 0 to 1, that the direction is correct. */
   double confidence = 0.0;
 };
 
 struct UpAxisParameters {
-  /** \brief Largest angle of a plane to the direction it speaks for [rad]; default 7
-   * degrees. */
+  /** \brief Largest deviation from horizontal or vertical at which a plane supports a
+   * direction [rad]; by default 7 degrees. */
   double angle_tolerance = paper_angle_tolerance;
-  /** \brief Share of the planes that must be horizontal, and share that must be
-   * vertical, for a direction to be looked at; planes count by the root of their
-   * points.
-   */
+  /** \brief Smallest share of horizontal planes, and of vertical planes, that a
+   * candidate direction needs. The weight of a plane is the root of its number of
+   * points. */
   double min_share = 0.02;
-  /** \brief Below this confidence there is no answer; 0: the likeliest one, if any
-   * direction has the shares. */
+  /** \brief Smallest confidence of a result. 0: the likeliest direction with the
+   * smallest shares is always returned. */
   double min_confidence = 0.7;
 };
 
-/** \brief What is wrong with these parameters, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of the parameters; empty if they are valid. */
 PCL_OPS_EXPORT std::string
 validate (const UpAxisParameters& parameters);
 
-/** \brief Which way is up in a room, by its planes alone.
+/** \brief Estimates the up axis of a room from its planes.
  *
- * Directions that floor and walls can agree on are the normals of the larger planes and
- * the cross products of two of them, each turned to where the planes within the
- * tolerance fit best. What tells which of them is up: much faces up, as floor, seats
- * and table tops do; some planes are vertical; the sensor looks ahead rather than along
- * the axis; rooms are wider than high; and most things are below the middle of the
- * heights. A logistic model of these five, fitted to simulated rooms, gives each
- * direction its probability, in any unit and frame.
+ * Candidates are the normals of the larger planes and the cross products of two of
+ * them. Each candidate is refined to fit the planes within the tolerance best. Five
+ * properties tell which candidate is up: many planes face up, as floor, seats and table
+ * tops do; some planes are vertical; the sensor looks ahead rather than along the axis;
+ * rooms are wider than high; and most points are in the lower half of the heights. A
+ * logistic model of these properties, fitted to simulated rooms, gives each direction a
+ * probability, in any unit and frame.
  *
- * It counts on a room or a corridor, and on a sensor whose origin is known and that
- * looks level or somewhat down. A scan all around must not see floor and ceiling: it
- * has no answer then.
- * \param[in] planes as PlaneDetector::segment gives them: normals towards the sensor
+ * It expects a room or a corridor, and a sensor with a known origin that looks level or
+ * somewhat down. If a scan in all directions sees floor and ceiling, there is no
+ * result, unless min_confidence is 0.
+ * \param[in] planes with normals towards the sensor, as PlaneDetector::segment returns
+ * them; non-finite planes are skipped
  * \param[in] viewpoint origin of the sensor, in the frame of the planes
- * \param[in] parameters tolerance, and how sure an answer has to be
- * \return nothing where the planes cannot tell, or an argument is not finite or out of
- * its range */
+ * \param[in] parameters of the estimation
+ * \return nothing if the planes cannot tell, the viewpoint is not finite, or the
+ * parameters are not valid */
 PCL_OPS_EXPORT std::optional<UpAxis>
 estimateUpAxis (const std::vector<PlaneSegment>& planes,
                 const Eigen::Vector3d& viewpoint,

@@ -14,49 +14,49 @@ namespace pcl_ops {
 
 namespace detail {
 
-/** \brief Share of a cloud's points that share their direction, as seen from a place,
- * with points much nearer or farther: about 0.03 at the edges of things where a cloud
- * was taken from that place, 0.1 to 0.3 where it was not, say because it is in the
- * frame of a world and VIEWPOINT says 0 0 0 all the same.
- * \param[in] cloud some 60,000 finite points of it are looked at, whatever their order
- * \param[in] viewpoint the place, in the frame of the cloud
- * \return 0 to 1; 0 where no direction has points enough, or the place is not finite */
+/** \brief Returns the share of points in directions, seen from a viewpoint, in which
+ * one surface occludes another: points are at clearly different ranges. It is about
+ * 0.03, at edges of objects, if the cloud was taken from the viewpoint, and 0.1 to 0.3
+ * if not: for example if the cloud is in a world frame but VIEWPOINT is 0 0 0.
+ * \param[in] cloud a sample of some 60,000 finite points is used; the order of the
+ * points does not matter
+ * \param[in] viewpoint in the frame of the cloud
+ * \return 0 to 1; 0 if no direction has enough points or the viewpoint is not finite */
 PCL_OPS_EXPORT double
 occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
 
 } // namespace detail
 
-/** \brief Whether a cloud may have been taken from a place.
+/** \brief Returns whether a cloud may have been taken from a viewpoint.
  *
- * It was where directions to the points are in even steps, as a sensor makes them, also
- * if twigs and edges of the cloud hide one another. Where the steps tell nothing, as of
- * a thinned cloud, there has to be one surface in each direction, nothing behind
- * anything (\ref detail::occludedFraction up to 0.05). Of lidar scans places 3 m beside
- * the sensor are told from it, one above it may be believed. A cloud of several scans
- * was taken from no one place. */
+ * True if hardly any surface occludes another (\ref detail::occludedFraction up to
+ * 0.01). Otherwise it is decided by the directions to the points, which have even steps
+ * if the sensor was at the viewpoint. If the steps tell nothing, as in a thinned cloud,
+ * the result is true for an occluded fraction of up to 0.05. In lidar scans places 3 m
+ * beside the sensor are rejected; a place above it may be accepted. A cloud of several
+ * scans has no single viewpoint. False if \p viewpoint is not finite. */
 PCL_OPS_EXPORT bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
 
-/** \brief Turns normals up where nothing says from which side the planes were seen. The
- * normals of vertical planes stay as they are.
+/** \brief Flips normals that point down if it is not known from which side the planes
+ * were seen. Normals of vertical planes do not change.
  *
- * This concerns all planes of a cloud that was not taken from the place, or that the
- * place is 500 times as far away from as the planes reach, as maps and surveys that
- * have no sensor. It also concerns planes that pass the place at less than 2 % of the
- * distance of their points from it, as the floor of a map does. Detectors do so where a
- * cloud says 0 0 0.
- * \param[in] cloud the one the planes were found in
- * \param[in] viewpoint what normals point to, in the frame of cloud and planes
+ * It flips normals of all planes if the cloud was not taken from the viewpoint, or if
+ * the viewpoint is farther away than 500 times the size of the scene: maps and surveys
+ * have no sensor position. Otherwise it flips only normals of planes seen edge-on: the
+ * distance of the viewpoint to the plane is less than 2 % of its distance to the
+ * centroid, as for the floor of a map. Detectors call it if the viewpoint is 0 0 0.
+ * \param[in] cloud the input cloud of the detection
+ * \param[in] viewpoint to which normals point, in the frame of cloud and planes
  * \param[in] up against gravity, of any length but 0
- * \param[in,out] planes their orientations are those for \p up; only their normals
- * change */
+ * \param[in,out] planes with orientations for \p up; only their normals change */
 PCL_OPS_EXPORT void
 turnUnseenUp (const CloudView& cloud,
               const Eigen::Vector3d& viewpoint,
               const Eigen::Vector3d& up,
               std::vector<PlaneSegment>& planes);
 
-/** \brief \ref isSeenFrom for the sensor_origin_ of a cloud. */
+/** \brief Calls \ref isSeenFrom with the sensor_origin_ of a cloud. */
 template <typename PointT>
 bool
 isSeenFromItsOrigin (const pcl::PointCloud<PointT>& cloud)

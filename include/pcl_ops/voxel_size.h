@@ -7,12 +7,13 @@
 
 namespace pcl_ops {
 
-/** \brief The voxel size at which a cloud has about \p wanted_voxels voxels with
- * points, a round number, for tiles of the cloud.
- * \param[in] points some thousand finite ones or more, spread evenly over the cloud;
- * shifted so that zero is among them
- * \param[in] wanted_voxels of the whole cloud, above 0
- * \return [m]; 0 for fewer than two different points */
+/** \brief Returns the voxel size with which a cloud has about \p wanted_voxels occupied
+ * voxels, rounded to few digits. It is for clouds that are searched in tiles.
+ * \param[in] points a thousand finite points or more, a uniform sample of the cloud,
+ * shifted so that the origin is near most of them
+ * \param[in] wanted_voxels occupied voxels of the whole cloud, above 0
+ * \return edge of a voxel [m]; 0 if there are no points, or if all or most of them are
+ * at one position */
 PCL_OPS_EXPORT double
 voxelSizeFor (const CloudView& points, double wanted_voxels);
 

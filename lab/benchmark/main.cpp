@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* program_name = "pcl_ops_benchmark";
 
 struct Options {
-  /** Of dataSetOf, or a file or folder. */
+  /** Text for dataSetOf, or a file or folder of clouds. */
   std::string input;
   std::string json_file, scaling_folder; // empty: not wanted
   std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
@@ -114,7 +114,7 @@ peakText (const Json& peak)
          " MB more at its peak.\n";
 }
 
-/** Prints the times, too. */
+/** Measures times and memory of a cloud; also prints the times. */
 Json
 figuresOf (const CloudSource& source, const MeasureParameters& parameters)
 {

@@ -29,8 +29,8 @@ using namespace evaluation;
 
 namespace {
 
-/** \param[in] names of configurations; one of others may take any time: then it is said
- * and ended */
+/** \param[in] names of configurations; a peer detector that exceeds the time limit is
+ * stopped and reported */
 std::vector<Measure>
 detectorsOn (const XyzCloud::ConstPtr& cloud,
              const std::string& names,
@@ -160,7 +160,7 @@ measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters
 double
 peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector)
 {
-  // The pages of the program itself are resident once a small cloud has used them.
+  // A run on a small cloud first makes the pages of the program itself resident.
   constexpr std::size_t small = 5000;
   const XyzCloud::Ptr few (new XyzCloud);
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
@@ -172,9 +172,9 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector)
   const auto measure = [&] {
     detector.run (few, {});
 #ifdef __GLIBC__
-    malloc_trim (0); // freed memory that is kept would hide what is allocated next
+    malloc_trim (0); // reused free memory would not show as growth
 #endif
-    // "5" sets the peak back to what is resident now (proc(5)).
+    // "5" resets the peak to the memory that is resident now (proc(5)).
     std::ofstream ("/proc/self/clear_refs") << "5";
     const double before = statusBytes ("VmRSS");
     detector.run (cloud, {});
@@ -193,7 +193,7 @@ makeBoards (unsigned number)
 {
   using namespace simulation;
   constexpr double spacing = 2.0; // [m]; a board is 1 m wide
-  // No two of its multiples are near each other on the circle [rad].
+  // Its multiples are spread evenly on the circle [rad].
   constexpr double golden_angle = 2.399963229728653;
   constexpr double steepest = 0.5; // [rad]
   const auto columns = unsigned (std::ceil (std::sqrt (double (number))));

@@ -11,7 +11,8 @@ using evaluation::Configuration;
 using evaluation::DataSet;
 using evaluation::XyzCloud;
 
-/** What is behind the colon of the line of that name of a file in /proc, if any. */
+/** Returns the text behind the colon of the first line of a /proc file that begins with
+ * a name; empty if there is no such line. */
 std::string
 valueIn (const std::string& file, const std::string& name);
 
@@ -19,7 +20,7 @@ struct Measure {
   std::string name;
   std::size_t max_runs = 1;
   std::function<StageDurations()> run; // [ms]
-  /** How often it has run, how long that took, and the run with the shortest whole. */
+  /** Number of runs, their total time [ms], and the durations of the fastest run. */
   std::size_t runs = 0;
   double spent = 0.0;
   StageDurations best = {};
@@ -28,7 +29,8 @@ struct Measure {
 using Notify = std::function<void (const std::string& what)>;
 
 /** Runs each measure once, then each a second time, and so on, so that a slow phase of
- * the machine hits all alike. What has taken \ref patience is not repeated. */
+ * the machine affects all measures. A measure that has taken more than \ref patience in
+ * total is not repeated. */
 std::vector<Measure>
 measureInTurns (std::vector<Measure> measures, const Notify& notify);
 
@@ -37,32 +39,34 @@ constexpr double patience = 20000.0;
 
 struct MeasureParameters {
   std::size_t runs = 5;
-  std::size_t peer_runs = 1; // of detectors of others; 0: they are left out
+  std::size_t peer_runs = 1; // runs of peer detectors; 0: peers are left out
   evaluation::RunSettings settings = {};
 };
 
-/** Copying the cloud onto memory that is there already and building pcl::KdTreeFLANN,
- * which no method is faster than; the default preset on two threads, the presets, and
- * the detectors of others. */
+/** Measures: a copy of the cloud into allocated memory and the construction of
+ * pcl::KdTreeFLANN, as lower bounds; the default preset on two threads; configurations
+ * of OPS, 3D-KHT and FSPF on one thread; the peer detectors. */
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters);
 
-/** By how much a detection on one thread lets the resident memory of a child process
- * grow at its peak, labels of all points included [byte]. NaN where the system does not
- * tell. */
+/** Returns by how much the peak resident memory of a child process grows during a
+ * detection on one thread, the labels of all points included [byte]. NaN if /proc does
+ * not give it or the detection fails. */
 double
 peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector);
 
-/** Square boards, each turned another way, too far apart for two to be taken for
- * one. */
+/** Makes square boards, each in another orientation and far enough apart that no two
+ * are found as one plane. */
 simulation::Scene
 makeBoards (unsigned number);
 
-/** CSV of times of OPS, default and paper preset, where one thing grows at a time:
- * points, threads, sampling_rate (in per cent) or planes; but for the sampling rate
- * also of 3D-KHT and what no method is faster than.
- * \param[in] clouds for threads; the first for the sampling rate, and with its number
- * of points for the simulated boards of the planes */
+/** Returns a CSV of the times of OPS (default and paper preset) in four series, in each
+ * of which one quantity x grows: points, threads, sampling_rate [%] or planes. On one
+ * thread, all series but sampling_rate also have 3D-KHT and the lower bounds of
+ * \ref measuresOf.
+ * \param[in] clouds for the series threads; the first one also for sampling_rate, and
+ * its number of points for the simulated boards of the series planes
+ * \param[in] growing for the series points */
 std::string
 measureScaling (const DataSet& clouds,
                 const DataSet& growing,

@@ -23,9 +23,9 @@ using namespace apps;
 
 namespace {
 
-constexpr double farthest = 0.05; // [m]
+constexpr double farthest = 0.05; // an edge or corner within this is found [m]
 
-/** A length or number and how much of it was found; NaN of nothing. */
+/** A length or number, and the part of it that was found. */
 struct Share {
   double part = 0.0, whole = 0.0;
 
@@ -39,15 +39,15 @@ struct Share {
   }
 };
 
-/** Of true and found edges, which share lies where the other's are. */
+/** How much of the true edges was found, and how much of the found edges is true. */
 struct EdgeScore {
   Share walls, found, is_true, corners_found, corners_true;
-  /** At each centimeter of true edges that were found, and of corners [m]. */
+  /** Distances at each found centimeter of true edges, and of found corners [m]. */
   std::vector<double> edge_errors, corner_errors;
 };
 
-/** For each centimeter the distance to the nearest of the others that runs alike, if
- * any. */
+/** Returns for each centimeter of an edge the distance to the nearest other edge of the
+ * same direction; infinite if there is no such edge [m]. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
@@ -72,7 +72,7 @@ distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
   return distances;
 }
 
-/** Pairs corners off, the nearest first found for each true one. */
+/** Pairs each true corner in turn with the nearest found corner that is still free. */
 void
 addCorners (const std::vector<PlaneCorner>& truth,
             std::vector<PlaneCorner> found,
@@ -91,7 +91,7 @@ addCorners (const std::vector<PlaneCorner>& truth,
     if (nearest == found.end() || distance (*nearest) > farthest)
       continue;
     score.corner_errors.push_back (distance (*nearest));
-    found.erase (nearest); // keeps the order, which decides between equals
+    found.erase (nearest); // keeps the order, so that ties are deterministic
     ++score.corners_found.part;
     ++score.corners_true.part;
   }

@@ -25,7 +25,7 @@ using namespace pcl_ops::evaluation;
 Eigen::Vector3f
 parseShift (const std::string& text)
 {
-  constexpr double most = 1e6; // single precision has no room for more
+  constexpr double most = 1e6; // beyond, single precision is too coarse
   return Eigen::Vector3f (
       parseNumbers<float, 3> ("--shift",
                               text,
@@ -35,7 +35,7 @@ parseShift (const std::string& text)
           .data());
 }
 
-/** What the options of a run say that is not in its plan as it is. */
+/** Options of a run from which \ref readOptions completes the plan. */
 struct RunOptions {
   std::string folder;
   std::vector<std::string> data_sets;
@@ -45,7 +45,7 @@ struct RunOptions {
   std::optional<std::size_t> most_clouds;
 };
 
-/** What is made of the clouds of the data sets. */
+/** Declares options that select and change clouds of the data sets. */
 void
 declareCloudOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
 {
@@ -98,7 +98,7 @@ declareOptions (CommandLine& line, RunOptions& options, EvaluationPlan& plan)
   line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
 }
 
-/** At most so many, evenly spread. */
+/** Adds at most \p most clouds, spread evenly over the data set; nullopt: all. */
 void
 addClouds (const DataSet& all,
            std::optional<std::size_t> most,
@@ -109,7 +109,7 @@ addClouds (const DataSet& all,
     clouds.push_back (all[i * all.size() / count]);
 }
 
-/** The configurations that are named, and the labels that are given. */
+/** Returns the named configurations, and one for each --results. */
 std::vector<Configuration>
 configurationsOf (const RunOptions& options)
 {

@@ -9,7 +9,7 @@ namespace pcl_ops::simulation {
 namespace {
 
 constexpr double edge_of_lot = 45.0; // [m]
-/** Each lot's number times two, and the next, are the surfaces of its roof. */
+/** The roof of lot i has the surfaces first_roof + 2 i and first_roof + 2 i + 1. */
 constexpr SurfaceId ground = 1, first_roof = 2;
 
 House
@@ -27,7 +27,7 @@ drawHouse (const Vector2d& middle, const Relief& relief, Random& random)
   return house;
 }
 
-/** The side of a roof towards +y (1) or -y (-1) of its house. */
+/** \param[in] side of the roof: towards +y (1) or -y (-1) of its house */
 Plane
 roofPlane (const House& house, int side)
 {
@@ -42,7 +42,7 @@ struct SurfaceAt {
   SurfaceId surface = no_surface;
 };
 
-/** What is seen from above at a place of a lot, without noise. */
+/** Returns height and surface seen from above at a place of a lot, without noise. */
 SurfaceAt
 lookDown (const Airborne& site, std::size_t lot, const Vector2d& place, Random& random)
 {

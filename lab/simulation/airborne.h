@@ -10,29 +10,29 @@ namespace pcl_ops::simulation {
 /** Standard deviation of the heights of an airborne survey [m]. */
 constexpr double airborne_sigma = 0.05;
 
-/** A roof's side with fewer has label 0. */
+/** A side of a roof with fewer points gets label 0. */
 constexpr std::size_t min_points_of_roof = 20;
 
 /** A square of lots on hilly or flat ground, seen from above, so that walls have no
  * points. Its corner is the origin; z is up. */
 struct Airborne {
   Relief relief = {};
-  int lots = 4;         // along each side
+  int lots = 4;         // number along each side
   double density = 0.6; // [points / m^2]
-  /** That of each lot, row by row; none: it is a wood. */
+  /** The house of each lot, row by row; nullopt: the lot is a wood. */
   std::vector<std::optional<House>> houses = {};
 
   double
   width () const;
 };
 
-/** 100 m to 1 km wide, flat or of hills up to 8 m, with .4 to 4 points on a square
- * meter, but at most 600,000. */
+/** Makes a site about 100 m to 1 km wide, flat or with hills of 1 to 8 m amplitude. It
+ * has 0.4 to 4 points per square meter, but at most 600,000 points. */
 Airborne
 makeAirborne (Seed seed);
 
-/** Evenly from above, in no order. Sides of roofs are planes, and so is flat ground;
- * hilly ground is ignored. */
+/** Scans the site from above with equal density, in random order. Sides of roofs and
+ * flat ground are planes; points on hilly ground are ignored. */
 SimulatedCloud
 scanAirborne (const Airborne& site, std::size_t points, double noise, Seed seed);
 

@@ -8,7 +8,7 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** \param[in] foot middle of its lower face [m] */
+/** \param[in] foot middle of the lower face [m] */
 void
 addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
 {
@@ -31,7 +31,7 @@ slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
   return slab;
 }
 
-/** In a row from \p start along x. */
+/** Adds a row of books from \p start along x. */
 void
 addBooks (Body& body, const Vector3d& start, double width, Random& random)
 {
@@ -53,7 +53,7 @@ drawTable (Random& random)
   return table;
 }
 
-/** With a monitor, an open laptop, books and a mug. */
+/** Draws a desk with a monitor, an open laptop, books and a mug. */
 Body
 drawDesk (Random& random)
 {
@@ -161,7 +161,7 @@ drawChair (Random& random)
   return chair;
 }
 
-/** One box or two, one turned on the other. */
+/** Draws one box, or two boxes on top of each other, the upper one turned. */
 Body
 drawCartons (Random& random)
 {
@@ -176,7 +176,7 @@ drawCartons (Random& random)
   return cartons;
 }
 
-/** On a round post. */
+/** Draws a tilted panel on a round post. */
 Body
 drawTiltedPanel (Random& random)
 {
@@ -191,18 +191,18 @@ drawTiltedPanel (Random& random)
   return panel;
 }
 
-/** Of boards and posts [m]. */
+/** Range of thicknesses of boards and posts [m]. */
 constexpr double thinnest = 0.02, thickest = 0.06;
 
-/** Posts on one side stand farther in than those on the other, and each board is
- * smaller than the one below, so that no two faces are in one plane.
+/** No two faces are coplanar: posts on one side stand farther in than posts on the
+ * other side, and each board is smaller than the board below.
  * \param[in] size of the lowest board [m]
  * \param[in] pitch from board to board [m] */
 Body
 boardsOnPosts (
     int boards, double pitch, Vector2d size, double thickness, Random& random)
 {
-  // Between parallel faces [m]: more than the noise of a depth camera hides.
+  // Offset between parallel faces [m], visible through the noise of a depth camera.
   constexpr double offset_of_faces = 0.02;
   constexpr double overhang = 0.03; // from the rim of the board to the posts [m]
   Body piece{size};

@@ -13,7 +13,8 @@ constexpr double half_length = 110.0;   // of the street [m]
 constexpr double nearest_reading = 2.0; // [m]
 constexpr double no_hit = std::numeric_limits<double>::infinity();
 
-/** From below the ground on, so that a slope leaves no gap. */
+/** Adds the front and one side of a house. They begin below the ground, so that a slope
+ * leaves no gap. */
 void
 addWall (HillyStreet& street, double x, double side, Random& random)
 {
@@ -44,7 +45,7 @@ drawBush (const HillyStreet& street, Random& random)
   return bush;
 }
 
-/** Where a ray from the origin first goes below the ground. */
+/** Returns the distance at which a ray from the origin first goes below the ground. */
 double
 distanceToGround (const HillyStreet& street, const Vector3d& ray)
 {
@@ -67,7 +68,8 @@ distanceToGround (const HillyStreet& street, const Vector3d& ray)
   return no_hit;
 }
 
-/** A reading anywhere in the ball, if the ray meets it and leaves; else none. */
+/** Returns a random distance inside the ball if the ray meets the ball and hits a leaf,
+ * else infinity. */
 double
 distanceToBush (const Bush& bush, const Vector3d& ray, Random& random)
 {

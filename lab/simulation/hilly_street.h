@@ -7,7 +7,7 @@
 
 namespace pcl_ops::simulation {
 
-/** Leaves that a ray meets anywhere on its way through a ball, or passes between. */
+/** A ball of leaves. A ray hits a leaf anywhere inside the ball, or passes through. */
 struct Bush {
   Vector3d center = Vector3d::Zero();
   double radius = 1.0; // [m]
@@ -21,16 +21,16 @@ struct HillyStreet {
   std::vector<Bush> bushes = {};
   Lidar lidar = lidarOf ("lidar-64-level");
 
-  /** [m] */
+  /** \return height of the ground in the lidar's frame [m] */
   double
   ground (double x, double y) const;
 };
 
-/** With 370 to 1,800 directions of the lidar. */
+/** Makes a street whose lidar has 370 to 1,800 azimuth steps. */
 HillyStreet
 makeHillyStreet (Seed seed);
 
-/** Walls are planes, bushes are on none, the ground is ignored. */
+/** Walls are planes, points on bushes have label 0, the ground is ignored. */
 SimulatedCloud
 scanHillyStreet (const HillyStreet& street, double noise, Seed seed, bool organized);
 

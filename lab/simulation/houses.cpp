@@ -11,7 +11,7 @@ namespace {
 using Eigen::AlignedBox2d;
 using Eigen::AlignedBox2i;
 
-/** A rectangle, or with a gable the pentagon in it above the shoulders. */
+/** A rectangle, or for a gable wall a pentagon that narrows above the shoulders. */
 struct Facade {
   Shape rectangle;
   double shoulders = 1.0; // their height as a share of the rectangle's
@@ -67,26 +67,26 @@ facadesOf (const Survey& survey)
   return facades;
 }
 
-/** Points of a square meter. */
+/** Points per square meter of a surface. */
 constexpr double density = 30.0;
-/** [m] */
+/** Distances between terraces across and along the streets [m]. */
 constexpr double street_pitch = 44.0, terrace_pitch = 170.0;
 constexpr double width_of_house = 15.0;
-/** Half the length of a terrace, and all it may be shifted by [m]. */
+/** Half the length of the longest terrace and the largest shift [m]. */
 constexpr double reach_of_terrace = 90.0;
 constexpr double edge_of_patch = 8.0; // [m]
-/** More than any terrace has. */
+/** More sides than any terrace has. */
 constexpr std::uint32_t sides_of_terrace = 20;
 
-/** Of the lattice of terraces or of patches of the ground. */
+/** Integer place in the lattice of terraces or of ground patches. */
 using Place = Eigen::Vector2i;
 
-/** A rectangle from a corner along two sides that are at right angles. */
+/** A rectangle, given by a corner and two edges at right angles [m]. */
 struct Side {
   Vector3d corner, along, up;
 };
 
-/** \param[in] what number of a side, 0: the terrace, beyond them: the ground */
+/** \param[in] what 0: the terrace; number of one of its sides; higher: the ground */
 Random
 randomAt (Seed seed, const Place& place, std::uint32_t what)
 {
@@ -95,8 +95,8 @@ randomAt (Seed seed, const Place& place, std::uint32_t what)
   return Random (std::seed_seq{seed, std::uint32_t (Purpose::Town), x, y, what});
 }
 
-/** Outer walls, slopes, the floor above the ground, and walls between houses, in the
- * frame of the streets. */
+/** Returns front and back wall, roof slopes, the floor of the upper story, and the
+ * walls beside each house, in the frame of the streets. */
 std::vector<Side>
 terraceAt (Seed seed, const Place& place)
 {
@@ -127,10 +127,12 @@ terraceAt (Seed seed, const Place& place)
   return sides;
 }
 
-/** From the frame of the streets to that of the tiles. */
+/** Rotation from the frame of the streets to the frame of the tiles. */
 const Eigen::Matrix3d streets_to_tiles = turnZ (12.0 * pi / 180.0).linear();
 
-/** Those that may reach into a square, in the frame of the streets. */
+/** Returns the lattice places, in the frame of the streets, from which a terrace or a
+ * patch may reach into a square.
+ * \param[in] square in the frame of the tiles [m] */
 AlignedBox2i
 placesAround (const AlignedBox2d& square, const Vector2d& pitch, double margin)
 {
@@ -143,7 +145,7 @@ placesAround (const AlignedBox2d& square, const Vector2d& pitch, double margin)
   return {low.floor().cast<int>().matrix(), high.ceil().cast<int>().matrix()};
 }
 
-/** Takes the points of a tile out of the patches that reach into it. */
+/** Collects the points of a tile from all patches that reach into it. */
 struct TileSurvey {
   const Town& town;
   AlignedBox2d tile;
@@ -199,7 +201,7 @@ struct TileSurvey {
 Survey
 makeSurvey (Seed seed)
 {
-  constexpr double width_of_lot = 30.0; // the ground each house has for itself [m]
+  constexpr double width_of_lot = 30.0; // edge of the ground around a house [m]
   constexpr int lots_in_a_row = 6;
   Random random = randomFor (Purpose::Survey, seed);
   Survey survey;
@@ -257,7 +259,7 @@ scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed)
 Town
 makeTown (Seed seed, double points, double tiles)
 {
-  // Of what is surveyed of a square meter of ground, walls and roofs included.
+  // Surveyed surface per square meter of ground, walls and roofs included [m^2].
   constexpr double surface_of_square_meter = 1.65;
   Town town;
   town.seed = seed;

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* program_name = "pcl_ops_simulate";
 
-/** Their output is a folder. */
+/** Scenes whose output is a folder of files. */
 const std::set<std::string> scenes_of_files = {"town", "walk", "drive"};
 
 struct SimulationOptions {
@@ -103,7 +103,7 @@ declareScene (CommandLine& line, SimulationOptions& options)
       .help ("tiles of town, rounded up to a square number (4)");
   line.add ("frames N", options.frames, from (1).upTo (1000))
       .help ("clouds of walk and drive (50)");
-  // Beyond, an error is no small motion [degree, cm].
+  // A larger error is no small motion [degree, cm].
   const Range small_motion = from (0).upTo (30);
   line.add ("pose-error X", options.pose_errors.each, small_motion)
       .help ("degrees and cm each pose of these is off in poses.txt (0)");
@@ -115,7 +115,7 @@ void
 declareSensor (CommandLine& line, SimulationOptions& options)
 {
   Simulation& simulation = options.simulation;
-  // For which a neighborhood of pixels still means something [px].
+  // Sizes at which a neighborhood of pixels is still meaningful [px].
   const Range image_size = from (16).upTo (4096);
   line.add ("width W", simulation.camera.width, image_size).help ("columns (640)");
   line.add ("height H", simulation.camera.height, image_size).help ("rows (480)");
@@ -134,7 +134,7 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.add ("quiet", options.quiet).help ("print nothing");
 }
 
-/** Which scenes have a camera's image, its noise, or rays. */
+/** Refuses options of cameras and rays for scenes without them. */
 void
 checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
 {
@@ -189,9 +189,9 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   checkSensorOptions (line, options);
 }
 
-/** \param[in] fix what to do where the memory is too small for a file
- * \param[in] save writes one and returns its number of points
- * \return what to say about them */
+/** \param[in] fix advice to the user if the memory is too small for a file
+ * \param[in] save writes a file and returns its number of points
+ * \return the summary to print */
 template <typename NameOf, typename Save>
 std::string
 writeFiles (const SimulationOptions& options,
@@ -267,7 +267,7 @@ writeWay (const SimulationOptions& options)
   };
   const std::string summary =
       writeFiles (options, options.frames, "frames", fix, nameOf, save);
-  // Those of a longer walk before it would be taken for frames of this one.
+  // Old frames of a longer walk would be taken for frames of this one.
   for (std::size_t i = options.frames; fs::remove (options.inFolder (nameOf (i)));)
     ++i;
   savePoses (options.inFolder ("poses.txt"),

@@ -24,7 +24,7 @@ zeroReadings (Scan& scan, double share, Seed seed)
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     if (!std::isfinite (scan.points[i].x()))
       continue;
-    // So that just as many are chosen (selection sampling: Knuth 1969, algorithm S).
+    // Chooses exactly the wanted number (selection sampling: Knuth 1969, algorithm S).
     if (random.unit() * double (readings) < wanted) {
       scan.points[i] = Vector3d::Zero();
       scan.surfaces[i] = no_surface;

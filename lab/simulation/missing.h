@@ -6,12 +6,12 @@
 
 namespace pcl_ops::simulation {
 
-/** 1, 3, 5, 10, 20, 40 and 50 % by the seeds 1 to 7, and so by all later ones. */
+/** Returns 1, 3, 5, 10, 20, 40 and 50 % for seeds 1 to 7; later seeds repeat them. */
 double
 missingShare (Seed seed);
 
-/** Sets a share of the readings, rounded to a whole number, to the sensor's origin, on
- * no surface: so drivers write a pixel without a reading. */
+/** Moves a share of the readings, rounded to a whole number, to the sensor's origin and
+ * gives them no_surface. Some drivers write pixels without a reading this way. */
 void
 zeroReadings (Scan& scan, double share, Seed seed);
 

@@ -8,7 +8,7 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** From the middle of the room, in its axes. */
+/** Returns the six sides of the room. The sensor is near its middle, at the origin. */
 Shapes
 sidesOfRoom ()
 {
@@ -18,7 +18,7 @@ sidesOfRoom ()
   return room.shapes;
 }
 
-/** How far a side bulges at a point of it. */
+/** The waves of a side; at returns how far the side bulges at a point [m]. */
 struct Waves {
   double amplitude, along, across; // [m], phases [rad]
 

@@ -6,21 +6,22 @@
 
 namespace pcl_ops::simulation {
 
-/** Standard deviation of the points of plaster along the normal [m]. */
+/** Standard deviation of the points along the normal of a wavy side [m]. */
 constexpr double plaster_sigma = 0.001;
 
 /** The laser scan of an empty room whose six sides are wavy. */
 struct Plaster {
-  double amplitude = 0.008; // of waves 3 m long, across 4.2 m [m]
+  double amplitude = 0.008; // of waves of 3 m by 4.2 m [m]
   std::size_t points = 20'000;
 };
 
-/** With waves of 2 to 15 mm. The seeds 1 to 7 have 20 thousand to 2 million points, and
- * so all later ones. */
+/** Draws an amplitude of 2 to 15 mm. The seeds 1 to 7 have 20 thousand to 2 million
+ * points; later seeds repeat these numbers. */
 Plaster
 drawPlaster (Seed seed);
 
-/** The sensor is the origin; z is up. */
+/** The sensor is the origin; z is up.
+ * \param[in] noise factor on the noise and on the amplitude */
 SimulatedCloud
 scanPlaster (const Plaster& plaster, double noise, Seed seed);
 

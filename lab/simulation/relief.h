@@ -6,7 +6,7 @@
 
 namespace pcl_ops::simulation {
 
-/** Hills as the sum of waves across each other. */
+/** Hills as the sum of long and short waves in different directions. */
 struct Relief {
   double amplitude = 0.0;             // of the longer waves; 0: flat [m]
   double length = 180.0;              // of the longer waves [m]
@@ -15,9 +15,9 @@ struct Relief {
   double
   height (double x, double y) const
   {
-    // Unequal lengths, so that hills do not repeat.
+    // The wave lengths differ, so that hills do not repeat.
     constexpr double longer_along_y = 1.3;
-    constexpr double length_of_short_waves = 0.5; // over that of the long ones
+    constexpr double length_of_short_waves = 0.5; // share of the long waves' length
     constexpr double height_of_short_waves = 0.35;
     const double turns = 2.0 * pi / length;
     const double long_waves = std::sin (turns * x + phases[0]) *

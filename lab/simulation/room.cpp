@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::AlignedBox2d;
 
-/** Maybe with a window niche or a door whose leaf is set back. */
+/** Draws a wall, with a window niche or a door set back in it by the given chance. */
 Body
 drawWall (const WallRange& wall, double chance_of_opening, Random& random)
 {
@@ -33,12 +33,12 @@ drawWall (const WallRange& wall, double chance_of_opening, Random& random)
   return body;
 }
 
-/** Draws a room, then places pieces one by one where there is still space for them. */
+/** Draws a room, then places pieces one by one where the floor is still free. */
 struct Furnisher {
   Random random;
-  int walls; // the first of the four that a room has
+  int walls; // how many of the four walls the room has, from wall 0 on
   Site room = {};
-  std::vector<AlignedBox2d> occupied = {}; // the floor below the pieces
+  std::vector<AlignedBox2d> occupied = {}; // floor below the pieces
 
   /** \param[in] smallest, largest length, width and height [m] */
   void
@@ -65,8 +65,8 @@ struct Furnisher {
     room.scene.add (shell, turnZ (room.yaw));
   }
 
-  /** \param[in] along from the middle of the wall [m]
-   * \param[in] gap from its plane [m] */
+  /** \param[in] along distance from the middle of the wall along it [m]
+   * \param[in] gap distance from the wall's plane [m] */
   Isometry3d
   poseAtWall (int wall, double along, double gap) const
   {
@@ -110,7 +110,8 @@ struct Furnisher {
     }
   }
 
-  /** Takes the part of the floor that a piece covers, if it is free. */
+  /** Marks the floor that a piece covers as occupied.
+   * \return false if it is not free or not inside the room */
   bool
   occupy (const Vector2d& footprint, const Isometry3d& pose)
   {
@@ -134,7 +135,8 @@ struct Furnisher {
 
 constexpr double whole_turn = 2.0 * pi;
 
-/** \param[in] level the direction it looks in, of length 1 */
+/** Returns the pose of an upright camera.
+ * \param[in] level horizontal unit vector in which the camera looks */
 Isometry3d
 upright (const Vector3d& eye, const Vector3d& level)
 {
@@ -177,7 +179,8 @@ posesOn (const Way& way, std::size_t frames)
   return poses;
 }
 
-/** Frames on the first of some ways whose worst view shows the most surfaces. */
+/** Draws some ways and chooses the one whose worst view shows the most surfaces, the
+ * first among equals. \return poses of the frames on it */
 Poses
 drawBest (const Site& room,
           int ways,
@@ -205,7 +208,7 @@ drawBest (const Site& room,
 Site
 makeRoom (Seed seed)
 {
-  // For each piece at a wall and each in the room [m^2].
+  // Floor area per two further pieces, one at a wall and one anywhere [m^2].
   constexpr double floor_of_piece = 8.0;
   Furnisher furnisher{randomFor (Purpose::Room, seed), 4};
   Random& random = furnisher.random;
@@ -259,7 +262,7 @@ drawCameraPose (const Site& room, Seed seed)
     constexpr double wall_distance = 0.4; // [m]
     Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
     reach.z() = 1.0;
-    // From anywhere in the room over its middle, somewhat downwards.
+    // The camera looks from anywhere across the room's middle, somewhat downwards.
     const Vector3d eye = random.inBox ({-1, -1, 1.1}, {1, 1, 1.8}).cwiseProduct (reach);
     Vector3d target =
         random.inBox ({-0.4, -0.4, 0}, {0.4, 0.4, 0}).cwiseProduct (reach);

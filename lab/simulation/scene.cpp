@@ -12,7 +12,7 @@ using Kind = Shape::Kind;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** What Eigen::BVIntersect asks on its way to the nearest shape. */
+/** The intersector of Eigen::BVIntersect that finds the nearest shape on a ray. */
 struct RayCast {
   const Vector3d &origin, &direction;
   Hit closest = {};
@@ -29,7 +29,8 @@ struct RayCast {
     return is_inside ? distance : infinite;
   }
 
-  /** A closed cylinder is the part of an endless one between two planes. */
+  /** For a sphere or a cylinder: a closed cylinder is the part of an infinite cylinder
+   * between two planes. */
   double
   distanceToRound (const Shape& shape) const
   {
@@ -59,7 +60,7 @@ struct RayCast {
     return enter <= leave ? enter : infinite;
   }
 
-  /** Whether something nearer may be in a box. */
+  /** \return whether a nearer hit may be in a box */
   bool
   intersectVolume (const Eigen::AlignedBox3d& box) const
   {
@@ -73,7 +74,7 @@ struct RayCast {
     return enter <= leave && leave >= 0.0 && enter <= closest.distance;
   }
 
-  /** \return false: nearer ones may come */
+  /** \return false, so that the search goes on to nearer shapes */
   bool
   intersectObject (const Shape& shape)
   {

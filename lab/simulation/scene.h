@@ -23,8 +23,8 @@ using Eigen::Vector3d;
 
 using Seed = std::uint32_t;
 
-/** Each has random numbers of its own, so that a seed gives the same scene whatever the
- * camera and the noise. */
+/** Each purpose has its own stream of random numbers, so that a seed gives the same
+ * scene with any camera and any noise. */
 enum class Purpose : std::uint32_t {
   Room = 1,
   CameraPose,
@@ -64,7 +64,7 @@ randomFor (Purpose purpose, Seed seed)
   return Random (std::seed_seq{seed, std::uint32_t (purpose)});
 }
 
-/** Of equal chance for each octave. */
+/** Draws a number whose logarithm is uniform: each octave has equal probability. */
 inline double
 drawLogUniform (double lowest, double highest, Random& random)
 {
@@ -87,31 +87,31 @@ turn (double angle)
 
 constexpr auto turnX = turn<0>, turnY = turn<1>, turnZ = turn<2>;
 
-/** From the sensor's frame to that of the scene. */
+/** Transforms from the sensor's frame to the scene's frame, one per scan. */
 using Poses = std::vector<Isometry3d>;
 
-/** From 1; rectangles that are pieces of one flat surface share it. */
+/** Numbers surfaces from 1; rectangles of one flat surface have the same number. */
 using SurfaceId = std::uint32_t;
 
-/** Not a plane: round things, and strips too narrow to be called a surface. */
+/** Number of shapes that are no plane: round shapes, and too narrow rectangles. */
 constexpr SurfaceId no_surface = 0;
 
-/** A rectangle seen from both sides, a sphere, or a cylinder along u. Rays meet no
- * other shapes: a dome, the top of a sphere; a cone about an upright axis, without its
- * base; a torus about one. */
+/** A rectangle seen from both sides, a sphere, a cylinder along u, a dome (the top of a
+ * sphere), a cone without its base, or a torus; the last three have an upright axis.
+ * \ref castRay and \ref scanDensely support only the first three kinds. */
 struct Shape {
   enum class Kind { Rectangle, Sphere, Cylinder, Dome, Cone, Torus };
   Kind kind = Kind::Rectangle;
-  /** Of a dome its sphere's, of a cone its apex. */
+  /** Center; of a dome the center of its sphere, of a cone the apex [m]. */
   Vector3d center = Vector3d::Zero();
   Vector3d u = Vector3d::UnitX(), v = Vector3d::UnitY();
-  /** Half the edges [m]. Of what is round half_v is the radius (of a cone of its base,
-   * of a torus of its ring), half_u the height of a dome or a cone, and half that of a
-   * cylinder or a torus. */
+  /** Half the edges of a rectangle [m]. Of round shapes, half_v is the radius (of a
+   * cone's base, of a torus's ring); half_u is the height of a dome or a cone, and half
+   * the height of a cylinder or a torus. */
   double half_u = 0.5, half_v = 0.5;
   SurfaceId surface = no_surface;
-  /** Part of a turn that there is of a cylinder, cone or torus about an upright axis,
-   * around +y from there. */
+  /** A cylinder, cone or torus about an upright axis may exist only in part: over this
+   * share of a turn, centered on the direction +y from its axis. */
   double share = 1.0;
 
   Vector3d
@@ -126,7 +126,7 @@ struct Shape {
     return planeThrough (center, normal());
   }
 
-  /** Without the ends of a cylinder. */
+  /** \return [m^2]; of a cylinder without its ends */
   double
   area () const
   {
@@ -141,15 +141,15 @@ struct Shape {
 
 using Shapes = std::vector<Shape>;
 
-/** Eigen's tree asks for this name. */
+/** Eigen::KdBVH calls a function of this name. */
 Eigen::AlignedBox3d
 bounding_box (const Shape& shape);
 
-/** With edges at right angles. */
+/** \param[in] edge_u, edge_v full edges, at right angles to each other [m] */
 Shape
 makeRectangle (const Vector3d& center, const Vector3d& edge_u, const Vector3d& edge_v);
 
-/** A rectangle in a wall's frame: x along it, z up, y < 0 behind it [m]. */
+/** A rectangle in a wall's frame: x along the wall, z up, y < 0 behind the wall [m]. */
 struct WallRange {
   double left, right, bottom, top;
 
@@ -162,7 +162,7 @@ struct WallRange {
   }
 };
 
-/** The faces of a box that are left out because nothing can see them. */
+/** Faces of a box that are left out because no sensor can see them. */
 enum class HiddenFace { None, Bottom, BottomAndTop };
 
 /** A piece of furniture or the shell of a room, with its surfaces numbered from 1. */
@@ -171,14 +171,15 @@ struct Body {
   Vector2d footprint = Vector2d::Zero();
   Shapes shapes = {};
   SurfaceId surface_count = 0;
-  /** What is narrower is called no plane [m]: usually the edges of boards. */
+  /** A narrower rectangle gets no_surface [m]; by default the edges of boards. */
   double narrowest_surface = 0.05;
 
-  /** Adds a rectangle with a surface of its own, unless it is too narrow. */
+  /** Adds a rectangle as a new surface, or with no_surface if it is too narrow. */
   void
   addSurface (const Shape& rectangle);
 
-  /** From the middle of one edge to that of the opposite one. */
+  /** Adds a rectangle between the middles of two opposite edges.
+   * \param[in] edge vector along these edges [m] */
   void
   addFace (const Vector3d& from, const Vector3d& to, const Vector3d& edge)
   {
@@ -200,7 +201,7 @@ struct Body {
         {Shape::Kind::Cylinder, center, axis, Vector3d::Zero(), half, radius});
   }
 
-  /** An upright cylinder on \p foot. */
+  /** Adds an upright cylinder whose lower end has the center \p foot. */
   void
   addPole (const Vector3d& foot, double height, double radius)
   {
@@ -208,21 +209,21 @@ struct Body {
     addCylinder (foot + 0.5 * height * up, up, 0.5 * height, radius);
   }
 
-  /** Around the origin of the pose. */
+  /** Adds a box centered at the origin of the pose, along its axes. */
   void
   addBox (const Isometry3d& pose,
           const Vector3d& size,
           HiddenFace hidden = HiddenFace::None);
 
-  /** Adds a wall around a hole, one surface, with the hole's back and sides. */
+  /** Adds the wall around a hole as one surface, and the hole's back and sides. */
   void
   addWallAround (const WallRange& wall, const WallRange& hole, double depth);
 
-  /** With surfaces of their own. */
+  /** Adds the shapes of another body; its surfaces get new numbers. */
   void
   addPart (const Body& part, const Isometry3d& pose);
 
-  /** Gives rectangles in one plane the surface of the first of them. */
+  /** Gives coplanar rectangles the surface number of the first one. */
   void
   joinCoplanar ();
 };
@@ -241,11 +242,11 @@ struct Scene {
   }
 };
 
-/** That of surface 1 first. */
+/** \return the plane of surface i at index i - 1 */
 std::vector<Plane>
 surfacePlanes (const Scene& scene);
 
-/** At origin + distance * direction. */
+/** The nearest hit of a ray is at origin + distance * direction; infinite: no hit. */
 struct Hit {
   double distance = std::numeric_limits<double>::infinity();
   SurfaceId surface = no_surface;

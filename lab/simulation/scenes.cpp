@@ -49,7 +49,7 @@ simulateSurvey (const Simulation& simulation)
 SimulatedCloud
 simulateRoundShapes (const Simulation& simulation)
 {
-  constexpr double points = 250'000; // about 5000 on a square meter
+  constexpr double points = 250'000; // about 5000 per square meter
   return simulateShapes (
       pointsOr (points, simulation), simulation.noise, simulation.seed);
 }
@@ -100,7 +100,7 @@ simulateSlabs (const Simulation& simulation)
                     simulation.seed);
 }
 
-/** Surfaces of a scene as a sensor sees them.
+/** Returns the planes of a scene's surfaces in the frame of a sensor.
  * \param[in] pose from the sensor's frame to that of the scene */
 std::vector<Plane>
 planesSeenFrom (const Isometry3d& pose, Scene scene)
@@ -115,8 +115,8 @@ planesSeenFrom (const Isometry3d& pose, Scene scene)
   return surfacePlanes (scene);
 }
 
-/** A room in the frame of the camera, as drivers give it: steps of depth are steps of a
- * coordinate, and missing readings are at the origin. */
+/** Simulates a room in the frame of the camera, as drivers give it. So steps of depth
+ * are steps of z; in the scene "missing", missing readings are at the origin. */
 SimulatedCloud
 simulateImage (const Simulation& simulation)
 {
@@ -131,7 +131,7 @@ simulateImage (const Simulation& simulation)
   return image;
 }
 
-/** Scenes that are not seen by \ref viewOf alone. */
+/** Scenes with their own function; \ref viewOf alone does not make their clouds. */
 constexpr struct {
   const char* scene;
   SimulatedCloud (*simulate) (const Simulation&);

@@ -11,12 +11,12 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** Readings outside are lost [m]. */
+/** Readings outside this range of depth are lost [m]. */
 constexpr double nearest = 0.5, farthest = 8.0;
 constexpr double no_reading = std::numeric_limits<double>::infinity();
 
-/** Standard normal values, with the correlated profile alike for neighbors: white noise
- * filtered by a Gaussian and brought back to variance 1. */
+/** Draws standard normal values, one per pixel. Unless the noise is raw, neighbors are
+ * correlated: white noise is filtered by a Gaussian and scaled back to variance 1. */
 Field
 drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
@@ -39,7 +39,7 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
   return field;
 }
 
-/** The first of the four neighboring depths that is beyond an edge, if any. */
+/** Returns the first of the four neighboring depths that is across a depth edge. */
 std::optional<double>
 depthBeyondEdge (const Field& depths, Eigen::Index row, Eigen::Index column)
 {
@@ -59,7 +59,7 @@ depthBeyondEdge (const Field& depths, Eigen::Index row, Eigen::Index column)
   return std::nullopt;
 }
 
-/** Lets pixels at depth edges fly between the two sides, or loses them. */
+/** Moves some pixels at depth edges between the two sides, and loses others. */
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
@@ -83,7 +83,7 @@ disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
     }
 }
 
-/** All noise but that of the rays' directions. */
+/** Adds all noise except for the noise of ray directions. */
 void
 disturbDepths (DepthImage& image,
                const DepthCamera& camera,
@@ -92,7 +92,7 @@ disturbDepths (DepthImage& image,
 {
   // Distance between a Kinect's projector and camera [m], and steps of disparity per
   // pixel: Khoshelham & Elberink, "Accuracy and Resolution of Kinect Depth Data",
-  // Sensors 2012. The steps are those of the Kinect's own image also in a smaller one.
+  // Sensors 2012. An image of any size has the steps of the Kinect's own image.
   constexpr double baseline = 0.075;
   constexpr double disparity_steps = 8.0;
   constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
@@ -121,12 +121,12 @@ rotatingRay (const Lidar& lidar, int step, int beam)
           std::sin (elevation)};
 }
 
-/** The beam goes through two prisms that turn against each other, each of which bends
- * it by half of what both do together. */
+/** Returns the direction of a beam that passes two counter-rotating prisms. Each prism
+ * bends it by half of the largest deflection. */
 Vector3d
 rosetteRay (const Lidar& lidar, std::size_t ray)
 {
-  // Of a Livox Mid-40: the rosette is closed after half a minute.
+  // Speeds of a Livox Mid-40 [1/s]: the rosette is closed after half a minute.
   constexpr double turns_of_first = 7294.0 / 60.0;
   constexpr double turns_of_second = -4664.0 / 60.0;
   constexpr double rays_a_second = 1e5;
@@ -166,7 +166,7 @@ castDepthImage (const Scene& scene,
       double& depth = image.depth (row, column) = hit.distance;
       if (hit.surface == no_surface)
         continue;
-      // Where the pixel's own ray meets the plane, unless that is seen edge-on.
+      // Depth where the pixel's own ray meets the plane, unless the view is grazing.
       const Plane& plane = planes[hit.surface - 1];
       const double own = -plane.distance (eye) / plane.normal.dot (ray);
       if (std::abs (own - depth) < largest_slope * depth)
@@ -178,8 +178,8 @@ castDepthImage (const Scene& scene,
 Scan
 scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& noise)
 {
-  // Standard deviation of the rays' wandering along each image axis [px] (Nguyen et
-  // al., see disturbDepths).
+  // Standard deviation of the ray offsets along each image axis [px] (Nguyen et al.,
+  // see disturbDepths).
   constexpr double lateral_sigma = 0.8;
   Random random = randomFor (Purpose::DepthNoise, view.seed);
   const bool is_noisy = noise.scale > 0.0;
@@ -276,7 +276,7 @@ scanAround (const CastRay& cast,
             ? rosetteRay (lidar, number * rays + i)
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
     const Hit hit = cast (ray);
-    // Drawn for each ray, so that one reading more leaves the others as they are.
+    // Drawn for every ray, so that a further reading does not change the others.
     const double error = noise * lidar_sigma * random.gaussian();
     const double distance = hit.distance + error;
     if (!(distance > 0.0 && distance <= lidar.farthest))

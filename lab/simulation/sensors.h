@@ -10,18 +10,18 @@
 
 namespace pcl_ops::simulation {
 
-/** Of a Kinect's depth image of 640 columns [px]. */
+/** Focal length of a Kinect's depth image of 640 columns [px]. */
 constexpr double kinect_focal_length = 525.0;
 
-/** Its axes: x right, y down, z forward. */
+/** A pinhole camera with the axes x right, y down, z forward. */
 struct DepthCamera {
   int width = 640, height = 480;
 
-  /** Of length 1 along z. */
+  /** \return direction of a pixel's ray in the camera's frame, scaled to z = 1 */
   Vector3d
   ray (double column, double row) const
   {
-    // [px]: the field of view is a Kinect's whatever the width.
+    // Scaled with the width: the field of view is always a Kinect's [px].
     const double focal_length = kinect_focal_length * width / 640.0;
     return {(column - 0.5 * (width - 1)) / focal_length,
             (row - 0.5 * (height - 1)) / focal_length,
@@ -33,12 +33,13 @@ struct DepthCamera {
 using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct DepthImage {
-  Field depth; // along the camera's z axis [m]; infinite: nothing
+  Field depth; // along the camera's z axis [m]; infinite: no hit
   std::vector<SurfaceId> surface;
 };
 
-/** How many columns and rows beside its place each pixel looks: this frays the edges,
- * while the depth is that of the surface it sees at the pixel's place. */
+/** Offsets in columns and rows [px] of the ray by which a pixel finds its surface;
+ * empty: no offsets. They fray depth edges. The depth is still that of the found
+ * surface on the pixel's own ray, except for \ref no_surface and grazing views. */
 using Jitter = std::array<Field, 2>;
 
 DepthImage
@@ -47,7 +48,7 @@ castDepthImage (const Scene& scene,
                 const Isometry3d& pose,
                 const Jitter& jitter = {});
 
-/** A scene from the pose of a sensor. */
+/** A scene and the pose of a sensor in it. */
 struct View {
   const Scene& scene;
   Isometry3d pose;
@@ -55,44 +56,45 @@ struct View {
 };
 
 struct CameraNoise {
-  /** Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
+  /** Factor on all noise; 1: as measured on a Kinect, 0: no noise. */
   double scale = 1.0;
-  /** Each pixel errs by itself and the disparity comes in steps of 1/8 px; else the
-   * depth is smoothed: neighboring pixels err alike. */
+  /** True: errors of pixels are independent, and disparity has steps of 1/8 px. False:
+   * depth is smoothed, and errors of neighboring pixels are correlated. */
   bool is_raw = false;
   /** Standard deviation s of the Gaussian filter of smoothed depth [px]: at a distance
    * d the correlation is exp (-d^2 / (4 s^2)). */
   double smoothing = 3.0;
-  /** q if a smoothed depth is q / n with a whole number n, so that at a depth z it
-   * comes in steps of z^2 / q; 0: as it is [m]. */
+  /** If this q > 0, smoothed depth is rounded to q / n with an integer n, so that its
+   * steps at a depth z are z^2 / q [m]. 0: no steps. */
   double quantization = 0.0;
 };
 
-/** Of a Kinect, by the seed: steps of 6.5 to 8 cm at 5 m. */
+/** Draws \ref CameraNoise::quantization of a Kinect: steps of 6.5 to 8 cm at 5 m. */
 double
 drawQuantization (Seed seed);
 
-/** One point for each pixel; none where its depth is out of range. */
+/** Returns one point per pixel; NaN where the depth is outside 0.5 to 8 m. */
 Scan
 toScan (DepthImage image, const DepthCamera& camera);
 
-/** Rays wander sideways, depths are noisy, pixels at depth edges fly between the two
- * sides, on no surface, or are lost, as is what is out of range. */
+/** Simulates a depth image with noise of ray directions and of depths. Some pixels at
+ * depth edges get a depth between the two sides and no surface (flying pixels), others
+ * are lost. Depths out of range are lost as well. */
 Scan
 scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& noise);
 
 /** Standard deviation of a lidar's distances [m]. */
 constexpr double lidar_sigma = 0.02;
 
-/** A lidar in its axes: x forward, y left, z up. It sends some beams at once, one above
- * the other, highest first, and so around clockwise; or with \ref beams 1 a single one
- * along a rosette whose gaps the next scans fill. */
+/** A lidar with the axes x forward, y left, z up. A rotating lidar casts a column of
+ * beams at once, the highest first, and turns clockwise. With \ref beams 1, a single
+ * beam follows a rosette, whose gaps the next scans fill. */
 struct Lidar {
   const char* name;
-  int beams, steps;       // how many at once, and how often in a scan
-  double highest, lowest; // elevations of the outer beams or the edge [degree]
+  int beams, steps;       // beams cast at once, and casts per scan
+  double highest, lowest; // elevations of the outer beams or rosette edge [degree]
   double farthest;        // readings beyond are lost [m]
-  /** Most beams are within 6 degrees of the level; else they are equally far apart. */
+  /** True: most beams are within 6 degrees of horizontal. False: equal spacing. */
   bool is_dense_at_level = false;
 
   bool
@@ -101,7 +103,8 @@ struct Lidar {
     return beams == 1;
   }
 
-  /** Of a rotating lidar's beam, the highest first [degree]. */
+  /** \param[in] beam of a rotating lidar, 0 is the highest
+   * \return elevation [degree] */
   double
   elevation (int beam) const;
 };
@@ -114,14 +117,16 @@ constexpr Lidar known_lidars[] = {
     {"lidar-64-level", 64, 1800, 15.0, -25.0, 130.0, true},
     {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
 
-/** That of a name; of another one the last. */
+/** Returns the known lidar of a name; the last one if the name is unknown. */
 Lidar
 lidarOf (const std::string& name);
 
-/** What a ray in the sensor's frame meets. */
+/** Returns the nearest hit of a ray from the sensor, given in the sensor's frame. */
 using CastRay = std::function<Hit (const Vector3d& ray)>;
 
-/** \param[in] seed of the noise
+/** Simulates a scan; rays without a hit in range have NaN points.
+ * \param[in] noise factor on \ref lidar_sigma
+ * \param[in] seed of the noise
  * \param[in] number of the scan: a rosette goes on where the last scan ended */
 Scan
 scanAround (const CastRay& cast,

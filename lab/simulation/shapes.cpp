@@ -10,8 +10,8 @@ namespace {
 
 using Kind = Shape::Kind;
 
-/** Ranges of sizes [m]; heights of domes follow from their radii. The large height of a
- * cone is in multiples of its radius, that of a torus of the smallest large radius. */
+/** Ranges of sizes [m]; heights of domes follow from their radii. large_height of a
+ * cone is a multiple of its radius, of a torus one of the smallest large radius. */
 constexpr struct ShapeSizes {
   Kind kind;
   struct {
@@ -22,7 +22,7 @@ constexpr struct ShapeSizes {
                        {Kind::Cone, {0.3, 0.6}, {0.8, 1.6}, {0.7, 1.0}},
                        {Kind::Torus, {0.4, 0.6}, {0.1, 0.2}, {0.3, 0.5}}};
 
-/** About an upright axis. */
+/** Makes a shape about an upright axis. */
 Shape
 makeRound (
     Kind kind, const Vector3d& center, double radius, double height, double share = 1.0)
@@ -32,7 +32,7 @@ makeRound (
   return {kind, center, up, none, height, radius, no_surface, share};
 }
 
-/** Beside the ground, which begins at y = 0.
+/** Draws a small shape beside the ground, which begins at y = 0.
  * \param[in] position in the row, from 0 to 3 */
 Shape
 drawSmall (const ShapeSizes& sizes, int position, Random& random)
@@ -48,7 +48,7 @@ drawSmall (const ShapeSizes& sizes, int position, Random& random)
   return makeRound (sizes.kind, {(position - 1.5) * distance, row, z}, radius, height);
 }
 
-/** Behind the small ones. */
+/** Draws a part of a large shape, in a row behind the small shapes. */
 Shape
 drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
@@ -57,7 +57,7 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   constexpr double smallest = 0.6;
   constexpr double largest = 5.5; // radii [m]
   const double x = (position - 1.5) * distance;
-  // Of equal chance for each octave.
+  // The logarithm is uniform.
   const double radius = smallest * std::pow (largest / smallest, random.unit());
   const double unit = sizes.kind == Kind::Cone    ? radius
                       : sizes.kind == Kind::Torus ? smallest
@@ -65,8 +65,8 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   const bool is_dome = sizes.kind == Kind::Dome;
   const auto& [lowest, highest] = sizes.large_height;
   double height = is_dome ? 0.0 : unit * random.between (lowest, highest);
-  // 2 to 2.4 m long, so that it bends by far more than the noise however large the
-  // radius; of small ones about a third of a turn.
+  // The part is 2 to 2.4 m long, so that it bends by far more than the noise at any
+  // radius; for small radii it is about a third of a turn.
   const double length = std::min (random.between (2.0, 2.4), 2.0 * radius);
   const double share = length / (2.0 * pi * radius);
   if (!is_dome)
@@ -75,7 +75,7 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   return makeRound (sizes.kind, {x, row, height - radius}, radius, height);
 }
 
-/** On the middle of the ground, turned about the vertical and leaning back a little. */
+/** Draws a board on the middle of the ground, with any yaw, leaning back a little. */
 Shape
 drawBoard (const Shape& ground, Random& random)
 {

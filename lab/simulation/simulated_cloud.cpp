@@ -27,7 +27,8 @@ drawOnConeOrTorus (const Shape& shape, Random& random)
   const Vector3d across = drawAcross (random);
   const Vector3d up = Vector3d::UnitZ();
   if (shape.kind == Kind::Cone) {
-    // The share of area above grows with the square of the distance from the apex.
+    // The area between the apex and a height grows with the square of the distance
+    // from the apex.
     const double down = std::sqrt (random.unit());
     return {shape.center + down * (radius * across - height * up),
             (height * across + radius * up).normalized()};
@@ -41,7 +42,7 @@ drawOnConeOrTorus (const Shape& shape, Random& random)
   return {shape.center + radius * across + height * normal, normal};
 }
 
-/** A point of a shape as if its share were 1. */
+/** Draws a point of the whole shape, as if its share were 1. */
 SurfacePoint
 drawOfWhole (const Shape& shape, Random& random)
 {
@@ -68,8 +69,8 @@ drawOfWhole (const Shape& shape, Random& random)
   return {shape.center + shape.half_v * normal, normal};
 }
 
-/** Points of unknown surfaces are on none from then on.
- * \return which these are; empty if there is none */
+/** Sets the label of points of \ref unknown_surface to \ref no_surface.
+ * \return a mark per point for these points; empty if there is no such point */
 std::vector<char>
 takeUnknown (LabeledCloud& cloud)
 {
@@ -151,7 +152,7 @@ drawPoint (const Shape& shape, Random& random)
   const SurfacePoint whole = drawOfWhole (shape, random);
   if (!(shape.share < 1.0))
     return whole;
-  // Turned about the axis into the part.
+  // The angle about the axis is scaled into the existing part of the shape.
   const Vector3d local = whole.position - shape.center;
   const double around = std::atan2 (-local.x(), local.y());
   const Eigen::AngleAxisd turn ((shape.share - 1.0) * around, Vector3d::UnitZ());

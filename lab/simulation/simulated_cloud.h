@@ -11,26 +11,27 @@ namespace pcl_ops::simulation {
 
 using LabeledCloud = pcl::PointCloud<pcl::PointXYZL>;
 
-/** Labels are 1 .. P by falling number of points, 0 for points on no plane. */
+/** A cloud with true labels: 1 .. P by falling number of points, 0 is no plane. */
 struct SimulatedCloud {
   LabeledCloud cloud;
-  std::vector<Plane> planes; // that of label 1 first
-  /** Of each point whether its truth is unknown, as on hilly ground: any answer is
-   * right there. Empty: all are known. */
+  std::vector<Plane> planes; // the plane of label i at index i - 1
+  /** Whether the truth of a point is unknown, per point, as on hilly ground: any label
+   * is right there. Empty: all truth is known. */
   std::vector<char> is_ignored = {};
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
 };
 
-/** Stands in for a surface where it is no plane, but parts of it may be called one. */
+/** Number of a surface that is no plane, but has parts a detector may call planes. */
 constexpr SurfaceId unknown_surface = std::numeric_limits<SurfaceId>::max();
 
-/** A surface with fewer has label 0. */
+/** Points of a surface with fewer points get label 0. */
 constexpr std::size_t min_points_of_plane = 50;
 
-/** \param[in] cloud its labels are surfaces; NaN points 0; points of \ref
+/** Replaces surface numbers by labels that fall with the number of points.
+ * \param[in] cloud its labels are surface numbers, 0 for NaN points; points of \ref
  * unknown_surface are ignored and get label 0
- * \param[in] surfaces the plane of each
- * \param[in] min_points a surface with fewer has label 0 */
+ * \param[in] surfaces the plane of surface i at index i - 1
+ * \param[in] min_points points of a surface with fewer points get label 0 */
 SimulatedCloud
 labeledBySize (LabeledCloud cloud,
                const std::vector<Plane>& surfaces,
@@ -39,44 +40,45 @@ labeledBySize (LabeledCloud cloud,
 pcl::PointXYZL
 pointAt (const Vector3d& position, SurfaceId surface);
 
-/** Ray by ray, in the order a sensor casts them. */
+/** One reading per ray, in the order in which a sensor casts the rays. */
 struct Scan {
   std::size_t columns = 0, rows = 0;
-  /** As a rotating lidar casts them. */
+  /** Order of rays of a rotating lidar; false: row by row. */
   bool column_by_column = false;
   /** In the sensor's frame [m]; NaN: no reading. */
   std::vector<Vector3d> points = {};
   std::vector<SurfaceId> surfaces = {};
 };
 
-/** Labeled by surfaces.
- * \param[in] pose from the sensor's frame to that of the points; becomes that of the
- * cloud
- * \param[in] organized one point for each ray, row by row, NaN without a reading; else
- * one for each reading, in the order of the rays */
+/** Returns a cloud whose labels are surface numbers.
+ * \param[in] pose from the sensor's frame to the frame of the points; becomes the
+ * sensor pose of the cloud
+ * \param[in] organized true: one point per ray, row by row, NaN without a reading;
+ * false: one point per reading, in the order of the rays */
 LabeledCloud
 toSurfaceCloud (const Scan& scan, const Isometry3d& pose, bool organized);
 
-/** A point of a surface and the direction its distance errs in. */
+/** A point on a surface, and the surface normal, along which noise shifts it. */
 struct SurfacePoint {
   Vector3d position, normal;
 };
 
-/** A uniform draw: of a cylinder from its side only. */
+/** Draws a point uniformly by area; of a cylinder only from the curved side. */
 SurfacePoint
 drawPoint (const Shape& shape, Random& random);
 
-/** Spread by area, one shape after the other, labeled by surfaces.
- * \param[in] points exact number; none if the shapes have no area
- * \param[in] sigma standard deviation along the normal [m] */
+/** Draws points uniformly by area, one shape after the other; labels are surfaces.
+ * \param[in] points exact number; the cloud is empty if the shapes have no area
+ * \param[in] sigma standard deviation of the points along the normal [m] */
 LabeledCloud
 drawPoints (const Shapes& shapes, std::size_t points, double sigma, Random& random);
 
 /** Standard deviation of a terrestrial laser scanner's distances [m]. */
 constexpr double laser_sigma = 0.003;
 
-/** All surfaces evenly, whatever hides them: a registered scan from everywhere. The
- * sensor's origin is the middle of the first body, the room's shell. */
+/** Scans all rectangles, spheres and cylinders with equal density, also hidden ones, as
+ * in a registered scan from everywhere. The sensor's origin is the middle of the first
+ * body, the shell of a room. */
 SimulatedCloud
 scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed);
 

@@ -15,16 +15,17 @@ using Eigen::AlignedBox2d;
 constexpr double ceiling_height = 2.6;
 constexpr std::size_t rays_of_position = 100'000;
 
-/** A rectangle of a wall where it has no surface: along the wall from .. to, and its
- * heights [m]. */
+/** A rectangle of a wall without a surface: its range along the wall and its heights
+ * [m]. */
 struct Hole {
   double from, to, bottom, top;
 };
 
-/** One side of a room. */
+/** The wall face on one side of a room. */
 struct Face {
   std::size_t room;
-  /** It is at this place of this axis, its front in this direction along it. */
+  /** The face is at the coordinate \p place of this axis (0: x, 1: y); its front looks
+   * along the axis (1) or against it (-1). */
   int axis;
   double place, front;
   double from, to; // along the other axis
@@ -48,7 +49,7 @@ struct Face {
   }
 };
 
-/** Halves a box by walls until all parts are rooms. */
+/** Divides a box by walls in two parts, until all parts are as small as rooms. */
 void
 divide (const AlignedBox2d& box, Random& random, std::vector<AlignedBox2d>& rooms)
 {
@@ -85,7 +86,7 @@ facesOf (const std::vector<AlignedBox2d>& rooms)
   return faces;
 }
 
-/** The other side of the wall where two faces are back to back. */
+/** \return whether two faces are back to back, as the two sides of one wall */
 bool
 areSidesOfAWall (const Face& one, const Face& other)
 {
@@ -95,7 +96,7 @@ areSidesOfAWall (const Face& one, const Face& other)
          apart < thickest;
 }
 
-/** The surfaces around an opening, through the whole wall. */
+/** Adds the four surfaces around an opening, through the whole wall. */
 void
 addReveal (const Face& face, const Hole& hole, double depth, Body& body)
 {
@@ -123,7 +124,7 @@ cutDoorsAndPanes (const StoryHardship& hardship,
 {
   constexpr double door_width = 0.9;
   constexpr double door_height = 2.05;
-  constexpr double least = 1.4; // of a wall with a door
+  constexpr double least = 1.4; // length of a wall with a door [m]
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size(); ++j) {
       Face& one = faces[i];
@@ -171,7 +172,7 @@ cutWindows (Random& random, std::vector<Face>& faces, Body& body)
     }
 }
 
-/** A face but for its holes, and for what gives no reading. */
+/** Adds a face without its holes and without the part that gives no reading. */
 void
 addFace (const Face& face, const Hole& unread, Body& body)
 {
@@ -235,7 +236,8 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
       }
 }
 
-/** Cupboards before a wall, until a share of it is behind them; not before openings. */
+/** Adds cupboards in front of a wall, but not of its openings, until they hide a share
+ * of its length. */
 void
 furnish (const Face& face, double share, Random& random, Body& body)
 {
@@ -285,7 +287,7 @@ scatterClutter (const AlignedBox2d& room, int pieces, Random& random, Body& body
   }
 }
 
-/** The i-th of evenly spread directions (a spiral by the golden angle). */
+/** Returns the i-th of evenly spread unit directions (golden angle spiral). */
 Vector3d
 directionOf (std::size_t i)
 {
@@ -335,7 +337,7 @@ makeStory (Seed seed, const StoryHardship& hardship)
 {
   Random random = randomFor (Purpose::Story, seed);
   Story story;
-  // Braces: arguments in parentheses are evaluated in any order.
+  // Braces fix the order of evaluation; parentheses do not.
   const Vector2d size{random.between (10.0, 13.0), random.between (7.0, 9.0)};
   divide ({-0.5 * size, 0.5 * size}, random, story.rooms);
   story.yaw = random.angle (0.0, 45.0);

@@ -10,32 +10,32 @@
 
 namespace pcl_ops::simulation {
 
-/** What makes a story hard to draw a plan of. */
+/** Properties of a scanned story that make its floor plan hard to find. */
 struct StoryHardship {
-  /** Share of each wall with cupboards before it, 0.7 to 2 m high. */
+  /** Share of each wall's length behind cupboards of 0.7 to 2 m height. */
   double furnished = 0.0;
-  /** Whether the wall between two rooms has a pane from floor to ceiling, which no
-   * sensor sees, 1.5 to 2.5 m wide. */
+  /** Whether a long enough wall between two rooms has a glass pane instead of a door.
+   * It is 1.5 to 2.5 m wide, ends 0.1 m below the ceiling, and gives no reading. */
   bool has_glass = false;
-  /** Share of each wall that gives no reading, as mirrors and black paint. */
+  /** Share of each wall's length without readings, as mirrors and black paint. */
   double missing = 0.0;
-  /** Boxes and balls that lie about in each room. */
+  /** Number of boxes and balls on the floor of each room. */
   int clutter = 0;
   bool has_ceiling = true;
   /** Standard deviation of each coordinate [m]. */
   double noise = 0.003;
-  /** How wrong the next position is, over its distance from the one before. */
+  /** Error that each step to the next scan position adds, per step length. */
   double drift = 0.0;
 };
 
 /** Rooms between walls of 8 to 24 cm, with doors between most neighbors and windows in
  * the outer walls, scanned from a tripod in each room; z is up, the floor is at 0. */
 struct Story {
-  /** Between the faces of their walls. */
+  /** Extents between the wall faces, before the turn by yaw [m]. */
   std::vector<Eigen::AlignedBox2d> rooms;
-  /** Pairs of rooms with a door or a pane between them, each with the smaller first. */
+  /** Index pairs of rooms with a door or a pane between them, the smaller one first. */
   std::set<std::pair<std::size_t, std::size_t>> doors;
-  /** Of the rooms against the x axis of the cloud, about the origin [rad]. */
+  /** Rotation of the rooms about the origin in the cloud's frame [rad]. */
   double yaw = 0.0;
   LabeledCloud cloud;
 };

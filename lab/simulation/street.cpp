@@ -10,8 +10,8 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** Walls beside the neighbors, which the ground hides below z = 0, and often the slope
- * of a gable roof towards the street, which hides the other one. */
+/** Adds the side walls, whose part below z = 0 the ground hides, and often the roof
+ * slope towards the street. That slope hides the other one. */
 void
 addSidesAndRoof (Body& house, double width, double eaves, Random& random)
 {
@@ -34,7 +34,8 @@ struct Opening {
   double width, height, sill, depth;
 };
 
-/** Its facade towards +y stands on the origin. All windows are equally deep.
+/** Draws a house whose facade looks to +y, with the middle of its foot at the origin.
+ * All windows are equally deep.
  * \param[in] width of the facade [m] */
 Body
 drawTownHouse (double width, Random& random)
@@ -43,7 +44,7 @@ drawTownHouse (double width, Random& random)
   const int bays = int (width / random.between (2.8, 3.4));
   const double story_height = random.between (2.7, 3.2);
   const double bay_width = width / bays;
-  // An initializer list is drawn from left to right.
+  // An initializer list is evaluated from left to right.
   const Opening window{random.between (0.9, 1.6),
                        random.between (1.2, 1.6),
                        random.between (0.7, 1.0),
@@ -75,7 +76,8 @@ drawTownHouse (double width, Random& random)
   return house;
 }
 
-/** Along x on round wheels; the triangles beside its slanted windows are open. */
+/** Draws a car along x on round wheels. The triangles beside its slanted windows are
+ * open. */
 Body
 drawCar (Random& random)
 {
@@ -114,15 +116,16 @@ drawCar (Random& random)
   return car;
 }
 
-/** Adds leaves, small balls, evenly in a ball where it is above the lowest. */
+/** Adds leaves (small balls), evenly distributed in a ball above a lowest height.
+ * \param[in] crown radius of the ball [m] */
 void
 addLeaves (
     Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
 {
   constexpr double leaf = 0.03;
   constexpr double largest_leaf = 0.08; // radii [m]
-  // Such that about a quarter of the rays through the middle pass between the leaves;
-  // half of the places are outside the ball.
+  // With this number about a quarter of the rays through the middle pass between the
+  // leaves; half of the drawn places are outside the ball and get no leaf.
   const double radii = crown / largest_leaf;
   const auto leaves = int (4.0 * radii * radii);
   for (int i = 0; i < leaves; ++i) {
@@ -146,13 +149,13 @@ drawTree (Random& random)
   return tree;
 }
 
-/** In a frame of its own: x along the street, y towards the road, y = 0 the curb, z up
- * from the road. */
+/** One side of a street. Its frame has x along the street, y towards the road, y = 0 at
+ * the curb, and z up from the road. */
 struct Roadside {
   Isometry3d pose;
-  double length, curb; // and height of the curb [m]
+  double length, curb; // of the street, and height of the curb [m]
   double sidewalk;     // from the curb to the gardens [m]
-  double slope;        // how the ground rises from the curb on
+  double slope;        // rise of the ground from the curb on, per length
 
   Isometry3d
   onGround (double x, double y) const
@@ -182,7 +185,7 @@ addHouses (Scene& scene, const Roadside& side, Random& random)
 {
   constexpr double narrow = 9.0;
   constexpr double wide = 15.0; // [m]
-  // Facades are so far behind each other that no two are in one plane [m].
+  // Offset between facades, so that no two are coplanar [m].
   constexpr double setback_step = 0.4;
   std::vector<int> rows (std::size_t (side.length / narrow));
   std::iota (rows.begin(), rows.end(), 0);

@@ -8,7 +8,8 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** Error at a pixel in multiples of the bend: a parabola in both directions. */
+/** Returns the depth error at a pixel in multiples of the bend: a parabola in both
+ * directions. */
 double
 errorAt (const DepthCamera& camera, int column, int row)
 {
@@ -19,7 +20,7 @@ errorAt (const DepthCamera& camera, int column, int row)
   return in_the_middle + right * right + share_of_rows * down * down;
 }
 
-/** In steps that the noise blurs a little. */
+/** Returns the depth with noise and bend, in steps that are blurred a little. */
 double
 disturbed (double depth, double bend, const Table& table, double noise, Random& random)
 {

@@ -19,40 +19,40 @@
 namespace pcl_ops {
 
 struct FloorPlanParameters {
-  /** \brief Where walls are cut, over the lowest floor [m]; for another story add its
-   * height. It is above most furniture, below the
-   * heads of doors and windows, as in architects' plans. */
+  /** \brief Height over the lowest floor at which walls are cut [m]; for another story
+   * add its height. The default is above most furniture and below the heads of doors
+   * and windows, as in architects' plans. */
   double cut_height = 1.2;
-  /** \brief The narrowest gap of a wall that is an opening [m]. */
+  /** \brief Smallest width of a gap in a wall that is an opening [m]. */
   double min_opening = 0.4;
-  /** \brief The widest one: what is farther apart are two walls [m]. */
+  /** \brief Largest width of an opening [m]. A wider gap separates two walls. */
   double max_opening = 4.0;
-  /** \brief Farthest that an end of a wall is drawn to, or cut off at, another wall
-   * [m]. */
+  /** \brief Largest distance by which an end of a wall is extended or cut back to
+   * another wall [m]. */
   double max_snap = 0.35;
-  /** \brief The smallest room [m^2]. */
+  /** \brief Smallest area of a room [m^2]. */
   double min_room = 1.0;
-  /** \brief The length of a meter in the unit of the cloud and of its planes, 1000 of
-   * millimeters; all else here and the plan are in meters. */
+  /** \brief The length of a meter in the unit of the cloud and its planes: 1000 if the
+   * unit is a millimeter. The other parameters and the plan are in meters. */
   double meter = 1.0;
 };
 
-/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of the parameters; empty if they are valid. */
 PCL_OPS_EXPORT std::string
 validate (const FloorPlanParameters& parameters);
 
-/** \brief A gap of a wall at the height of the cut. */
+/** \brief An opening: a gap in a wall at the height of the cut. */
 struct PlanOpening {
   /** \brief Its ends in the frame of the plan [m]. */
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
-  /** \brief Heights over the floor of what is seen of the wall below and above it [m];
-   * nothing where the wall has no points there. */
+  /** \brief Heights over the floor of the wall points next below and above the cut [m];
+   * not set if the wall has no points there. */
   std::optional<double> sill;
   std::optional<double> head;
-  /** \brief Positions in FloorPlan::rooms of the rooms before and behind the wall:
-   * within 0.3 m of either side, or within 0.7 m behind it where its other side was not
-   * seen; nothing where there is none. */
+  /** \brief Indices, into FloorPlan::rooms, of the rooms before and behind the wall. A
+   * room is searched within 0.3 m of each side of the wall; if the other side was not
+   * seen, within 0.7 m behind the wall. Not set if there is no room. */
   std::optional<std::size_t> room_before;
   std::optional<std::size_t> room_behind;
 
@@ -62,24 +62,25 @@ struct PlanOpening {
     return (to - from).norm();
   }
 
-  /** \brief Whether one can walk through: no wall was seen below it but for a
-   * threshold below 0.25 m. Else it is a window; one whose parapet is hidden is taken
-   * for a door. */
+  /** \brief Returns whether the opening is a door: it has no sill, or one below 0.25 m,
+   * a threshold. Otherwise it is a window. A window with a hidden parapet counts as a
+   * door. */
   PCL_OPS_EXPORT bool
   isDoor () const;
 };
 
-/** \brief One side of a wall, from corner to corner. The room before it is on the left
- * on the way from its first end to its second. */
+/** \brief One side of a wall, from corner to corner. The room before the wall is on the
+ * left, looking from \ref from to \ref to. */
 struct PlanWall {
   /** \brief Its ends in the frame of the plan [m]. */
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
-  /** \brief To the other side, where that was seen, too [m]. */
+  /** \brief Distance to the other side of the wall [m]; not set if that was not seen.
+   */
   std::optional<double> thickness;
-  /** \brief From its first end on. */
+  /** \brief Openings, in the order from \ref from to \ref to. */
   std::vector<PlanOpening> openings;
-  /** \brief Positions in the list of planes, ascending. */
+  /** \brief Indices of the wall's planes in the list of planes, ascending. */
   std::vector<std::size_t> planes;
 
   double
@@ -88,7 +89,7 @@ struct PlanWall {
     return (to - from).norm();
   }
 
-  /** \brief The parts between the openings: two ends each. */
+  /** \brief Returns both ends of each part between openings, in the plan [m]. */
   PCL_OPS_EXPORT std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>
   solidParts () const;
 };
@@ -96,60 +97,64 @@ struct PlanWall {
 struct PlanRoom {
   /** \brief The outline counter-clockwise, then holes clockwise. */
   PlanarRings rings;
-  /** \brief Of the outline less the holes [m^2]. */
+  /** \brief Area of the outline minus the area of the holes [m^2]. */
   double area = 0.0;
-  /** \brief How much of the outline is walls and their openings, 0.5 to 1: elsewhere
-   * the room goes on, or its walls were not seen. What has less is no room. */
+  /** \brief Share of the outline on walls and their openings, 0.5 to 1. At the rest the
+   * room continues, or its walls were not seen. Areas with a smaller share are no
+   * rooms. */
   double enclosed = 0.0;
-  /** \brief The parts of the outline without a wall that are 5 cm or longer, two ends
-   * each, in the frame of the plan [m]. */
+  /** \brief Both ends of each part of the outline without a wall, in the frame of the
+   * plan [m]. Parts shorter than 5 cm are left out. */
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> unseen;
-  /** \brief Along up, from zero of the planes' frame [m]; nothing where it was not
-   * seen. */
+  /** \brief Heights of floor and ceiling, along up from the origin of the planes' frame
+   * [m]; not set if not seen. */
   std::optional<double> floor;
   std::optional<double> ceiling;
-  /** \brief A place within, for its name. */
+  /** \brief A position inside the room, for a label. */
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
 };
 
-/** \brief A level cut through a building. */
+/** \brief A floor plan: a horizontal cut through a building. */
 struct FloorPlan {
-  /** \brief From the frame of the planes to that of the plan, in meters: x and y are
-   * those of the plan, z is the height. Where up is z, x and y are those of the planes.
-   */
+  /** \brief Transforms from the frame of the planes to the frame of the plan, in
+   * meters: x and y are coordinates in the plan, z is the height. If up is the z axis,
+   * the axes of both frames are parallel. */
   Eigen::Matrix3d to_plan = Eigen::Matrix3d::Identity();
-  /** \brief Height of the floor that the cut is over, and of the cut [m]. */
+  /** \brief Height of the floor below the cut, and height of the cut [m]. */
   double floor = 0.0;
   double height = 0.0;
   std::vector<PlanWall> walls;
-  /** \brief By falling area; none where there are more than 1000 walls. */
+  /** \brief Rooms by descending area; empty if there are more than 1000 walls. */
   std::vector<PlanRoom> rooms;
 
-  /** \brief The rooms that doors lead to from a room, ascending, each once: the graph
-   * of the rooms.
-   * \param[in] room its position in \ref rooms
-   * \return empty for a position that is none */
+  /** \brief Returns the neighbors of a room in the graph of rooms, whose edges are
+   * doors.
+   * \param[in] room index into \ref rooms
+   * \return indices into \ref rooms, ascending, each once; empty if \p room is out of
+   * range */
   PCL_OPS_EXPORT std::vector<std::size_t>
   roomsBehindDoorsOf (std::size_t room) const;
 };
 
-/** \brief The floor plan of what planes were found, as far as walls were seen.
+/** \brief Makes a floor plan from planes and their kinds, as far as walls were seen.
  *
- * Walls that continue one another become one line each; their points at the height of
- * the cut say where they are and where their openings are, unless something stands
- * before the gap. Ends are drawn to the walls next to them. The lines of all walls
- * divide the plan into cells. Those under a ceiling or over a floor are in rooms, and
- * rooms go on over other cells up to a wall: a minimum cut tells it for all at once
- * (after Ochmann, Vock, Wessel & Klein, *Automatic reconstruction of parametric
- * building models from indoor point clouds*, Computers & Graphics 54, 2016).
- * \param[in] cloud the input cloud the planes were found in
- * \param[in] planes as a detector gives them
- * \param[in] kinds what they are, as \ref planeKinds says
- * \param[in] up against gravity, any length but 0
- * \param[in] parameters ones \ref validate finds nothing wrong with
- * \param[in] shift zero of the cloud's frame in that of the planes [unit of the cloud]
- * \throw std::invalid_argument if there is a problem, an inlier that is no point of the
- * cloud, or not one kind for each plane */
+ * Wall planes that continue each other become one line. The points at the height of the
+ * cut tell where the walls and their openings are; a gap hidden by an object is no
+ * opening. Ends of walls are moved to adjacent walls. The lines of all walls divide the
+ * plan into cells. Cells under a ceiling or over a floor are in rooms, and rooms extend
+ * over other cells up to a wall: a minimum cut decides it for all cells at once (after
+ * Ochmann, Vock, Wessel & Klein, *Automatic reconstruction of parametric building
+ * models from indoor point clouds*, Computers & Graphics 54, 2016).
+ * \param[in] cloud the input cloud of the detection
+ * \param[in] planes the planes that a detector returned
+ * \param[in] kinds the kind of each plane, from \ref planeKinds
+ * \param[in] up direction against gravity, of any length but 0
+ * \param[in] parameters must be valid (\ref validate)
+ * \param[in] shift origin of the cloud's frame in the frame of the planes [unit of the
+ * cloud]
+ * \throw std::invalid_argument if the parameters are wrong, \p up is zero or not
+ * finite, the numbers of kinds and planes differ, or an inlier is not an index into the
+ * cloud */
 PCL_OPS_EXPORT FloorPlan
 findFloorPlan (const CloudView& cloud,
                const std::vector<PlaneSegment>& planes,

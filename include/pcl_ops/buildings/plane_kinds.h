@@ -13,16 +13,16 @@
 
 namespace pcl_ops {
 
-/** \brief What a plane is in a building, or outside of one. */
+/** \brief The kind of a plane in or around a building. */
 enum class PlaneKind {
   /** \brief The lowest large level surface of a story; outdoors the ground. */
   Floor,
-  /** \brief What is above a story, seen from below. */
+  /** \brief A level surface above a story, seen from below. */
   Ceiling,
   Wall,
-  /** \brief A large level surface that is none of the others: a platform, a landing. */
+  /** \brief Any other large level surface: a platform, a landing. */
   Slab,
-  /** \brief Sloping or level, with nothing standing on it, above head height. */
+  /** \brief A sloping or level surface above head height, with no walls on it. */
   Roof,
   /** \brief A sloping surface that begins at a floor. */
   Ramp,
@@ -31,32 +31,34 @@ enum class PlaneKind {
   Other
 };
 
-/** \brief "floor", "ceiling", "wall", "slab", "roof", "ramp", "table" or "other". */
+/** \brief Returns "floor", "ceiling", "wall", "slab", "roof", "ramp", "table" or
+ * "other". */
 PCL_OPS_EXPORT const char*
 toString (PlaneKind kind);
 
-/** \brief What planes are, by rules on height, size, slope and what is around them (the
+/** \brief Classifies planes by rules on their height, size, slope and neighbors (the
  * table in src/doc/buildings.md).
  *
- * Level surfaces large enough make stories: the lowest is a floor, the next above head
- * height the ceiling, one just above a ceiling the floor of the next story. Everything
- * else is named by its place in its story. A plane whose normal points down is taken as
- * seen from below; one whose normal points up may be seen from above or, in clouds of
- * no known sensor, from anywhere. Where the viewpoint is given, what lies below it is
- * no ceiling, and the sensor may lean: where its ground is level but for 12 degrees,
- * and hardly anything else is more level, the ground tells which way is up.
- * \param[in] planes all of a cloud, with their orientations and their normals towards
+ * Large level surfaces make stories: the lowest is a floor, the next one above head
+ * height is the ceiling, and one just above a ceiling is the floor of the next story.
+ * All other planes are classified by their place in their story. A plane whose normal
+ * points down counts as seen from below. A plane whose normal points up may be seen
+ * from above or, if the sensor position is not known, from either side. If the
+ * viewpoint is given, planes below it are no ceilings, and the sensor may lean: if the
+ * ground below it slopes by 3 to 12 degrees, and hardly any plane is more level, the
+ * normal of the ground replaces \p up.
+ * \param[in] planes all planes of a cloud, with orientations and with normals towards
  * the sensor
- * \param[in] extents where each ends, as \ref planeExtent says
- * \param[in] up against gravity, any length but 0
+ * \param[in] extents the extent of each plane, from \ref planeExtent
+ * \param[in] up direction against gravity, of any length but 0
  * \param[in] meter the length of a meter in the unit of the planes
- * \param[in] viewpoint where the sensor was, in the frame of the planes; nothing where
- * it is not known, or where there were several; one that is 500 times as far away as
- * the planes reach says nothing, either
- * \return one for each plane
- * \throw std::invalid_argument if there is not one extent for each plane, up or meter are
- * no direction and no length, or a plane, its extent in meters or the viewpoint is not
- * finite */
+ * \param[in] viewpoint position of the sensor, in the frame of the planes; not given if
+ * it is not known or if there were several. It is ignored if it is farther away than
+ * 500 times the size of the scene
+ * \return the kind of each plane
+ * \throw std::invalid_argument if the numbers of extents and planes differ, if \p up is
+ * zero or not finite, if \p meter is not above 0 and finite, or if a plane, its extent
+ * in meters or the viewpoint is not finite */
 PCL_OPS_EXPORT std::vector<PlaneKind>
 planeKinds (const std::vector<PlaneSegment>& planes,
             const std::vector<PlaneExtent>& extents,

@@ -16,59 +16,62 @@
 namespace pcl_ops {
 
 struct PlaneRegularizationParameters {
-  /** \brief Planes this near to parallel or to orthogonal are meant to be so [rad];
-   * default 3 degrees. */
+  /** \brief Planes become parallel or orthogonal if they are within this angle of it
+   * [rad]; by default 3 degrees. */
   double max_angle = 3.0 * (M_PI / 180.0);
-  /** \brief Parallel planes this near are meant to be one [m]; automatic: three times
-   * their rms. */
+  /** \brief Parallel planes become coplanar if they are within this distance [m]. Not
+   * given: 3 sqrt (rms1^2 + rms2^2). */
   std::optional<double> max_offset;
-  /** \brief How far the points of a plane may be from where they were beside it, as a
-   * root mean square in multiples of their rms distance to it: a plane that would be
-   * moved farther stays, as one of rms 0 does. As the covariance of a plane is rms^2
-   * (A^T A)^-1 (\ref independentPlaneCovariance), a move of 1 is sqrt (n) of its
-   * standard deviations, n points. */
+  /** \brief Largest displacement of a plane: the rms change of the distances of its
+   * inliers to it, over their rms distance to it before. A move that is farther is not
+   * made; so a plane of rms 0 never moves. The covariance of a plane is rms^2 (A^T
+   * A)^-1 (\ref independentPlaneCovariance). So a displacement of 1 is sqrt (n) of its
+   * standard deviations for n points. */
   double max_displacement = 1.0;
 };
 
-/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
+/** \brief Returns the first problem of the parameters; empty if they are valid. */
 PCL_OPS_EXPORT std::string
 validate (const PlaneRegularizationParameters& parameters);
 
-/** \brief How a plane was moved. */
+/** \brief The move of a plane. */
 struct PlaneMove {
-  /** \brief Turned about its centroid by this [rad], then moved along its normal by
-   * this [m]. */
+  /** \brief The plane is rotated about its centroid by angle [rad], then shifted along
+   * its new normal by offset [m]. */
   double angle = 0.0;
   double offset = 0.0;
-  /** \brief As \ref PlaneRegularizationParameters::max_displacement has it; of a plane
-   * that stays the one it would have had. */
+  /** \brief Displacement as in \ref PlaneRegularizationParameters::max_displacement.
+   * For a plane that is not moved, because it was too large, that of the rejected move.
+   */
   double displacement = 0.0;
   bool is_moved = false;
-  /** \brief Planes with the same numbers are parallel, coplanar; a plane that stays has
-   * numbers of its own. */
+  /** \brief Planes with equal direction are parallel, planes with equal level are
+   * coplanar. A plane that was not regularized has its own number for both. */
   std::size_t direction = 0;
   std::size_t level = 0;
 };
 
 struct RegularizedPlanes {
-  /** \brief In the order of the input, with moved centroids and normals; their moments,
-   * and so their rms about the new plane, are those of the same inliers. */
+  /** \brief Planes in the order of the input, with new centroids and normals. Inliers
+   * and moments are unchanged, so that rms () is about the new plane. */
   std::vector<PlaneSegment> planes;
   std::vector<PlaneMove> moves;
 };
 
-/** \brief Makes nearly parallel, orthogonal and coplanar planes exactly so, as the
- * walls of a building are meant to be.
+/** \brief Makes nearly parallel, orthogonal and coplanar planes exactly parallel,
+ * orthogonal and coplanar, for example the walls of a building.
  *
- * Directions within max_angle of one another become their mean, weighted by points,
- * from the largest plane on. Then those that are within max_angle of a right angle to
- * larger ones become orthogonal to these. Each plane turns about its centroid; of
- * parallel ones, those nearer than max_offset get one offset (after Verdie, Lafarge &
- * Alliez, *LOD generation for urban scenes*, ACM Transactions on Graphics 34, 2015, as
- * CGAL's regularize_planes, without its symmetry about an axis). A plane that would be
- * moved by more than max_displacement stays as it was, and the others do not follow it.
- * \throw std::invalid_argument if there is a problem with the parameters, or a
- * centroid or normal is not finite */
+ * Groups of planes within max_angle of their largest plane get the mean direction of
+ * the group, weighted by points. Then the direction of a group becomes orthogonal to
+ * those of larger groups, if it is within max_angle of orthogonal. Planes rotate about
+ * their centroids. Parallel planes within max_offset of each other get one offset
+ * (after Verdie, Lafarge & Alliez, *LOD generation for urban scenes*, ACM Transactions
+ * on Graphics 34, 2015, as CGAL's regularize_planes, without its symmetry about an
+ * axis). A plane is not changed, and does not count for the mean direction, if the
+ * rotation would exceed max_displacement. If only the common offset would exceed it,
+ * the plane is rotated and keeps its own offset.
+ * \throw std::invalid_argument if the parameters are wrong, or a centroid or normal is
+ * not finite */
 PCL_OPS_EXPORT RegularizedPlanes
 regularizePlanes (
     const std::vector<PlaneSegment>& planes,

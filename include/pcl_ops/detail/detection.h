@@ -11,53 +11,55 @@
 #include <string>
 #include <vector>
 
-// What the classes of the detectors hand to the functions behind them, and get back.
+// Input and output of the detection functions that the detector classes call.
 namespace pcl_ops::detail {
 
-/** \brief A neighbor search of the user, as the stages ask it. Neighbors come as
- * indices into the input cloud with their squared distances [m^2]. */
+/** \brief The user's neighbor search as functions. They return neighbors as indices
+ * into the input cloud with squared distances [m^2]. */
 struct NeighborSearch {
-  /** \brief The k points nearest to a point of the cloud, itself included. */
+  /** \brief Finds the k nearest neighbors of a point of the cloud, itself included. */
   std::function<void (pcl::index_t, int k, pcl::Indices&, std::vector<float>&)> nearest;
-  /** \brief The points up to a radius [m] from one of the cloud, itself included. */
+  /** \brief Finds all points within a radius [m] of a point of the cloud, itself
+   * included. */
   std::function<void (pcl::index_t, double radius, pcl::Indices&, std::vector<float>&)>
       within;
-  /** \brief Threads that may ask at once; 0: all. */
+  /** \brief Number of threads that may search at the same time; 0: all. */
   unsigned threads = 1;
 };
 
-/** \brief What a detector works on. */
+/** \brief Input of a detector. */
 struct DetectorInput {
   CloudView cloud;
-  /** \brief The points to use, within the cloud, in any order, given twice or not;
-   * null: all. */
+  /** \brief Indices of the points to use, in any order, with or without repetition;
+   * null: all points. */
   const pcl::Indices* indices;
-  /** \brief Where the sensor was, in the frame of the cloud. */
+  /** \brief Position of the sensor in the frame of the cloud. */
   Eigen::Vector3d viewpoint;
-  /** \brief Builds the user's search over the finite ones of the points, no indices
-   * standing for the whole cloud. Empty: the library searches by itself. */
+  /** \brief Builds the user's search over the finite points; empty indices stand for
+   * the whole cloud. An empty function: the library searches by itself. */
   std::function<NeighborSearch (const pcl::Indices& finite)> search_over;
 };
 
-/** \brief What is wrong with an input, as a sentence; empty if nothing is: a cloud or
- * indices without points, or an index outside the cloud. */
+/** \brief Returns the first problem of an input: an empty cloud, empty indices, or an
+ * index outside the cloud. Empty if the input is valid. */
 PCL_OPS_EXPORT std::string
 validate (const DetectorInput& input);
 
-/** \brief What a detector found. */
+/** \brief Result of a detector. */
 struct Detection {
-  /** \brief By falling size, in the frame of the input cloud. */
+  /** \brief By descending number of inliers, in the frame of the input cloud. */
   std::vector<PlaneSegment> planes;
   StageDurations durations;
   std::size_t planes_before_merging = 0;
   UsedLengths used;
 };
 
-/** \brief Throws std::invalid_argument if there is a problem. */
+/** \brief Throws std::invalid_argument with the text, unless it is empty. */
 PCL_OPS_EXPORT void
 throwOn (const std::string& problem);
 
-/** \brief The same of both arguments, then the work of a detector. */
+/** \brief Throws std::invalid_argument if an argument is not valid; else runs the
+ * detector. */
 template <typename Parameters>
 Detection
 detectChecked (const DetectorInput& input, const Parameters& parameters)

@@ -20,24 +20,26 @@ class BoxTree;
 
 namespace pcl_ops::detail {
 
-/** \brief Which neighbors are asked for. */
+/** \brief Describes the neighbors to find. */
 struct NeighborQuery {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();
-  /** \brief k: most neighbors, the nearest ones. */
+  /** \brief k: the largest number of neighbors; farther ones are left out. */
   std::size_t max_neighbors = std::numeric_limits<std::size_t>::max();
   /** \brief Largest squared distance of a neighbor [m^2]. */
   float squared_radius = std::numeric_limits<float>::infinity();
-  /** \brief Whether neighbors come by rising distance, equal ones by rising index. */
+  /** \brief Whether neighbors are sorted by distance, and by index at equal distances.
+   */
   bool sorted = true;
 };
 
-/** \brief GridSearch for a cloud of any point type, which is not needed afterwards:
- * builds a tree of boxes over the finite ones of some points, or of all. */
+/** \brief Builds the bounding box tree of GridSearch over the finite points of a cloud
+ * of any point type. It copies the positions: the cloud may be deleted afterwards.
+ * \param[in] indices the points to use; null: all */
 PCL_OPS_EXPORT std::shared_ptr<const internal::BoxTree>
 buildBoxTree (const CloudView& cloud, const pcl::Indices* indices);
 
-/** \brief Finds the nearest points within a radius, with their squared distances [m^2];
- * nothing without a tree or a finite position. */
+/** \brief Finds the nearest points within a radius, with their squared distances [m^2].
+ * Both outputs are empty if the tree is null or the position is not finite. */
 PCL_OPS_EXPORT void
 findNeighbors (const internal::BoxTree* tree,
                const NeighborQuery& query,

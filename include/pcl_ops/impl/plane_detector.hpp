@@ -30,7 +30,7 @@ detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
     const auto within = [=] (auto point, double r, auto& neighbors, auto& distances) {
       search->radiusSearch ((*cloud)[point], r, neighbors, distances);
     };
-    // Only GridSearch and kd-trees are known to be safe to ask from several threads.
+    // Only GridSearch and pcl::search::KdTree are known to be thread-safe.
     const std::string& name = search->getName();
     const bool is_safe = name == "GridSearch" || name == "KdTree";
     return NeighborSearch{nearest, within, is_safe ? threads : 1};
@@ -67,8 +67,9 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 
 } // namespace pcl_ops::detail
 
-// What depends on the point type alone. The detectors' classes, 54 with 18 point types
-// and some 40 one-line calls each, compile where they are used.
+// Instantiates the functions that depend only on the point type. The detector classes
+// (54 for 18 point types, with some 40 one-line functions each) are instantiated where
+// they are used.
 #define PCL_INSTANTIATE_PlaneDetector(T)                                               \
   template PCL_OPS_EXPORT pcl_ops::detail::DetectorInput                               \
   pcl_ops::detail::detectorInput<T> (const pcl::PointCloud<T>::ConstPtr&,              \

@@ -30,7 +30,7 @@ void
 SampleConsensusModelOrientedPoint<PointNT>::setSeed (std::uint32_t seed)
 {
   this->rng_alg_.seed (seed);
-  // PCL draws by shuffling on: start again from the order of the indices.
+  // PCL draws samples by further shuffling shuffled_indices_: reset their order, too.
   this->shuffled_indices_ = *this->indices_;
 }
 

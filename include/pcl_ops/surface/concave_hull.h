@@ -6,23 +6,24 @@
 
 namespace pcl_ops {
 
-/** \brief The concave outline of points in a plane and its holes: the border of the
- * triangles of the Delaunay triangulation that have a circumscribed circle of radius
- * alpha at most (alpha shape of Edelsbrunner, Kirkpatrick & Seidel, On the shape of a
- * set of points in the plane, 1983).
+/** \brief Returns the concave outline of points in a plane and its holes: the border of
+ * all triangles of the Delaunay triangulation with a circumradius of at most alpha
+ * (alpha shape of Edelsbrunner, Kirkpatrick & Seidel, On the shape of a set of points
+ * in the plane, 1983).
  *
- * The radius grows until the outline is a single one with at least 99 % of the points
- * inside; the convex hull is what it ends in. Holes are places without points wide
- * enough for a circle of that radius. Points clearly inside are thinned first.
- * \param[in] points in any order; those with a NaN or infinite coordinate are left out
- * \param[in] alpha the radius to begin with [m]; 0: six times the mean distance between
+ * The radius grows until the largest ring has at least 99 % of the points inside; after
+ * eight attempts the result is the convex hull. Holes are areas without points, wide
+ * enough for a circle of this radius. Points well inside are thinned first.
+ * \param[in] points in any order; points with a NaN or infinite coordinate are left out
+ * \param[in] alpha the first radius [m]; 0: six times the mean distance between
  * neighboring points
- * \return the outer ring, then the holes by falling area; empty where the points span
+ * \return the outer ring, then the holes by descending area; empty if the points span
  * no area */
 PCL_OPS_EXPORT PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha = 0.0);
 
-/** \brief As \ref planeExtent, with the \ref concaveOutline as hull, and its holes. */
+/** \brief The same as \ref planeExtent, but with the outline and the holes of \ref
+ * concaveOutline instead of the convex hull. */
 PCL_OPS_EXPORT PlaneExtent
 concavePlaneExtent (const CloudView& cloud,
                     const PlaneSegment& plane,

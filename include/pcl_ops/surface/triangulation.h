@@ -10,20 +10,20 @@
 
 namespace pcl_ops {
 
-/** \brief Three corners of an outline, by their numbers. */
+/** \brief Indices of three corners of an outline. */
 using Triangle = std::array<std::size_t, 3>;
 
-/** \brief Cuts an outline into triangles between its corners, because most programs
- * show meshes of triangles only. The outline may have holes and need not be convex.
+/** \brief Triangulates an outline between its corners, because most programs show only
+ * meshes of triangles. The outline may have holes and need not be convex.
  *
- * Bridges from each hole to the nearest corner in sight make one ring of all rings.
- * Then the ears of that ring are cut off one after the other (Meisters, *Polygons have
+ * A bridge from each hole to the nearest visible corner joins all rings to one ring.
+ * Then the ears of this ring are clipped one after the other (Meisters, *Polygons have
  * ears*, American Mathematical Monthly 82, 1975; Eberly, *Triangulation by ear
  * clipping*, Geometric Tools, 2002).
  * \param[in] rings the outline counter-clockwise, then its holes clockwise; no ring
  * crosses or touches another one
- * \return counter-clockwise triangles of the corners of all rings, numbered ring after
- * ring; none if they would not cover the area of the rings */
+ * \return counter-clockwise triangles of the corners of all rings, which are numbered
+ * ring after ring; empty if the triangles do not cover the area of the rings */
 PCL_OPS_EXPORT std::vector<Triangle>
 triangulate (const PlanarRings& rings);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t seed_of_points = 1;
 constexpr std::uint32_t seed_of_jitter = 2;
 
-/** Its output is fixed by the C++ standard, that of std:: distributions is not. */
+/** The C++ standard fixes its output, but not that of std:: distributions. */
 using RandomGenerator = std::mt19937;
 
 /** Uniform, from [0, 1). */

@@ -8,35 +8,35 @@
 
 namespace pcl_ops::evaluation {
 
-/** A cloud changed in a way that should leave its planes as they are. */
+/** A cloud after a change that should not affect which planes a detector finds. */
 struct ChangedCloud {
   XyzCloud::Ptr cloud;
   Vector3d up;         // unit vector against gravity
-  pcl::Indices points; // for each point its index before the change
+  pcl::Indices points; // index of each point in the cloud before the change
 };
 
-/** A way to change a cloud. The same cloud is always changed in the same way. */
+/** A change of a cloud. It is deterministic: the same cloud gives the same result. */
 struct CloudChange {
-  /** The column agreement_NAME in results.csv has its results. */
+  /** results.csv has the agreement of the labels in the column agreement_NAME. */
   const char* name;
   /** \param[in,out] changed a copy of the cloud with all its points */
   void (*apply) (ChangedCloud& changed);
 };
 
-/** - moved: by 4 to 8 cm along each axis, the sensor, too
- * - turned: by 30 degrees about z, the sensor and the up axis, too
- * - thinned: one point in a hundred is left out, rounded up
- * - jittered: each coordinate is moved by up to 0.1 mm to either side
+/** - moved: points and sensor origin are shifted by 4 to 8 cm along each axis
+ * - turned: points, sensor origin and up axis are rotated by 30 degrees about z
+ * - thinned: one point in a hundred, rounded up, is left out
+ * - jittered: uniform noise of up to +-0.1 mm is added to each coordinate
  * - rounded: coordinates are rounded to whole millimeters */
 extern const std::array<CloudChange, 5> cloud_changes;
 
-/** Draws \p count different ones of the indices 0 to \p all - 1, each with the same
- * chance, always the same ones (Knuth, The Art of Computer Programming 2, algorithm S).
- * \return ascending */
+/** Draws \p count different indices from 0 to \p all - 1, each with equal probability
+ * (Knuth, The Art of Computer Programming 2, algorithm S). The seed is fixed, so that
+ * equal arguments give equal indices. \return ascending indices */
 pcl::Indices
 drawPoints (std::size_t all, std::size_t count);
 
-/** \param[in] up against gravity, of length 1 */
+/** \param[in] up unit vector against gravity */
 ChangedCloud
 changedCloud (const XyzCloud& cloud, const Vector3d& up, const CloudChange& change);
 

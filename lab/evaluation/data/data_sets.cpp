@@ -93,7 +93,8 @@ const struct Scenes {
                   {"streets-hills", "street-hills", "lidar-64-level"},
                   {"streets-livox", "street", "livox"}};
 
-/** Noise and the unevenness of grounds grow with how far is looked [m]. */
+/** Returns a length that grows with the range of the sensor, as noise and the
+ * unevenness of the ground do [m]. */
 double
 thickLengthOf (const Scenes& scenes)
 {
@@ -107,7 +108,7 @@ thickLengthOf (const Scenes& scenes)
 DataSet
 scenesDataSet (const Scenes& scenes, const std::string& seeds)
 {
-  // More than anybody waits for; keeps a typing error from filling the memory.
+  // More than anybody waits for: a typing error cannot fill the memory.
   constexpr std::uint32_t max_scenes = 100'000;
   const auto seed = [&scenes] (const std::string& text) {
     return parseNumber<std::uint32_t> (scenes.name, text, from (0));
@@ -156,7 +157,7 @@ scansDataSet (const std::string& name, const std::string& sizes)
   return clouds;
 }
 
-/** Those of a folder and below, or a file. */
+/** Returns the cloud files in a folder and its subfolders, or the given file. */
 std::set<fs::path>
 cloudFilesAt (const std::string& path)
 {
@@ -184,7 +185,8 @@ withPoints (EvaluationCloud cloud, const std::string& file)
   return cloud;
 }
 
-/** What is behind the last @ of a text is taken from it, unless it is a file's name. */
+/** Removes the length behind the last @ from a text and returns it [m]. The default if
+ * there is no @, or the whole text is the name of a file. */
 double
 takeThickLength (std::string& text)
 {
@@ -219,7 +221,8 @@ cloudsDataSet (std::string path, const Vector3d& up)
   return clouds;
 }
 
-/** A cloud of others as it is: with truth where its points are known, or with none. */
+/** Loads a real cloud with the truth of its file, or without truth.
+ * \param[in] truth_field empty: there is no truth */
 EvaluationCloud
 loadRealCloud (const std::string& file, const std::string& truth_field)
 {
@@ -238,7 +241,8 @@ loadRealCloud (const std::string& file, const std::string& truth_field)
   });
 }
 
-/** "room_office" of room_office_3.pcd: the first two words say of which kind it is. */
+/** Returns the kind of a cloud, the first two words of its file name: "room_office" for
+ * room_office_3.pcd. */
 std::string
 kindOf (const fs::path& file)
 {
@@ -296,7 +300,9 @@ finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
 
 namespace {
 
-/** What is named by a path or by numbers behind the colon, if there is such a kind. */
+/** \param[in] kind text before the colon
+ * \param[in] rest path or numbers behind the colon
+ * \return nullopt if the kind is unknown */
 std::optional<DataSet>
 findDataSet (const std::string& kind, const std::string& rest, const Vector3d& up)
 {

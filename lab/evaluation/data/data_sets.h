@@ -8,81 +8,86 @@
 
 namespace pcl_ops::evaluation {
 
-/** In rooms, what walls bend and sensors err by is below [m]. */
+/** The bend of walls and the sensor noise in rooms stay below this rms distance [m]. */
 constexpr double usual_thick_length = 0.03;
 
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
-  std::optional<PlaneLabels> truth; // exact, if there is one
-  /** In place of a larger \ref TruthParameters::min_points: these are to be found. */
+  std::optional<PlaneLabels> truth; // exact truth, one label per point
+  /** Replaces \ref TruthParameters::min_points if it is smaller, so that small planes
+   * of this cloud count. */
   std::optional<std::size_t> min_plane_points = std::nullopt;
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
-  /** The organized cloud whose finite points these are, if any. */
+  /** The organized cloud from which the finite points come; null: not organized. */
   XyzCloud::ConstPtr image = nullptr;
-  /** Of each point, whether its truth is unknown; empty: all are known. */
+  /** Whether the truth of a point is unknown, per point; empty: all truth is known. */
   std::vector<char> is_ignored = {};
-  /** Without truth one is grown, except where nobody has asked for it. */
+  /** Whether \ref growRegions makes the truth of a cloud that has no exact truth. */
   bool grows_truth = true;
-  /** A plane with a larger rms is none of a cloud like this [m]. */
+  /** A found plane with a larger rms distance counts as thick [m]. */
   double thick_length = usual_thick_length;
 };
 
-/** \param[in] labels empty: not known */
+/** Removes non-finite points; an organized cloud is kept as the image.
+ * \param[in] labels one per point of the cloud; empty: no truth */
 EvaluationCloud
 finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels);
 
-/** A cloud that is loaded when its turn comes. */
+/** A cloud that is loaded only when it is used. */
 struct CloudSource {
   std::string data_set;
   std::string name; // unique within its data set
-  /** \throw apps::WorkError that names the file if the cloud cannot be had */
+  /** \throw apps::WorkError that names the file if the cloud cannot be loaded */
   std::function<EvaluationCloud()> load;
 };
 
 /** At least one cloud. */
 using DataSet = std::vector<CloudSource>;
 
-/** How \ref dataSetOf has them written, for --help. */
+/** Syntax of the texts that \ref dataSetOf takes, for --help. */
 extern const char* const data_set_help;
 
-/** Simulated ones have exact truth; of files their field label is the truth.
- * \param[in] up direction against gravity in the files of "clouds", of any length
+/** Simulated clouds have exact truth. Files have it in the field label, or instance
+ * for "real-instances"; "wild" has no truth, SUN RGB-D has grown truth.
+ * \param[in] text see \ref data_set_help
+ * \param[in] up direction against gravity in point cloud files, of any length
  * \throw apps::UsageError for any other text, apps::WorkError if the folder has no
  * cloud */
 DataSet
 dataSetOf (const std::string& text,
            const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ());
 
-/** All frames of SUN RGB-D (Song, Lichtenberg & Xiao, CVPR 2015) below a folder. A
- * frame is a folder with the PNG file of its depth, intrinsics.txt (3 x 3) and a folder
- * extrinsics whose last file by name counts (3 x 4). Its origin is at the camera, x to
- * the right and z against gravity [m]. Pixels without a reading give no point; as in
- * the data set's toolbox, depths beyond 8 m are set to 8 m.
- * \param[in] is_raw depth as measured (folder "depth"); else refined, with holes filled
- * ("depth_bfx"): the toolbox's default
- * \throw apps::WorkError if there is none */
+/** Lists all frames of SUN RGB-D (Song, Lichtenberg & Xiao, CVPR 2015) below a folder.
+ * A frame is a folder with a depth PNG file in a folder, intrinsics.txt (3 x 3) and a
+ * folder extrinsics, whose last file by name is read (3 x 4). The clouds have the
+ * origin at the camera, x to the right and z against gravity [m]. Pixels without a
+ * reading give no point. As in the toolbox of the data set, depth is cut off at 8 m.
+ * \param[in] is_raw true: depth as measured (folder "depth"); false: refined depth with
+ * filled holes (folder "depth_bfx"), the default of the toolbox
+ * \throw apps::WorkError if there is no frame */
 DataSet
 sunRgbdDataSet (const std::string& folder, bool is_raw);
 
-/** True planes for clouds without labels (paper section IV-A), from the flattest points
- * on: a neighbor of a point joins its region if it is within 5 cm of the region's plane
- * and both normals agree to 7 degrees. Regions of under 50 points are on no plane.
+/** Makes true planes of a cloud without labels by region growing (paper section IV-A).
+ * Seeds are taken by ascending curvature. A neighbor of a region's point joins the
+ * region if it is within 5 cm of the region's plane and the normals of the two points
+ * differ by at most 7 degrees. Points of regions below 50 points get label 0.
  * \param[in] cloud finite points
- * \param[in] neighbors of a point its normal comes from and its region may grow to
- * \return labels 1 .. P by falling size */
+ * \param[in] neighbors size of the neighborhood for the normal and for growing
+ * \return labels 1 .. P by falling number of points */
 PlaneLabels
 growRegions (const XyzCloud& cloud, int neighbors);
 
 struct TruthParameters {
-  /** Of \ref growRegions. The paper does not say; on raw depth 30 leave many points
-   * without a plane. */
+  /** Neighborhood of \ref growRegions. The paper gives no number; on raw depth, 30
+   * neighbors leave many points without a plane. */
   int neighbors = 100;
-  /** True planes with fewer points are none, whatever the truth's source. */
+  /** A true plane with fewer points gets label 0, in exact and in grown truth. */
   std::size_t min_points = 50;
 };
 
-/** The exact truth of a cloud, or else the one grown from it, or no plane where none is
- * grown. */
+/** Returns the exact truth of a cloud, else grown truth; all labels are 0 if the cloud
+ * has no exact truth and \ref EvaluationCloud::grows_truth is false. */
 PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
 

@@ -42,7 +42,7 @@ lastFileIn (const fs::path& folder, const std::string& extension)
   return last;
 }
 
-/** As text, row by row, with nothing behind it. */
+/** Reads a text file of the matrix, row by row, with no text behind it. */
 template <int Rows, int Columns>
 Eigen::Matrix<double, Rows, Columns>
 readMatrix (const fs::path& file)
@@ -64,8 +64,8 @@ readMatrix (const fs::path& file)
 using DepthImage =
     Eigen::Matrix<std::uint16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/** A 16-bit grayscale PNG file (ISO/IEC 15948). By libpng itself because VTK's reader,
- * the one PCL brings, crashes on a truncated file. */
+/** Reads a 16-bit grayscale PNG file (ISO/IEC 15948). It calls libpng directly, because
+ * VTK's reader, which PCL uses, crashes on a truncated file. */
 DepthImage
 readDepthPng (const fs::path& file)
 {
@@ -84,7 +84,7 @@ readDepthPng (const fs::path& file)
       png_image_begin_read_from_memory (&png, bytes.data(), bytes.size()) != 0;
   const std::unique_ptr<png_image, void (*) (png_imagep)> owner (&png, png_image_free);
   requirePng (is_begun, std::string ("is no whole PNG file (") + png.message + ")");
-  // Values of other images would be brightened.
+  // libpng would convert the values of an image with another format or a gamma.
   requirePng (png.format == PNG_FORMAT_LINEAR_Y &&
                   bytes.find ("gAMA") > bytes.find ("IDAT"),
               "is no depth image, which is 16-bit gray without a gamma");
@@ -97,10 +97,10 @@ readDepthPng (const fs::path& file)
   return image;
 }
 
-/** \param[in] image millimeters rotated right by 3 bits
+/** \param[in] image depth [mm], rotated left by 3 bits; 0: no reading
  * \param[in] intrinsics pinhole camera matrix [pixel]
- * \param[in] extrinsics takes the camera's axes (x right, y down, z forward) to the
- * same axes with y along gravity */
+ * \param[in] extrinsics rotation from the camera's frame (x right, y down, z forward)
+ * to a frame of the same axes, but with y along gravity */
 EvaluationCloud
 cloudOf (const DepthImage& image,
          const Eigen::Matrix3d& intrinsics,
@@ -172,7 +172,7 @@ sunRgbdDataSet (const std::string& folder, bool is_raw)
            "has no SUN RGB-D frame (a folder with depth or depth_bfx, "
            "intrinsics.txt and extrinsics); give the folder SUNRGBD");
   DataSet clouds;
-  // A frame that is given by itself has its own name.
+  // If the folder is itself a frame, the cloud has the name of the folder.
   const fs::path base =
       frames.count (folder) == 0 ? fs::path (folder) : fs::path (folder).parent_path();
   for (const fs::path& frame : frames)

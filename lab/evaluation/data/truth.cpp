@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t smallest_region = 50;
 constexpr double max_distance = 0.05; // to a region's plane [m]
-/** A region's plane is fitted again whenever its points have grown by this factor. */
+/** A region's plane is refitted whenever its number of points has grown by this factor.
+ */
 constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
@@ -22,7 +23,7 @@ struct Surfel {
   Vector3d position;
   pcl::Indices neighbors;
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  /** Infinite where there is no normal. */
+  /** Smallest eigenvalue over their sum; infinite if there is no normal. */
   float curvature = std::numeric_limits<float>::infinity();
 };
 
@@ -53,7 +54,7 @@ surfelsOf (const XyzCloud& cloud, int neighbors)
   return surfels;
 }
 
-/** Grows the region of a seed, and marks its points as taken. */
+/** Grows a region from a seed point and marks its points as taken. */
 pcl::PointIndices
 regionFrom (pcl::index_t seed,
             const std::vector<Surfel>& surfels,

@@ -32,16 +32,16 @@ using OrientedPoints = std::vector<OrientedPoint>;
 using PointMap = CGAL::Nth_of_tuple_property_map<0, OrientedPoint>;
 using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
 
-/** What CGAL's tutorial takes normals from. */
+/** Neighbors for a normal in CGAL's tutorial. */
 constexpr unsigned usual_neighbors = 24;
-/** CGAL grows smaller regions in vain again from each of their points: at 0.2 per cent
+/** CGAL drops a smaller region and grows it again from each of its points. With 0.2 %
  * of the points, as for Efficient RANSAC, that takes minutes. */
 constexpr std::size_t min_points_of_region = 50;
-/** CGAL's own default for both detectors. */
+/** Largest angle between normals: CGAL's default for both detectors. */
 constexpr float normal_degrees = 25.0f;
 /** Probability to miss the largest plane: CGAL's default. */
 constexpr float miss_probability = 0.05f;
-constexpr double min_share = 0.002;
+constexpr double min_share = 0.002; // of the points, for the smallest plane
 
 unsigned
 neighborsFor (const PeerTask& task)

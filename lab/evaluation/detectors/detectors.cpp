@@ -74,7 +74,7 @@ add (std::vector<Configuration>& all,
       all.back().groups.insert ("table4");
 }
 
-/** The default, each connected piece of a plane by itself. */
+/** Adds ops-pieces: the default, but each connected component is a plane. */
 void
 addPieces (std::vector<Configuration>& all)
 {
@@ -242,7 +242,7 @@ runLimited (const Configuration& configuration,
 {
   if (!configuration.is_peer)
     return configuration.run (cloud, settings);
-  struct HandedOver { // the labels of the points are behind it
+  struct HandedOver { // the labels follow it in memory
     StageDurations durations;
     std::size_t planes_before_merging = 0;
   };

@@ -11,36 +11,36 @@
 namespace pcl_ops::evaluation {
 
 struct DetectorRun {
-  PlaneLabels labels; // in any order
+  PlaneLabels labels; // one per point; plane numbers in any order
   std::size_t planes_before_merging = 0;
-  /** [ms]; of detectors of others only normals and detection. */
+  /** [ms]; peers set only normals and detection. */
   StageDurations durations;
 };
 
-/** As in PCL's tutorials [m]. */
+/** Distance threshold of PCL's tutorials [m]. */
 constexpr double usual_peer_threshold = 0.05;
 
-/** What detectors are told beside the points; peers are those of others. */
+/** Input of detectors beside the points. Peers are detectors of other projects. */
 struct RunSettings {
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
   std::uint32_t seed = 42;
-  XyzCloud::ConstPtr image = nullptr;           // as of EvaluationCloud
+  XyzCloud::ConstPtr image = nullptr;           // see EvaluationCloud
   double peer_threshold = usual_peer_threshold; // distance to a plane [m]
-  /** Of the points; none: as measured from the cloud [m]. */
+  /** Standard deviation of the points; nullopt: measured from the cloud [m]. */
   std::optional<double> peer_noise = std::nullopt;
-  /** That those of others estimate a normal from; none: as usual. */
+  /** Neighbors from which peers estimate a normal; nullopt: their default. */
   std::optional<int> peer_neighbors = std::nullopt;
-  /** Points of the smallest plane that those of others are to find; none: as usual. */
+  /** Points of the smallest plane that peers look for; nullopt: their default. */
   std::optional<std::size_t> peer_min_points = std::nullopt;
-  /** Of detectors of this project; with several, time is that of the wall. */
+  /** For detectors of this project; with several threads, durations are wall time. */
   unsigned threads = 1;
-  /** Of OPS; none: that of its configuration. */
+  /** For OPS; nullopt: the rate of the configuration. */
   std::optional<double> sampling_rate = std::nullopt;
-  /** Of the cloud, as in results.csv. */
+  /** Names of the cloud in results.csv. */
   std::string data_set = {}, cloud_name = {};
 };
 
-/** [ms] */
+/** \return the time of a clock [ms] */
 inline double
 now (clockid_t clock)
 {
@@ -49,9 +49,9 @@ now (clockid_t clock)
   return 1e3 * double (time.tv_sec) + 1e-6 * double (time.tv_nsec);
 }
 
-/** Adds the time of some work to a duration [ms]. The processor time of the calling
- * thread is the same while others use the machine, too, but leaves further threads
- * out. */
+/** Adds the time that some work takes to a duration [ms]. By default this is the
+ * processor time of the calling thread: other programs do not change it, but it leaves
+ * out the time of further threads. */
 template <typename Work>
 void
 timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIME_ID)
@@ -63,47 +63,49 @@ timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIM
 
 struct Configuration {
   std::string name;
-  std::set<std::string> groups; // of allConfigurations
-  /** The points are finite. */
+  std::set<std::string> groups; // see allConfigurations
+  /** Expects finite points. */
   std::function<DetectorRun (const XyzCloud::ConstPtr& cloud,
                              const RunSettings& settings)>
       run;
-  /** A detector of others, which may take any time. */
+  /** A detector of another project, whose time has no known bound. */
   bool is_peer = false;
   bool needs_image = false;
-  std::string version = {}; // empty: of this project
-  /** Of \ref ownLabels, which may be others by the next run. */
+  std::string version = {}; // empty: version of this project
+  /** Made by \ref ownLabels; the labels may have changed by the next run. */
   bool is_own = false;
 };
 
-/** By groups:
- * - table1: fspf-R1-R2, with the radii [m]
+/** Returns all configurations. Their groups are:
+ * - table1: fspf-R1-R2, with the inner and outer radius [m]
  * - table2: kht-PHI-RHO, with the numbers of bins
- * - table3: ops-RATE-K and ops-s1-RATE-K (strategy 1), with the sampling rate [%]
- * - table4: the best rows
- * - presets: ops, fspf, kht as recommended
- * - peers: those of PCL, of CGAL and Open3D if found when this was built, and a voxel
- * octree; at the values of their tutorials
- * - peers-measured: the same at values measured from the cloud
- * - pieces: ops-pieces, the default with each connected piece of a plane by itself
+ * - table3: ops-RATE-K and ops-s1-RATE-K (strategy 1), with sampling rate [%] and k
+ * - table4: the best row of each method in the paper
+ * - presets: ops, fspf, kht with default parameters
+ * - sampling: ops-voxels, the default with Sampling::Surfels
+ * - peers: detectors of PCL, of CGAL and Open3D if found at build time, and a voxel
+ * octree, with the parameters of their tutorials
+ * - peers-measured: the peers with parameters measured from the cloud
+ * - pieces: ops-pieces, the default; each connected component of a plane is a plane
  * - ablation: ops-without-INGREDIENT, the default with one ingredient off */
 const std::vector<Configuration>&
 allConfigurations ();
 
-/** \param[in] list of names and groups, "ops,table4"; "all" for all but the ablation,
- * "none" for none
+/** \param[in] list names and groups, as "ops,table4"; "all" selects every configuration
+ * outside the group ablation, "none" selects no configuration
  * \throw apps::UsageError for an unknown name */
 std::vector<Configuration>
 selectConfigurations (const std::string& list);
 
-/** Does something in a process of its own, whose memory goes with it.
- * \param[in] seconds of wall time, after which it is ended; 0: none
- * \return whether it was done before that
- * \throw std::runtime_error if it fails, however it does */
+/** Runs work in a child process, whose memory is freed when it ends.
+ * \param[in] seconds wall time after which the child is ended; 0: no limit
+ * \return false if the time limit ended the child
+ * \throw std::runtime_error if the work throws, or a signal ends the child */
 bool
 runInChild (const std::function<void()>& work, unsigned seconds);
 
-/** Runs a detector of others by \ref runInChild; nothing if it takes longer. */
+/** Runs a peer detector by \ref runInChild, any other one in this process without a
+ * limit. \return nullopt if the time limit ended the run */
 std::optional<DetectorRun>
 runLimited (const Configuration& configuration,
             const XyzCloud::ConstPtr& cloud,

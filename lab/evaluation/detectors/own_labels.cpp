@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** The first that there is of the files that may have the labels of a cloud. */
+/** Returns the first existing file among those that may have the labels of a cloud. */
 std::string
 fileOfLabels (const std::string& folder, const RunSettings& cloud)
 {
@@ -52,11 +52,11 @@ numbersIn (const std::string& file)
   return labelNumbersIn (loadCloud (file).points, file);
 }
 
-/** Planes numbered from 1 on, in the order of their labels. */
+/** Numbers the planes from 1 on, by ascending number in the file. */
 PlaneLabels
 planesOfNumbers (const std::vector<double>& numbers, const std::string& file)
 {
-  // This and more is a -1 that has lost its sign.
+  // This is -1 stored in an unsigned type.
   constexpr double too_large = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!(std::abs (numbers[i]) < too_large && numbers[i] == std::floor (numbers[i])))
@@ -83,7 +83,9 @@ planesOfNumbers (const std::vector<double>& numbers, const std::string& file)
   return labels;
 }
 
-/** Those of the finite points, of which there are so many. */
+/** Returns the labels of the finite points, also if there is one label per pixel of the
+ * image.
+ * \param[in] points number of finite points */
 PlaneLabels
 ofFinitePoints (PlaneLabels labels,
                 std::size_t points,
@@ -111,7 +113,7 @@ runOf (const PlaneLabels& labels)
   return run;
 }
 
-/** \throw UsageError for a name that is taken, or cannot be in tables and file names */
+/** \throw UsageError if the name is taken or not valid in tables and file names */
 void
 checkName (const std::string& name)
 {

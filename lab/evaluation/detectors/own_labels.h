@@ -6,15 +6,15 @@
 
 namespace pcl_ops::evaluation {
 
-/** Labels that a detector of somebody's own gave the points of each cloud, from files
- * DATA_SET/CLOUD.npy, .txt (a label a line) or .pcd (field label) below a folder, or
- * else CLOUD.npy and so on; an extension of the cloud's own name may be left out. They
- * are as many as the cloud's finite points or, of an image, its pixels. 0 is no plane;
- * where a label of the file is negative, negative ones are no plane and 0 is a plane.
- * Times are NaN. The run throws apps::WorkError if there is no file, or a wrong one.
+/** Makes a configuration that reads the labels of a user's own detector. For each cloud
+ * a folder has DATA_SET/CLOUD.npy, .txt (one label per line) or .pcd (field label), or
+ * else CLOUD.npy, .txt or .pcd; the extension of the cloud's name may be left out. A
+ * file has one label per finite point or, for an image, per pixel. Label 0 is no plane;
+ * if a file has negative labels, these are no plane and 0 is a plane. Durations are
+ * NaN. The run throws apps::WorkError if the file is missing or not valid.
  * \param[in] name_and_folder "NAME=FOLDER"
- * \throw apps::UsageError if the name cannot be that of a row or is taken,
- * apps::WorkError if the folder is none */
+ * \throw apps::UsageError if the name is taken or not valid in a row,
+ * apps::WorkError if the folder is no folder */
 Configuration
 ownLabels (const std::string& name_and_folder);
 

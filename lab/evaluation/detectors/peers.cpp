@@ -30,7 +30,8 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Of the points that our default finds on planes, as root mean square [m]. */
+/** Returns the rms distance of inliers to their planes, as found by the default preset
+ * of OPS; a third of the usual threshold if it finds no plane [m]. */
 double
 noiseOf (const XyzCloud::ConstPtr& cloud)
 {
@@ -48,7 +49,8 @@ noiseOf (const XyzCloud::ConstPtr& cloud)
   return points > 0.0 ? std::sqrt (squares / points) : usual_peer_threshold / 3.0;
 }
 
-/** Between points if they were spread evenly, as median [m]. */
+/** Returns the median over sampled points of the point spacing: the distance between
+ * neighbors if the points were spread evenly on a plane [m]. */
 double
 spacingOf (const XyzCloud::ConstPtr& cloud)
 {
@@ -71,7 +73,7 @@ constexpr std::size_t min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
 
-/** The image of a depth camera, in its axes, as what reads it expects. */
+/** Transforms an image to the frame of its camera, as PCL's image detectors expect. */
 XyzCloud::Ptr
 inAxesOfCamera (const XyzCloud& image)
 {
@@ -102,9 +104,9 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
     return values;
   values.noise = settings.peer_noise ? *settings.peer_noise : noiseOf (cloud);
   const double spacing = spacingOf (cloud);
-  if (!(spacing > 0.0)) // all points are one
+  if (!(spacing > 0.0)) // most points coincide
     return values;
-  // Points that are exact have no noise.
+  // Exact points have no noise, but need a threshold above 0.
   values.threshold = std::max (3.0 * values.noise, 0.1 * spacing);
   values.gap = std::max (values.threshold, 4.0 * spacing);
   // A plane through k points spread evenly over a disk of radius r errs by an angle of
@@ -262,7 +264,7 @@ planesByPclRegionGrowing (const PeerTask& task)
 Planes
 planesInImage (const PeerTask& task)
 {
-  // What PCL's demo of it takes.
+  // The values of PCL's demo of OrganizedMultiPlaneSegmentation.
   const double angle = pcl::deg2rad (2.0);
   constexpr double usual_distance = 0.02; // [m]
   constexpr float max_depth_change = 0.03f;

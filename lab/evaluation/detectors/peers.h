@@ -9,16 +9,17 @@ namespace pcl_ops::evaluation {
 struct PeerValues {
   double threshold; // distance to a plane [m]
   int neighbors;    // that a normal is estimated from
-  double gap;       // that does not divide a surface [m]
-  double noise;     // standard deviation of the points of a plane [m]
+  double gap;       // points closer than this are connected [m]
+  double noise;     // standard deviation of the distances to a plane [m]
 };
 
-/** As in the tutorials of the detectors, or from noise and distances of the points. */
+/** Source of parameters: the peers' tutorials, or noise and spacing of the cloud. */
 enum class ValuesFrom { Tutorial, Cloud };
 
-/** Where \p settings give none. From the cloud: a threshold of three times the noise;
- * neighbors so many that a normal errs by 3 degrees; gaps of four times the distance of
- * points. */
+/** Returns parameters of peers; values given in \p settings come first. From the cloud:
+ * the threshold is three times the noise, normals of that many neighbors err by 3
+ * degrees, and the gap is four times the point spacing, all within limits. An empty
+ * cloud gets the values of the tutorials. */
 PeerValues
 valuesFor (const XyzCloud::ConstPtr& cloud,
            const RunSettings& settings,
@@ -29,7 +30,7 @@ struct PeerTask {
   const RunSettings& settings;
   PeerValues values;
   ValuesFrom source;
-  double& normals; // where their time is to be added [ms]
+  double& normals; // the time of normal estimation is added to it [ms]
 
   std::size_t
   minPoints (std::size_t usual) const
@@ -40,14 +41,14 @@ struct PeerTask {
 
 using Planes = std::vector<pcl::PointIndices>;
 
-/** The loop of PCL's tutorial around SACSegmentation. */
+/** SACSegmentation in the loop of PCL's tutorial, see \ref peelPlanes. */
 Planes
 planesByPclRansac (const PeerTask& task);
 
 Planes
 planesByPclRegionGrowing (const PeerTask& task);
 
-/** OrganizedMultiPlaneSegmentation, for images. */
+/** OrganizedMultiPlaneSegmentation; needs RunSettings::image. */
 Planes
 planesInImage (const PeerTask& task);
 
@@ -58,22 +59,24 @@ planesByCgalRansac (const PeerTask& task);
 Planes
 planesByCgalRegionGrowing (const PeerTask& task);
 
-/** The loop of PCL's tutorial around SegmentPlane. */
+/** SegmentPlane in the loop of PCL's tutorial, see \ref peelPlanes. */
 Planes
 planesByOpen3d (const PeerTask& task);
 
-/** As lidar odometry divides its map. */
+/** Adaptive voxel map of lidar odometry. */
 Planes
 planesInVoxelOctree (const PeerTask& task);
 
-/** All of them twice: at the values of their tutorials in the group "peers", and at
- * those of the cloud as NAME-measured in "peers-measured". */
+/** Adds each peer twice: with the parameters of its tutorial in the group "peers", and
+ * as NAME-measured with parameters from the cloud in the group "peers-measured". */
 void
 addPeers (std::vector<Configuration>& configurations);
 
-/** The loop of PCL's tutorial: takes the largest plane away until fewer than 500 of the
- * points, or as \p task has it, are on it, 2 % are left, or 40 are found.
- * \param[in] segment gives those on the largest plane of some, both ascending */
+/** The loop of PCL's tutorial: repeatedly removes the inliers of the largest plane.
+ * It ends if that plane has fewer than 500 inliers (or the minimum of \p task), if 2 %
+ * of the points are left, or if 40 planes are found.
+ * \param[in] segment returns the inliers of the largest plane among the indices rest;
+ * both are ascending indices into the cloud */
 Planes
 peelPlanes (const PeerTask& task,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment);

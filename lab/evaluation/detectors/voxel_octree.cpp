@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The planes that lidar odometry keeps: C. Yuan, W. Xu, X. Liu, X. Hong & F. Zhang,
-// "Efficient and Probabilistic Adaptive Voxel Mapping for Accurate Online LiDAR
-// Odometry", RA-L 2022, section III-B: a voxel whose points have a smallest eigenvalue
-// of the covariance below a threshold is a plane, others are divided into eight, down
-// to some layer. There each voxel has a plane of its own; mergePlanes joins them to
-// those of surfaces, with which other detectors can be compared.
+// Plane map of lidar odometry: C. Yuan, W. Xu, X. Liu, X. Hong & F. Zhang, "Efficient
+// and Probabilistic Adaptive Voxel Mapping for Accurate Online LiDAR Odometry", RA-L
+// 2022, section III-B. A voxel is a plane if the smallest eigenvalue of the covariance
+// of its points is below a threshold. Other voxels are divided into eight, down to some
+// layer. In the paper each voxel keeps its own plane; here mergePlanes joins the planes
+// of one surface, so that the result can be compared with other detectors.
 #include "peers.h"
 #include <pcl_ops/plane_merging.h>
 
@@ -25,9 +25,9 @@ constexpr std::size_t min_points_of_plane = 50;
 
 struct VoxelOctree {
   const XyzCloud& cloud;
-  /** Of the covariance [m^2]. */
+  /** Largest allowed smallest eigenvalue of a plane's covariance [m^2]. */
   double max_eigenvalue;
-  /** Of each voxel that is a plane. */
+  /** Moments and point indices of each voxel that is a plane. */
   std::vector<Moments> moments = {};
   std::vector<pcl::Indices> points = {};
 
@@ -68,9 +68,9 @@ planesInVoxelOctree (const PeerTask& task)
   double edge = 1.0;
   double max_eigenvalue = 0.01; // [m], [m^2]
   if (task.source == ValuesFrom::Cloud) {
-    // Edges of .5 to 3 m as in the paper, such that the smallest voxels have as many
-    // points as a plane needs: the gap is four times the distance of points, so nine
-    // points are on a square of it. A plane is within twice the noise.
+    // Edges of 0.5 to 3 m as in the paper. Within these limits the smallest voxels
+    // are as wide as the gap, at least four times the point spacing, so that a plane
+    // has 16 points in them. Its rms distance may be up to twice the noise.
     constexpr double smallest = 0.5;
     constexpr double largest = 3.0;
     edge = std::clamp (task.values.gap * std::pow (2.0, layers - 1), smallest, largest);
@@ -99,7 +99,7 @@ planesInVoxelOctree (const PeerTask& task)
     }
   const std::size_t fewest = task.minPoints (min_points_of_plane);
   while (!planes.empty() && planes.back().indices.size() < fewest)
-    planes.pop_back(); // they come by falling size
+    planes.pop_back(); // planes are sorted by falling size
   return planes;
 }
 

@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
 
-/** Of all points of a cloud, those on found planes, and on thick ones. */
+/** Shares of a cloud's points that are on found planes and on thick planes. */
 struct ThicknessSummary {
   double on_planes = 0.0;
   double on_thick_by_factor = 0.0;
@@ -141,7 +141,7 @@ headerLine ()
 /** The numbers of a row by \ref columnsOfNumbers; a column that is missing is NaN. */
 using RowNumbers = std::map<std::string, double>;
 
-/** What compares a result with a truth. */
+/** Adds the metrics that compare a result with the truth. */
 void
 addMetrics (const Metrics& metrics, RowNumbers& row)
 {
@@ -152,7 +152,7 @@ addMetrics (const Metrics& metrics, RowNumbers& row)
     row[name] = count;
 }
 
-/** What a run took, and what it found. */
+/** Adds durations and the number of planes before merging. */
 void
 addRun (const DetectorRun& run, RowNumbers& row)
 {
@@ -177,8 +177,8 @@ hasTruth (const EvaluationCloud& cloud)
   return cloud.truth || cloud.grows_truth;
 }
 
-/** A cell of RFC 4180, quoted where it has to be, and a comma. A name's line break
- * becomes a space, so that a row is always a line. */
+/** Returns a cell of RFC 4180, quoted if needed, and a comma. A line break becomes a
+ * space, so that each row is one line. */
 std::string
 csvCell (std::string text)
 {
@@ -191,14 +191,14 @@ csvCell (std::string text)
   return cell.str();
 }
 
-/** Its calls may be made by several threads. */
+/** The rows of results.csv; has and add are thread-safe. */
 class ResultsFile {
 public:
   explicit ResultsFile (const std::string& file) : file_ (file)
   {
     std::ifstream before (file, std::ios::binary);
     const std::string text (std::istreambuf_iterator<char> (before), {});
-    const std::size_t complete = text.rfind ('\n') + 1; // 0 where there is no line
+    const std::size_t complete = text.rfind ('\n') + 1; // 0 without a complete line
     if (complete < text.size())
       fs::resize_file (file, complete);
     std::istringstream rows (text.substr (0, complete));
@@ -244,7 +244,7 @@ public:
     if (!(stream_ << line.str() + '\n') || !stream_.flush()) {
       stream_.close();
       std::error_code ignored;
-      fs::resize_file (file_, size, ignored); // without the part of a row that had room
+      fs::resize_file (file_, size, ignored); // removes a partly written row
       throw OutputError (
           file_,
           "cannot be written; make room and run it again, which goes on from here");
@@ -259,7 +259,7 @@ private:
   mutable std::mutex mutex_;
 };
 
-/** Everything, and where the sensor is, but a truth as it was. */
+/** Shifts the points, the image and their sensor origins; labels stay the same. */
 EvaluationCloud
 shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
 {
@@ -344,8 +344,8 @@ struct Evaluation {
            csvCell (configuration.name) + csvCell (std::to_string (plan.settings.seed));
   }
 
-  /** Known without loading the cloud only where its rows say which truth it has. Labels
-   * of one's own are read again. */
+  /** Whether the file has a row with any kind of truth, as the kind is known only once
+   * the cloud is loaded. False for \ref ownLabels, which are always read again. */
   bool
   isThere (const CloudSource& source, const Configuration& configuration) const
   {
@@ -370,7 +370,7 @@ struct Evaluation {
                                        });
   }
 
-  /** \return nothing where it is left out, which is said */
+  /** \return nullopt if the cloud cannot be loaded, which is reported and counted */
   std::optional<LoadedCloud>
   load (const CloudSource& source)
   {
@@ -440,8 +440,8 @@ struct Evaluation {
     return row;
   }
 
-  /** How far the labels of changed copies agree with those of the cloud; nothing of a
-   * run that was stopped. */
+  /** Adds how far the labels of changed copies agree with the labels of the cloud. A
+   * run that was stopped adds no number. */
   void
   addAgreements (const LoadedCloud& cloud,
                  const Configuration& configuration,
@@ -462,8 +462,8 @@ struct Evaluation {
     }
   }
 
-  /** Of a run that was stopped none but how long it took, so that it is not tried
-   * again. */
+  /** Returns the numbers of a row. A stopped run has only its time, so that it is not
+   * tried again. */
   RowNumbers
   runDetector (const LoadedCloud& cloud, const Configuration& configuration)
   {

@@ -10,38 +10,39 @@
 namespace pcl_ops::evaluation {
 
 struct EvaluationPlan {
-  std::string file; // of the rows
+  std::string file; // CSV file of the rows
   std::vector<CloudSource> clouds;
   std::vector<Configuration> configurations;
   TruthParameters truth;
-  /** All but the up axis and the image, which are those of the clouds. */
+  /** Each cloud sets its own up axis, image and names. */
   RunSettings settings;
-  unsigned time_limit = 600; // of a detector of others on a cloud [s]; 0: none
-  unsigned jobs = 1;         // clouds at a time
-  /** For DATA_SET/CLOUD/CONFIGURATION.pcd of new rows, and truth.pcd, which is all that
-   * is done without configurations; empty: none. */
+  unsigned time_limit = 600; // of a peer detector on a cloud [s]; 0: no limit
+  unsigned jobs = 1;         // number of clouds processed in parallel
+  /** Folder of the label files DATA_SET/CLOUD/CONFIGURATION.pcd of new rows and of
+   * truth.pcd. Without configurations only truth.pcd is written. Empty: no files. */
   std::string labels_folder = {};
-  /** Added to every point: voxels begin elsewhere in the same cloud [m]. */
+  /** Added to every point, so that the voxel grid lies elsewhere in the cloud [m]. */
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
-  /** Of each cloud, drawn at random; none: all. Then none has an image. */
+  /** A larger cloud is sampled at random to this number of points and loses its image.
+   * nullopt: clouds keep all points. */
   std::optional<std::size_t> most_points = std::nullopt;
-  /** Also runs detectors that need no image on \ref cloud_changes of each cloud, and
-   * writes how far their labels agree. */
+  /** Also runs detectors on \ref cloud_changes of each cloud, except those that need an
+   * image and \ref ownLabels, and writes how far the labels agree. */
   bool has_changes = false;
 };
 
-/** Clouds count with all their rows in the file; stopped runs have a row without
- * metrics. */
+/** clouds includes those whose rows were all in the file before. The row of a stopped
+ * run has the time limit as detection_ms, and no metrics. */
 struct EvaluationSummary {
   std::size_t clouds = 0, new_rows = 0;
   std::size_t broken_clouds = 0, failed_runs = 0, stopped_runs = 0;
 };
 
-/** Runs every configuration on every cloud for which a CSV file has no row yet; one's
- * own labels get another row each time, of which the last counts. Clouds
- * that cannot be loaded and detectors that fail are said and counted, the rest goes on.
- * The file gets each row at once and whole, as soon as it is known, so that a stop
- * loses none; a last line that an interruption left incomplete is removed.
+/** Runs each configuration on each cloud, unless the CSV file has the row already.
+ * \ref ownLabels get a new row each time; the last row counts. Clouds that cannot be
+ * loaded and detectors that fail are reported and counted; the other runs go on.
+ * Each row is written in one piece as soon as its run ends, so that a stop loses no
+ * finished row. An incomplete last line of an interrupted run is removed.
  * \param[out] messages progress, and a line for each cloud or run that failed
  * \throw apps::WorkError if the file cannot be written, or has other columns */
 EvaluationSummary

@@ -80,7 +80,8 @@ cloudOf (const Draw& draw)
   return cloud;
 }
 
-/** Points at distances of so many powers of ten [m]. */
+/** Points on all scales.
+ * \param[in] lowest, highest decimal logarithms of the scale [m] */
 Cloud::Ptr
 logUniform (double lowest, double highest)
 {
@@ -89,8 +90,8 @@ logUniform (double lowest, double highest)
   });
 }
 
-/** Noise, planes without noise, as many planes as there can be, points on all scales,
- * points in one place. */
+/** Clouds that may be slow: noise, planes without noise, very many planes, points on
+ * all scales, and equal points. */
 std::vector<std::pair<const char*, Cloud::Ptr>>
 worstClouds ()
 {
@@ -113,7 +114,7 @@ worstClouds ()
           {"1000 planes", scanOf (makeBoards (1000), 1.0)},
           {"log-uniform points", logUniform (-6.0, 6.0)},
           {"log-uniform, apart", logUniform (1.0, 12.0)},
-          {"points in one voxel", // voxels are as wide as eight points are far
+          {"points in one voxel", // eight far points make the voxels wide
            cloudOf ([] (Random& random, std::size_t i) -> Vector3d {
              return i < 8 ? 1e6 * Vector3d (i & 1, i >> 1 & 1, i >> 2 & 1)
                           : inCube (random, 0.01);
@@ -125,7 +126,7 @@ worstClouds ()
            })}};
 }
 
-/** \brief A cloud with each point made into another one. */
+/** \brief Returns a cloud with a change applied to each point. */
 template <typename Change>
 Cloud::Ptr
 changed (const Cloud& cloud, const Change& change)
@@ -142,7 +143,7 @@ TEST (WorstCases, KeepTheBounds)
 {
   constexpr double time_bound = 20.0;
   constexpr double memory_bound = 10.0;
-  // Bounds of time get three times what is promised: other programs run beside tests.
+  // Time bounds are three times as large, as other programs run beside the tests.
   constexpr double disturbance = 3.0;
   const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0);
   const auto clouds = worstClouds();
@@ -170,7 +171,7 @@ TEST (WorstCases, KeepTheBounds)
   }
 }
 
-// What grows with the square of the number of points does not show among few.
+// Quadratic growth with the number of points does not show with few points.
 TEST (WorstCases, DoNotGrowWithTheSquareOfTheNumberOfEqualOrFarPoints)
 {
   constexpr double time_bound = 10.0;

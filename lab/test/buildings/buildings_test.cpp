@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How often kinds of planes are right, and how exact floor plans are, in simulated
-// rooms and surveys of houses. src/doc/accuracy.md has what these tests
-// print: ctest --test-dir build -R lab_buildings_test -V
+// rooms and surveys of houses. src/doc/accuracy.md has the output of these tests. To
+// print it: ctest --test-dir build -R lab_buildings_test -V
 #include <gtest/gtest.h>
 
 #include <pcl_ops/buildings/floor_plan.h>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr Seed first_seed = 401;
 
-/** \brief A simulated cloud with what is found in it. */
+/** \brief A simulated cloud with the planes, extents and kinds found in it. */
 struct Found {
   explicit Found (const Simulation& simulation) : Found (simulate (simulation)) {}
 
@@ -37,7 +37,8 @@ struct Found {
     kinds = planeKinds (planes, extents, Vector3d::UnitZ());
   }
 
-  /** \brief The true plane that most of a found one is of; 0: of none. */
+  /** \brief Returns the true label that most inliers of a found plane have; 0: no
+   * plane. */
   std::uint32_t
   truthOf (const PlaneSegment& plane) const
   {
@@ -58,7 +59,7 @@ struct Found {
   std::vector<PlaneKind> kinds;
 };
 
-/** \brief Areas of found planes that truly are of a kind, and that were called so
+/** \brief Areas of found planes that truly are of a kind, and that were given this kind
  * [m^2].
  */
 struct Count {
@@ -75,7 +76,7 @@ struct Count {
 
 using TrueKind = std::function<PlaneKind (const Plane&)>;
 
-/** \brief Counts floors, ceilings and so on, and all of them together. */
+/** \brief Counts each kind (floors, ceilings, ...) and all kinds together. */
 class Counts {
 public:
   explicit Counts (std::vector<PlaneKind> kinds)
@@ -96,7 +97,8 @@ public:
     }
   }
 
-  /** \brief Shares of what truly is such, then of what was called such. */
+  /** \brief Share of the area truly of a kind that was given this kind; \ref precision
+   * is the share of the area given a kind that truly is of it. */
   double
   recall () const
   {
@@ -127,7 +129,7 @@ private:
   std::vector<Count> counts_; // of each kind, then of all
 };
 
-/** \brief Told by the box of the room. */
+/** \brief Tells the kind of a plane by the box of the room. */
 TrueKind
 shellOf (const Site& room)
 {
@@ -163,9 +165,9 @@ countRooms (Seed rooms, std::optional<double> points)
   return counts;
 }
 
-/** \brief What a wall along an axis has surfaces of at some height: from place to
- * place, ascending.
- * \param[in] place of the wall along the other axis */
+/** \brief Returns the ranges along an axis in which a wall has a surface at a height,
+ * ascending [m].
+ * \param[in] place coordinate of the wall on the other axis [m] */
 std::vector<std::pair<double, double>>
 solidParts (const Site& room, int axis, double place, double height)
 {
@@ -216,7 +218,7 @@ textOf (const std::vector<double>& lengths)
   return text.empty() ? "none" : text;
 }
 
-/** \brief What a plan is measured by. */
+/** \brief Errors of a floor plan. */
 struct PlanErrors {
   double length = 0.0, area = 0.0; // largest, as shares
   bool has_all_openings = false;
@@ -241,7 +243,7 @@ errorsOf (Seed seed)
   }
   std::sort (lengths.rbegin(), lengths.rend());
   std::sort (openings.begin(), openings.end());
-  lengths.resize (4, 0.0); // the longest: those of furniture are shorter
+  lengths.resize (4, 0.0); // the four longest: walls, not furniture
   std::vector<double> sides = {
       room.size.x(), room.size.x(), room.size.y(), room.size.y()};
   std::sort (sides.rbegin(), sides.rend());
@@ -266,21 +268,21 @@ errorsOf (Seed seed)
   return errors;
 }
 
-/** \brief Shares of each wall that furniture hides up to 2 m, and that is missing, and
- * the noise [m]. */
+/** \brief Share of each wall that furniture hides up to 2 m height, share that is
+ * missing, and the noise [m]. */
 struct Hardship {
   double hidden = 0.4, missing = 0.1, noise = 0.02;
 };
 
-/** \brief The points of a simulated room as a worse scan has them; furniture that hides
- * walls was not seen itself, as glass and what is black. */
+/** \brief Returns the points of a simulated room as in a worse scan. The furniture that
+ * hides walls has no points itself, like glass and black surfaces. */
 SimulatedCloud
 scannedWorse (SimulatedCloud simulated, const Site& room, const Hardship& hardship)
 {
   constexpr double same = 0.05, height_of_furniture = 2.0; // [m]
   Random random (7);
   std::array<std::array<double, 2>, 4>
-      begins{}; // of what is hidden and missing, shares
+      begins{}; // of the hidden and the missing part, as shares of the wall
   for (auto& [hidden, missing] : begins) {
     hidden = random.between (0.0, 1.0 - hardship.hidden);
     missing = random.between (0.0, 1.0 - hardship.missing);

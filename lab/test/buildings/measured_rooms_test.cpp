@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rooms of real clouds against those that were measured by hand; measured_rooms.tsv
-// says how.
+// Compares rooms found in real clouds with rooms measured by hand; measured_rooms.tsv
+// describes the measurement.
 #include <gtest/gtest.h>
 
 #include <evaluation/data/data_sets.h>
@@ -56,7 +56,7 @@ heightOf (const std::string& text)
   return text == "unseen" ? std::nullopt : std::make_optional (std::stod (text));
 }
 
-/** By the names of their files. */
+/** Returns the measured clouds by file name. */
 std::map<std::string, MeasuredCloud>
 measuredClouds ()
 {
@@ -115,7 +115,8 @@ distanceTo (const Segments& segments, const Eigen::Vector2d& place)
   return nearest;
 }
 
-/** How much of some segments is within a distance of others, and their length [m]. */
+/** Returns the length of segments that is within a distance of other segments, and the
+ * whole length of the segments [m]. */
 std::pair<double, double>
 lengthNear (const Segments& segments, const Segments& others, double distance)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which rooms floor plans have of simulated stories, plain and hard ones. To see what
-// this test prints: ctest --test-dir build -R lab_buildings_test -V
+// Which rooms of simulated stories, plain and hard ones, floor plans have. To see the
+// output of this test: ctest --test-dir build -R lab_buildings_test -V
 #include <gtest/gtest.h>
 
 #include <pcl_ops/buildings/floor_plan.h>
@@ -34,14 +34,14 @@ planOf (const LabeledCloud& points)
   return findFloorPlan (cloud, planes, planeKinds (planes, extents, up), up);
 }
 
-/** \brief Numbers of rooms, and of ways between two of those that were found. */
+/** \brief Numbers of rooms, and of doors between two rooms that were found. */
 struct Tally {
   double truly = 0.0, found = 0.0, exact = 0.0, drawn = 0.0, invented = 0.0;
   double doors = 0.0, found_doors = 0.0, invented_doors = 0.0;
 };
 
-/** \brief Compares the ways between rooms.
- * \param[in] truth of each room of the plan; none for an invented one */
+/** \brief Compares the doors between rooms.
+ * \param[in] truth true room of each room of the plan; nullopt: an invented room */
 void
 addDoors (const Story& story,
           const FloorPlan& plan,
@@ -65,8 +65,9 @@ addDoors (const Story& story,
     tally.invented_doors += story.doors.count (door) == 0 ? 1.0 : 0.0;
 }
 
-/** \brief A room is found if one of the plan has its middle in it and four fifths to
- * five quarters of its area, exact within 3 %; others of the plan are invented. */
+/** \brief Counts rooms. A true room is found if a room of the plan has its middle in it
+ * and 4/5 to 5/4 of its area; it is exact if the areas agree within 3 %. Other rooms of
+ * the plan are invented. */
 void
 add (const Story& story, const FloorPlan& plan, Tally& tally)
 {
@@ -117,8 +118,8 @@ tallyOf (const std::string& title, const StoryHardship& hardship, Seed stories =
   return tally;
 }
 
-/** \brief Nine of ten rooms, four of five of them within 3 %, nearly no other, and the
- * ways between them. */
+/** \brief Expects nine of ten rooms found, four of five of these within 3 %, nearly no
+ * invented room, and the doors between found rooms. */
 void
 expectNearlyAll (const Tally& rooms)
 {

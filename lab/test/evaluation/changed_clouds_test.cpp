@@ -12,7 +12,7 @@ namespace {
 
 using namespace pcl_ops::evaluation;
 
-/** \p count points along x, one each 0.25 m, 2 m high. */
+/** Returns \p count points along x, 0.25 m apart, at z = 2 m. */
 XyzCloud
 rowOf (int count)
 {
@@ -33,7 +33,7 @@ changedBy (const std::string& name,
   throw std::invalid_argument (name);
 }
 
-/** The largest change of a coordinate; without points left out. */
+/** Returns the largest change of a coordinate; both clouds have the same points. */
 float
 largestChange (const XyzCloud& before, const XyzCloud& after)
 {
@@ -60,7 +60,7 @@ TEST (ChangedClouds, TurnedPointsGoBy30DegreesAboutZWithSensorAndUpAxis)
   XyzCloud cloud = rowOf (5);
   cloud.sensor_origin_.head<3>() = Eigen::Vector3f (0, 1, 0);
   const ChangedCloud turned = changedBy ("turned", cloud, Vector3d::UnitX());
-  // Of a point 1 m along x: sine and cosine of 30 degrees.
+  // A point 1 m along x goes to the cosine and sine of 30 degrees.
   EXPECT_TRUE ((*turned.cloud)[4].getVector3fMap().isApprox (
       Eigen::Vector3f (0.8660254f, 0.5f, 2)));
   EXPECT_TRUE (turned.cloud->sensor_origin_.head<3>().isApprox (

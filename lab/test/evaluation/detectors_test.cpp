@@ -18,7 +18,7 @@ namespace {
 using namespace pcl_ops::evaluation;
 namespace fs = std::filesystem;
 
-/** A square of \p side x \p side points, 2 cm apart. */
+/** Adds a square of \p side x \p side points, 2 cm apart. */
 void
 addSquare (XyzCloud& cloud, int side, double height, double sigma)
 {
@@ -79,7 +79,7 @@ TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
 
 TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
 {
-  // In pieces it is no floor to planeKinds.
+  // If the road were in pieces, planeKinds would not call it a floor.
   constexpr std::uint32_t road = 40; // of SemanticKITTI
   const auto file = fs::path (PCL_OPS_DATA_DIR) / "real/lidar64_semkitti_00_000000.pcd";
   if (!fs::exists (file))
@@ -104,7 +104,7 @@ TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
 
 TEST (Detectors, NoPlaneOfTheDefaultIsThickerThanTwelveNoises)
 {
-  // Hills are joined of pieces each of which is thin.
+  // Hills consist of pieces that are thin each, but thick when merged.
   for (const std::string name : {"lidar/nuscenes_20.pcd",
                                  "lidar/kitti_77.pcd",
                                  "wild/airborne_isprs_fsite8.pcd"}) {

@@ -36,7 +36,7 @@ rowOfPoints (const std::string& name)
           }};
 }
 
-/** Gives the first \p labeled of ten points a label; counts its calls. */
+/** Gives the first \p labeled of ten points the label 1; counts its calls. */
 Configuration
 labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
 {
@@ -116,8 +116,8 @@ TEST_F (EvaluationRunTest, EveryMetricHasAColumn)
 
 TEST_F (EvaluationRunTest, ChangedCloudsAgreeAsFarAsTheirLabels)
 {
-  // The first five of ten points are a plane; where one of them is left out, four of
-  // these and a sixth.
+  // The first five of ten points are a plane. If thinning leaves one of the five out,
+  // the plane has the other four and the sixth point.
   plan.clouds = {rowOfPoints ("a")};
   plan.configurations = {labeling ("all-right", 10, calls)};
   run();
@@ -149,7 +149,7 @@ TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
   EXPECT_EQ (run().new_rows, 0u);
   EXPECT_EQ (calls, 4) << "no row is computed twice";
   const std::string complete = contentOf (file);
-  // Cut in the middle of the last row, as a power failure does.
+  // The last row is cut in its middle, as by a power failure.
   std::filesystem::resize_file (file, complete.size() - 20);
   EXPECT_EQ (run().new_rows, 1u);
   EXPECT_EQ (contentOf (file), complete);

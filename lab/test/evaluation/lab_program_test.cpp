@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** The rows of a table of commas without quotes, by the names of its columns. */
+/** The rows of a CSV table without quotes, each as values by column name. */
 using Rows = std::vector<std::map<std::string, std::string>>;
 
 std::vector<std::string>
@@ -78,7 +78,7 @@ protected:
   }
 
 private:
-  /** A floor and two walls, 2 cm from point to point, seen from inside. */
+  /** A floor and two walls with points 2 cm apart, seen from inside. */
   static std::string
   corner ()
   {
@@ -95,8 +95,8 @@ private:
     return text.str();
   }
 
-  /** A floor of 30 x 30 points, 2 cm apart, as one plane of two instances; of the first
-   * 90 points the truth is unknown. */
+  /** A floor of 30 x 30 points, 2 cm apart, as one plane of two instances. The truth of
+   * the first 90 points is unknown. */
   static std::string
   floorOfInstances ()
   {
@@ -122,7 +122,7 @@ TEST_P (LabProgram, IsAsTheTableSays)
   expectAnswers ({{"a folder without files to report", fs::exists (PCL_OPS_PYTHON3)}});
 }
 
-/** \brief Of "room.pcd: 17000 points, 12 planes" the numbers. */
+/** \brief Returns the numbers in a text as "room.pcd: 17000 points, 12 planes". */
 std::vector<std::size_t>
 countsIn (const std::string& text)
 {
@@ -216,7 +216,7 @@ TEST_F (LabProgram, LeavesResultsWithOtherColumnsAlone)
   EXPECT_EQ (contentOf (folder_ / "old/results.csv"), old_results);
 }
 
-// The sensor of an image stands where planes are looked for from.
+// The sensor position of an image is the viewpoint for finding planes.
 TEST_F (LabProgram, FindsPlanesInImagesOfSimulatedCameras)
 {
   expectSuccess ("pcl_ops_evaluate run out rooms:9-11 furniture:1 --detectors "
@@ -244,7 +244,7 @@ TEST_F (LabProgram, SaysHowThickPlanesAreWithoutATruth)
   EXPECT_LT (std::stod (rows[0].at ("rms_largest")), 0.001);
 }
 
-/** \brief What is wrong with a file of a frame of SUN RGB-D. */
+/** \brief A wrong file in a frame of SUN RGB-D, and the expected complaint. */
 struct WrongFrame {
   std::string test, file, content, complaint;
 

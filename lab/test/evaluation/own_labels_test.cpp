@@ -13,7 +13,7 @@ namespace {
 
 using namespace pcl_ops::evaluation;
 
-/** A cloud of three points, and a folder with labels of it. */
+/** A cloud of three points, and a folder with its label files. */
 class OwnLabelsTest : public testing::Test {
 protected:
   TemporaryFolder folder;
@@ -38,7 +38,7 @@ protected:
     return run().labels;
   }
 
-  /** Of a file with this text, what is said behind its name. */
+  /** Returns the error message for a file with this text, behind the file's name. */
   std::string
   complaintAbout (const std::string& name, const std::string& text) const
   {

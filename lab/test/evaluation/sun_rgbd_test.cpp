@@ -14,14 +14,14 @@ using namespace pcl_ops::evaluation;
 using Eigen::Vector3f;
 namespace fs = std::filesystem;
 
-/** Of an image of one row of two pixels. */
+/** Returns the bytes of a PNG file of the test inputs. */
 std::string
 png (const std::string& name)
 {
   return contentOf (PCL_OPS_INPUTS "/" + name + ".png");
 }
 
-/** 2 mm and 3 mm, stored as 0x0010 and 0x0018. */
+/** One row of two pixels: depths of 2 mm and 3 mm, stored as 0x0010 and 0x0018. */
 const std::string two_pixels = png ("frames/kv2/room/frame/depth/0001");
 
 /** A data set of one frame: focal length 1 pixel, center (0, 0), camera level. */
@@ -73,7 +73,7 @@ TEST_F (SunRgbdTest, EveryTruncationAndDamagedByteOfAnImageIsAnError)
     folder.write (frame + "depth/0001.png", bytes);
     EXPECT_TRUE (contains (complaintOf ([this] { read(); }), "0001.png: "));
   };
-  // But for the checksum of its end, which some versions of libpng pass over.
+  // Except for the checksum at its end, which some versions of libpng do not check.
   constexpr std::size_t checksum = 4;
   for (std::size_t i = 0; i < two_pixels.size(); ++i) {
     SCOPED_TRACE (i);

@@ -14,7 +14,7 @@ using namespace pcl_ops::evaluation;
 using Eigen::Vector3f;
 namespace fs = std::filesystem;
 
-/** A square of n x n points, 2 cm apart, spanned by x and another axis. */
+/** Adds a square of n x n points, 2 cm apart, spanned by the x axis and \p axis. */
 void
 addSquare (XyzCloud& cloud, int n, const Vector3f& corner, const Vector3f& axis)
 {
@@ -53,7 +53,7 @@ TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
 
 TEST (RegionGrowing, EndsWhereASurfaceLeavesItsPlane)
 {
-  // A cylinder of radius 1 m: 5 cm off the plane through its top at 0.31 m.
+  // A cylinder of radius 1 m: 0.31 m beside its top it is 5 cm below the tangent plane.
   XyzCloud cloud;
   for (int i = -60; i <= 60; ++i)
     for (int j = 0; j < 20; ++j)

@@ -13,9 +13,9 @@ namespace {
 struct Kind {
   const char* scene;
   std::optional<double> points;
-  /** Of points, by how far they are from the origin [m]. */
+  /** Largest rounding error of points; grows with the distance to the origin [m]. */
   double largest_rounding;
-  /** Of the distance to the plane; 0: it grows with the depth [m]. */
+  /** Standard deviation of distances to the plane; 0: it grows with the depth [m]. */
   double sigma;
   std::size_t min_planes;
   const char* sensor = "lidar-16";
@@ -113,7 +113,7 @@ TEST (Clouds, OrganizedOnesKeepEveryPixelAndOnlyAddNan)
     if (!std::isfinite (cloud[i].x))
       continue;
     finite.push_back (cloud[i]);
-    const Eigen::Vector3f seen = // the sensor's pose leads back to the pixel
+    const Eigen::Vector3f seen = // in the camera's frame, to find the pixel
         to_camera * (cloud[i].getVector3fMap() - cloud.sensor_origin_.head<3>());
     const double column = 0.5 * 159 + 525.0 / 4.0 * seen.x() / seen.z();
     ASSERT_NEAR (column, double (i % 160), 1e-3);

@@ -32,7 +32,7 @@ siteOf (double amplitude)
   return site;
 }
 
-/** Root mean square distance to the plane that fits best [m]. */
+/** Returns the rms distance of points to their least squares plane [m]. */
 double
 rmsOf (const LabeledCloud& cloud)
 {

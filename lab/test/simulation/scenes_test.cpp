@@ -10,7 +10,7 @@ using namespace pcl_ops::simulation;
 
 namespace {
 
-/** Of what is turned by that angle about the vertical before. */
+/** Returns the bounding box of a body after a rotation about z [rad]. */
 Eigen::AlignedBox3d
 boxAround (const Body& body, double turn)
 {
@@ -173,7 +173,7 @@ TEST (Street, WindowsOfAHouseAreOnePlaneBehindTheFacade)
   int houses = 0;
   for (const Body& body : makeStreet (7).scene.bodies) {
     int flat = 0;
-    std::set<SurfaceId> facing; // as the facade, which is the first
+    std::set<SurfaceId> facing; // surfaces parallel to the facade, the first shape
     for (const Shape& shape : body.shapes) {
       flat += shape.surface != no_surface;
       if (std::abs (shape.normal().dot (body.shapes[0].normal())) > 0.99)

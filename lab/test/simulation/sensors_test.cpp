@@ -9,7 +9,7 @@ using namespace pcl_ops::simulation;
 
 namespace {
 
-/** Of the depth of a wall, for each pixel [m]. */
+/** Returns the depth error of each pixel on a wall [m]. */
 Field
 errorsOn (double depth, const CameraNoise& noise)
 {
@@ -21,7 +21,7 @@ errorsOn (double depth, const CameraNoise& noise)
   return errors;
 }
 
-/** Correlation of the errors of pixels that are some columns apart. */
+/** Returns the correlation of the errors of pixels that are \p lag columns apart. */
 double
 correlation (const Field& errors, Eigen::Index lag)
 {
@@ -30,7 +30,7 @@ correlation (const Field& errors, Eigen::Index lag)
          errors.square().mean();
 }
 
-/** A lidar inside of a box, which all rays meet. */
+/** Scans with a lidar inside a box, which all rays hit. */
 Scan
 scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
 {

@@ -10,15 +10,15 @@
 
 namespace pcl_ops::simulation {
 
-/** A few ulp of single precision at room size [m]. */
+/** Rounding error: a few ulp of single precision at room size [m]. */
 constexpr double rounding = 2e-6;
 
 constexpr double degree = pi / 180.0;
 
 inline const Isometry3d origin = Isometry3d::Identity();
 
-/** Walls of 40 m x 40 m across the z axis: before a camera at the origin one at x = 0
- * is larger than the view, one at x = -20 covers its left half. */
+/** Walls of 40 m x 40 m at right angles to the z axis. For a camera at the origin, a
+ * wall with its middle at x = 0 fills the view; at x = -20 it fills the left half. */
 inline Scene
 wallsAt (const std::vector<Vector3d>& middles)
 {
