@@ -6,7 +6,7 @@
 #include "cloud/voxel_grid.h"
 #include "scene.h"
 
-/** \brief Points anywhere in a cube about zero. */
+/** \brief Points drawn uniformly in a cube that is centered at the origin. */
 inline pcl_ops::internal::Coordinates
 pointsInACube (std::size_t number, double edge)
 {
@@ -22,7 +22,7 @@ pointsInACube (std::size_t number, double edge)
   return points;
 }
 
-/** \brief Adds steps x steps points of a surface, evenly spread and without its rim.
+/** \brief Adds a grid of steps x steps points on a surface, none of them on its rim.
  * \param[in] noise each point is moved by up to this much along the normal [m] */
 inline void
 addGrid (pcl_ops::internal::Coordinates& points,
@@ -41,7 +41,7 @@ addGrid (pcl_ops::internal::Coordinates& points,
     }
 }
 
-/** \brief Those points of some surfaces. */
+/** \brief The points of \ref addGrid on each of several surfaces. */
 inline pcl_ops::internal::Points
 gridsOf (const std::vector<Surface>& surfaces, int steps, double noise = 0.0)
 {
@@ -51,7 +51,8 @@ gridsOf (const std::vector<Surface>& surfaces, int steps, double noise = 0.0)
   return points;
 }
 
-/** \brief Points in voxels, with their neighbors, and in those of half the edge. */
+/** \brief Points in coarse voxels of an edge [m], which are connected to their
+ * neighbors, and in fine voxels of half that edge. */
 inline pcl_ops::internal::VoxelLevels
 connectedVoxels (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {

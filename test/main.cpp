@@ -5,7 +5,7 @@
 #include <iostream>
 #include <string>
 
-/** \brief A filter for the tests of a source file; empty where it has none. */
+/** \brief A GoogleTest filter for the tests of a source file; empty without tests. */
 static std::string
 testsOf (const std::string& file)
 {
@@ -23,7 +23,7 @@ testsOf (const std::string& file)
   return filter;
 }
 
-/** \brief Runs all tests, or with a file name (plane_test.cpp) those of that source. */
+/** \brief Runs all tests, or only those of a source file, e.g. plane_test.cpp. */
 int
 main (int argc, char** argv)
 {

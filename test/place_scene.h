@@ -9,9 +9,9 @@
 
 #include <vector>
 
-/** \brief Points drawn on surfaces, so far apart on average; in the order of the
- * surfaces.
- */
+/** \brief Points drawn uniformly on surfaces, in the order of the surfaces.
+ * \param[in] spacing mean distance of neighboring points [m]
+ * \param[in] noise standard deviation along the normal [m] */
 inline pcl_ops::internal::Coordinates
 drawnOn (const std::vector<Surface>& surfaces, double spacing, double noise)
 {
@@ -27,7 +27,7 @@ drawnOn (const std::vector<Surface>& surfaces, double spacing, double noise)
   return points;
 }
 
-/** \brief What the engine knows of a cloud before and while regions grow. */
+/** \brief The results of the engine's stages up to region growing. */
 struct PlaceScene {
   explicit PlaceScene (const pcl_ops::internal::Coordinates& points,
                        std::size_t neighbors = 24)
@@ -38,7 +38,7 @@ struct PlaceScene {
   , regions (pcl_ops::internal::growRegions (places, noise, chosen, std::nullopt))
   {}
 
-  /** \brief The points of each region that has any, by falling number. */
+  /** \brief Number of points of each region that is not empty, in descending order. */
   std::vector<std::size_t>
   sizes () const
   {
@@ -57,5 +57,5 @@ struct PlaceScene {
   pcl_ops::internal::Regions regions;
 };
 
-/** \brief Squares of 2 m at x, y = 0. */
+/** \brief A level square of 2 m x 2 m with a corner at the origin. */
 inline const Surface square_of_ground = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};

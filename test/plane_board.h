@@ -4,9 +4,9 @@
 
 #include "scene.h"
 
-/** \brief A board as a detector would give it, of 20 x 20 points.
- * \param[in] size along and across
- * \param[in] noise points lie so far before and behind the board in turn [m] */
+/** \brief A rectangular board of 20 x 20 points as a detector returns it.
+ * \param[in] size lengths of the edges along up x normal and across it [m]
+ * \param[in] noise points lie this far in front of and behind the board in turn [m] */
 inline pcl_ops::PlaneSegment
 board (const Eigen::Vector3d& middle,
        const Eigen::Vector3d& normal,

@@ -13,7 +13,7 @@
 using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief A cloud of points made from their numbers 0, 1, ... */
+/** \brief A cloud of points that a function makes from their indices 0, 1, ... */
 inline Cloud::Ptr
 cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
 {
@@ -23,7 +23,7 @@ cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
   return cloud;
 }
 
-/** \brief With enough samples for a small scene. */
+/** \brief OPS with a sampling rate of 10 %: enough samples for a small scene. */
 inline Ops
 opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters = {})
 {
@@ -34,7 +34,7 @@ opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters = {})
   return ops;
 }
 
-/** \brief By default but for what samples are. */
+/** \brief \ref opsOn with default parameters, apart from the kind of samples. */
 inline Ops
 sampledOn (pcl_ops::Sampling sampling, const Cloud::ConstPtr& cloud)
 {
@@ -64,7 +64,7 @@ planesOf (Detector& detector)
   return planes;
 }
 
-/** \brief The points of each plane. */
+/** \brief The indices of the inliers of each plane. */
 template <typename Detector>
 std::vector<pcl::Indices>
 inliersOf (Detector& detector)

@@ -22,7 +22,7 @@ drawNormal (RandomGenerator& generator)
 Eigen::Vector3d
 drawNormals (RandomGenerator& generator)
 {
-  // One by one: compilers differ in the order of arguments, and scenes would, too.
+  // Drawn one by one: compilers evaluate arguments in different orders.
   Eigen::Vector3d drawn;
   for (double& number : drawn)
     number = drawNormal (generator);
@@ -79,7 +79,7 @@ Scene::addClutter (LabelledScene& scene)
   const auto count = std::lround (clutter_ / (1.0 - clutter_) *
                                   static_cast<double> (scene.cloud->size()));
   for (long i = 0; i < count; ++i) {
-    Eigen::Vector3d share; // one by one, as above
+    Eigen::Vector3d share; // one by one, as in drawNormals
     for (double* axis : {&share.z(), &share.y(), &share.x()})
       *axis = drawUnit (generator_);
     add (scene, box.min() + share.cwiseProduct (box.sizes()), -1);

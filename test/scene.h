@@ -35,8 +35,8 @@ constexpr double operator"" _deg (long double degrees) { return static_cast<doub
 constexpr double operator"" _deg (unsigned long long degrees) { return static_cast<double> (degrees) * pi / 180.0; }
 // clang-format on
 
-/** \brief A seed from the running test's name (FNV-1a): no two tests share random
- * numbers, and adding a test changes those of no other. */
+/** \brief Returns a seed hashed from the running test's name (FNV-1a). Each test has
+ * random numbers of its own; adding a test leaves those of all other tests alone. */
 std::uint32_t
 seedOfTest ();
 
@@ -44,7 +44,7 @@ seedOfTest ();
 double
 drawNormal (RandomGenerator& generator);
 
-/** \brief Three of them. */
+/** \brief Three independent standard normal draws. */
 Eigen::Vector3d
 drawNormals (RandomGenerator& generator);
 
@@ -54,7 +54,7 @@ drawTurn (RandomGenerator& generator);
 pcl::PointXYZ
 toPoint (const Eigen::Vector3d& position);
 
-/** \brief 0, 1, 2, ..., as many as asked for. */
+/** \brief The numbers 0, 1, ..., \p number - 1. */
 template <typename Indices = std::vector<std::uint32_t>>
 Indices
 upTo (std::size_t number)
@@ -90,11 +90,13 @@ struct Surface {
   }
 };
 
-/** \brief Anywhere on a surface, or beside it by a noise along its normal. */
+/** \brief Draws a point uniformly on a surface and moves it along the normal.
+ * \param[in] noise standard deviation of the Gaussian offset along the normal [m] */
 Eigen::Vector3d
 drawPointOf (const Surface& surface, double noise, RandomGenerator& generator);
 
-/** \brief A cloud with its truth: the surface of each point, or -1 for clutter. */
+/** \brief A cloud with its ground truth: each label is an index into surfaces, or -1
+ * for clutter. */
 struct LabelledScene {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
   std::vector<int> labels;
@@ -114,13 +116,13 @@ public:
     surfaces_.push_back ({corner, first, second});
     return *this;
   }
-  /** \brief A horizontal rectangle from (0, 0). */
+  /** \brief Adds a horizontal rectangle with a corner at (0, 0, height). */
   Scene&
   floor (double width, double depth, double height = 0.0)
   {
     return surface ({0, 0, height}, {width, 0, 0}, {0, depth, 0});
   }
-  /** \brief An upright rectangle over the line between two points of the floor. */
+  /** \brief Adds a vertical rectangle above the line between two points at z = 0. */
   Scene&
   wall (const Eigen::Vector2d& from, const Eigen::Vector2d& to, double height)
   {
@@ -141,7 +143,7 @@ public:
     noise_ = meters;
     return *this;
   }
-  /** \brief Points anywhere in the scene's bounding box, as a share of all points. */
+  /** \brief Share of all points that are drawn in the scene's bounding box. */
   Scene&
   clutter (double share)
   {
@@ -178,43 +180,45 @@ private:
 };
 
 /** \brief A floor of 4 m x 3 m with two walls of 2.5 m, some 18,000 points, and a
- * little clutter. With a millimeter of noise the normal of any one point is good enough
- * for a whole surface: nobody has to be lucky. */
+ * little clutter. The noise is 1 mm: the normal estimated at any point fits its whole
+ * surface, so that no test depends on a lucky sample. */
 Scene
 room (std::uint32_t seed = seedOfTest());
 
-/** \brief The same with points as near to each other as a depth camera sees them: some
- * 300 in a sphere of FSPF's default radius. */
+/** \brief \ref room with the point density of a depth camera: a sphere of FSPF's
+ * default radius holds some 300 points. */
 Scene
 denseRoom ();
 
-/** \brief What a depth camera at the origin, looking along z, sees of a floor 1 m below
- * it (y down) and a wall 3 m ahead: organized, with pixels that saw nothing as NaN. */
+/** \brief An organized cloud of a depth camera at the origin that looks along z (y
+ * down). It sees a floor at y = 1 m and a wall at z = 3 m; a tenth of the pixels is
+ * NaN. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 roomSeenByCamera (std::uint32_t width, std::uint32_t height);
 
-/** \brief Those of columns x rows points evenly spread over a surface.
- * \param[in] noise points lie so far before and behind the surface in turn [m] */
+/** \brief Moments of columns x rows points evenly spread over a surface.
+ * \param[in] noise points lie alternately this far before and behind the surface [m] */
 pcl_ops::Moments
 momentsOf (const Surface& surface, int columns, int rows, double noise = 0.0);
 
-/** \brief Points of a cloud as a plane with this normal. */
+/** \brief A plane with this normal, and the moments and the centroid of its inliers. */
 pcl_ops::PlaneSegment
 planeOfPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
                const pcl::Indices& inliers,
                const Eigen::Vector3d& normal);
 
-/** \brief Angle between two directions, whatever their signs [rad]. */
+/** \brief Angle between two lines of these directions, 0 to pi / 2 [rad]. */
 double
 angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second);
 
-/** \brief Whether the plane's normal is within \p angle of the truth's, and the plane
- * passes within \p offset of the truth's center. */
+/** \brief Whether the normals of the plane and the true surface differ by at most
+ * \p angle [rad], whatever their signs, and the center of the surface is at most
+ * \p offset [m] from the plane. */
 bool
 isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset);
 
-/** \brief Every surface of the scene is one of the planes, with nine tenths of its
- * points, and there is no plane besides; angle and offset as in \ref isNear. */
+/** \brief Fails the test unless there are as many planes as surfaces, and each surface
+ * has a plane near it (see \ref isNear) with at least 90 % of its points. */
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
                          const LabelledScene& scene,

@@ -5,11 +5,11 @@
 #include "grid_scene.h"
 #include "voxels/bounded_planes.h"
 
-// In the middle of voxels of 10 cm; 20 x 20 of them each.
+// Each surface passes through the middle of 20 x 20 voxels of 10 cm.
 inline const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
 inline const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
-/** \brief Number of voxels on a plane, or on no_plane. */
+/** \brief Number of voxels with this plane index, which may be no_plane. */
 inline std::size_t
 voxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& planes)
 {
@@ -17,9 +17,9 @@ voxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& planes)
       std::count (planes.plane_of_voxel.begin(), planes.plane_of_voxel.end(), plane));
 }
 
-/** \brief Points in voxels of 10 cm, each voxel on the plane it was made for. */
+/** \brief Points in voxels of 10 cm. Each voxel has the plane of its first point. */
 struct VoxelScene {
-  /** \param[in] surfaces of each plane
+  /** \param[in] surfaces one list of surfaces for each plane
    * \param[in] noise each point is moved by up to this much along the normal [m] */
   explicit VoxelScene (const std::vector<std::vector<Surface>>& surfaces,
                        double noise = 0.0)
@@ -37,7 +37,7 @@ struct VoxelScene {
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   }
 
-  /** \brief After points were added: puts all voxels on the first plane. */
+  /** \brief Makes the voxels again after points were added, all of them on plane 0. */
   void
   voxelize ()
   {
@@ -45,7 +45,7 @@ struct VoxelScene {
     planes.plane_of_voxel.assign (grid().size(), 0);
   }
 
-  /** \brief A plane without voxels and with a noise of 6 mm. */
+  /** \brief Adds a plane with a noise of 6 mm; no voxel is on it yet. */
   void
   addPlane (const pcl_ops::Plane& plane)
   {
@@ -65,7 +65,8 @@ struct VoxelScene {
     return grid().moments[voxel].centroid();
   }
 
-  /** \brief Puts the voxels with such a centroid on a plane, or on no_plane. */
+  /** \brief Puts the voxels for whose centroid \p isSuch is true on a plane, or on
+   * no_plane. */
   template <typename IsSuch>
   void
   label (std::int32_t plane, IsSuch&& isSuch)

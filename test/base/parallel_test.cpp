@@ -60,7 +60,7 @@ TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds (30);
   std::atomic<unsigned> arrived{0}, met_all{0};
   parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {
-    // Nobody leaves before all are there.
+    // No thread leaves before all threads are there.
     for (++arrived; arrived < threads && std::chrono::steady_clock::now() < deadline;)
       std::this_thread::yield();
     met_all += arrived == threads;
@@ -98,7 +98,7 @@ TEST (ParallelFor, TakesAnyNumberOfThreads)
   EXPECT_EQ (piecesOf (1000000, 10000, 1).size(), 10000u);
 }
 
-// As on a machine that has other things to do.
+// As on a machine that is busy with other programs.
 TEST (ParallelFor, DoesNotWaitForThreadsThatHaveNoTime)
 {
   constexpr unsigned threads = 4;

@@ -13,7 +13,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using namespace pcl_ops;
 
-/** \brief Grids of points on level and upright rectangles, each a plane with a kind. */
+/** \brief Horizontal and vertical rectangles. Each is a grid of points 5 cm apart and
+ * a plane with a kind. */
 struct Building {
   pcl::PointCloud<pcl::PointXYZ> cloud = {};
   std::vector<PlaneSegment> planes = {};
@@ -43,8 +44,9 @@ struct Building {
         kind, Vector3d (0.0, 0.0, kind == PlaneKind::Ceiling ? -1.0 : 1.0), points);
   }
 
-  /** \brief A wall of 2.5 m with its front to the left of the way; without points in
-   * openings, which are given as begin, end, sill and head. */
+  /** \brief Adds a wall 2.5 m high. Its normal points to the left of the direction from
+   * \p from to \p to.
+   * \param[in] openings without points: begin and end along the wall, sill, head [m] */
   Building&
   wall (const Vector2d& from,
         const Vector2d& to,

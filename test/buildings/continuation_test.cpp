@@ -56,7 +56,7 @@ TEST (Continuation, IsWhereThatPlaneHasNearlyTheSlope)
 {
   const auto beside = [] (double degrees) {
     const double rise = 8.0 * std::tan (degrees * M_PI / 180.0);
-    // At the height of the square where it begins, at the end of its y axis.
+    // The rectangle begins at the end of the square's y axis, at the same height.
     return isSquareContinued ({rectangle (0, 10, 5, 10, 8, rise)});
   };
   EXPECT_TRUE (beside (19.0));

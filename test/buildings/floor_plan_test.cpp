@@ -270,7 +270,7 @@ TEST (FloorPlan, HasOneRoomWhereTheFloorGoesOnBesideAPieceOfWall)
   flat.level (PlaneKind::Floor, 0.0, {4, 1.2}, {4.2, 3});
   const FloorPlan plan = flat.plan();
   ASSERT_EQ (plan.rooms.size(), 1u);
-  // With what is in the piece of wall, as no other wall ends there.
+  // The area includes the inside of the piece of wall, as no other wall ends there.
   EXPECT_NEAR (plan.rooms[0].area, 8.2 * 3.0, 0.01);
 }
 
@@ -278,7 +278,7 @@ TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
 {
   Building flat = twoRooms();
   const FloorPlan before = flat.plan();
-  // As if all had been seen from the far left, below.
+  // As if all planes had been seen from a place far away to the left and below.
   for (PlaneSegment& plane : flat.planes)
     if (plane.normal.dot (Vector3d (1.0, 0.5, 0.0)) > 0.0)
       plane.normal = -plane.normal;
@@ -337,7 +337,7 @@ TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
 
 TEST (FloorPlan, HasARoomWithoutCeilingUnderAPieceThatSlopes)
 {
-  // As of a lamp or a bulkhead, which is named a roof where no ceiling was seen.
+  // A lamp or a bulkhead, which is named a roof where no ceiling was seen.
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 6});
   std::vector<Vector3d> piece;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers in the table of src/doc/buildings.md, each from both sides.
+// The limits in the table of src/doc/buildings.md, each tested from both sides.
 #include "rectangles.h"
 
 #include <cmath>
@@ -345,7 +345,7 @@ TEST (KindLimits, OfRoofs)
 
 TEST (KindLimits, OfFurnitureBeforeWalls)
 {
-  // The front of a cupboard, 1.8 m high, before a wall of some height and width.
+  // The front of a cupboard 1.8 m high, before a wall of this height and width.
   const auto front = [] (double wall_height, double wall_width) {
     Rectangles room = floor4By3();
     room.add ({0, 3, 0}, {wall_width, 0, 0}, {0, 0, wall_height});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where plans of buildings change, each limit from both sides.
+// Limits at which floor plans change, each tested from both sides.
 #include "building.h"
 
 #include <cmath>

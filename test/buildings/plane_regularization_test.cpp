@@ -124,7 +124,7 @@ TEST (PlaneRegularization, MakesPartsOfOneWallCoplanarThoughOneBeforeItIsOfASize
 
 TEST (PlaneRegularization, KeepsPartsApartThatAreThreeTimesTheNoiseOfBothFromEachOther)
 {
-  // Together they have the root of two times 3 mm: three times that are 13 mm.
+  // The noise of both is sqrt (2) * 3 mm; three times that are 13 mm.
   PlaneRegularizationParameters far;
   far.max_displacement = 1e3;
   const auto are_level = [&] (double before) {

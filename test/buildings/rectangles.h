@@ -14,7 +14,7 @@
 using Eigen::Vector3d;
 using namespace pcl_ops;
 
-/** \brief Rectangles as planes that a sensor saw, z up. */
+/** \brief Rectangles as planes whose normals point to a sensor; z is up. */
 struct Rectangles {
   Vector3d sensor = {2.0, 1.5, 1.2};
   std::vector<PlaneSegment> planes = {};
@@ -61,7 +61,7 @@ struct Rectangles {
     return names;
   }
 
-  /** \brief Where it is known that the sensor was there. */
+  /** \brief Plane kinds that planeKinds finds when it knows the sensor's position. */
   std::vector<std::string>
   kindsFromSensor (const Vector3d& up = Vector3d::UnitZ()) const
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Beside CGAL's function of the same purpose, where CGAL is found.
+// Comparison with CGAL's function for the same purpose, built where CGAL is found.
 #include "scene.h"
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/property_map.h>
@@ -83,7 +83,7 @@ TEST (PlaneRegularization, IsNearThatOfCgal)
     EXPECT_LT (angleBetween (found.planes[i].normal, normals[i]), 0.1_deg);
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_NEAR (found.planes[i].normal.dot (found.planes[j].normal), 0.0, 1e-12);
-      // CGAL leaves a thousandth of a radian.
+      // CGAL leaves an error of a thousandth of a radian.
       EXPECT_NEAR (normals[i].dot (normals[j]), 0.0, 2e-3) << "CGAL's";
     }
   }

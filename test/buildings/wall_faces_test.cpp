@@ -30,7 +30,7 @@ TEST (WallFaces, KeepTheirEndsThoughALeafIsSeenBeyondTheGap)
   const std::vector<WallFace> walls = withoutRecesses ({wall, leaf}, {});
   ASSERT_EQ (walls.size(), 1u) << "the leaf is none";
   ASSERT_EQ (walls[0].cut.size(), 2u);
-  // Along the line of the wall, whichever way that goes.
+  // Parts of the cut along the line of the wall.
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR (walls[0].cut[i].from, wall.cut[i].from, 1_mm);
     EXPECT_NEAR (walls[0].cut[i].to, wall.cut[i].to, 1_mm);

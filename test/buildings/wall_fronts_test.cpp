@@ -7,8 +7,8 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-/** \brief A floor beside the x axis, from there on to 1 m away. \param[in] side 1:
- * where y is above 0; -1: below */
+/** \brief Adds a floor from the x axis to 1 m beside it. \param[in] side 1: where y is
+ * above 0; -1: below */
 void
 addFloor (double side, double length, PlanPoints& points)
 {
@@ -17,8 +17,8 @@ addFloor (double side, double length, PlanPoints& points)
       points.emplace_back (x, side * y, 0.0);
 }
 
-/** \brief Whether a wall of 4 m along the x axis, its front to above, has floors behind
- * it. \param[in] before, behind how long the floors are there */
+/** \brief Whether a wall of 4 m along the x axis with its front towards +y has floors
+ * behind it. \param[in] before, behind lengths of the floors on both sides [m] */
 bool
 isFloorBehind (double before, double behind)
 {
@@ -32,8 +32,8 @@ isFloorBehind (double before, double behind)
   return RoomSides ({&level}).areBehind ({0.0, 1.0}, wall);
 }
 
-/** \brief Whether a ceiling of 2.5 m, on one side of the x axis or on both, goes on
- * over what stands along 4 m of this axis, so high. */
+/** \brief Whether a ceiling at 2.5 m, on one side of the x axis or on both, continues
+ * over a front of this height that stands along 4 m of the axis. */
 bool
 goesOnOver (double height, const std::vector<double>& sides)
 {
@@ -68,7 +68,7 @@ TEST (WallFronts, AreTurnedWhereFloorsAreBehindTheWallAlone)
 
 TEST (WallFronts, StayWhereFloorsAreOnBothSides)
 {
-  // Furniture hides a meter of that before the wall.
+  // Furniture hides a meter of the floor before the wall.
   EXPECT_FALSE (isFloorBehind (3_m, 4_m));
 }
 

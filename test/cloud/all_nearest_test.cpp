@@ -11,7 +11,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// Of all points, by distance, then by number.
+// The nearest neighbors of each point by brute force, by distance, then by index.
 Indices
 nearestOfEach (const Coordinates& points, std::size_t number)
 {
@@ -39,7 +39,7 @@ expectAllNearest (const Coordinates& points, std::size_t number)
   EXPECT_EQ (findAllNearest (tree, number, 1), nearestOfEach (points, number));
 }
 
-// A number of points in a box.
+// Adds points drawn uniformly in a cube from corner to corner + edge.
 void
 addDrawn (std::size_t number, float corner, float edge, Coordinates& points)
 {

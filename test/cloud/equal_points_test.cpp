@@ -63,7 +63,7 @@ TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
 
 TEST (FirstAtPlace, TellsApartPlacesWithTheSameHash)
 {
-  // Of so many places some twenty pairs share a hash of 32 bits: 400,000^2 / 2 / 2^32.
+  // Some twenty pairs of places share a 32-bit hash: 400,000^2 / 2 / 2^32 = 19.
   constexpr std::uint32_t places = 400'000;
   Coordinates points = pointsInACube (places, 4.0);
   for (std::uint32_t i = 0; i < places; ++i)

@@ -10,7 +10,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// In voxels of 0.1 m.
+// The key of a coordinate in voxels of 0.1 m by default.
 std::int32_t
 keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 {

@@ -23,7 +23,7 @@ drawnPoints (std::size_t number)
   return points;
 }
 
-// By distance to a point, then by number.
+// The nearest neighbors of a point, by distance, then by index.
 std::vector<std::uint32_t>
 nearestByBruteForce (const Coordinates& points, std::uint32_t query, std::size_t wanted)
 {

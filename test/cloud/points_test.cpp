@@ -58,7 +58,7 @@ TEST (FinitePoints, ShareAFrameWithOthersOfTheirSurroundings)
 
 TEST (FinitePoints, HaveTheSameOriginInAnyOrder)
 {
-  // Every seventh point is elsewhere.
+  // Every seventh point lies 5 km away.
   pcl::PointCloud<pcl::PointXYZ> cloud;
   for (int i = 0; i < 600; ++i)
     cloud.push_back ({static_cast<float> (i % 7 == 0 ? 5000 + i : i), 0, 0});

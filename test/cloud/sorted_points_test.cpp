@@ -50,7 +50,7 @@ TEST (SortedRuns, OfAVoxelStayInTheirOrder)
 
 TEST (SortedRuns, AscendAndCoverEveryPointOnce)
 {
-  // Near each other and so far apart that codes need all their bits.
+  // Points near each other, and points so far apart that codes need all their bits.
   Coordinates points = pointsInACube (40000, 4.0);
   points.add (1e9f, -1e9f, 1e9f);
   std::vector<int> covered (points.size(), 0);

@@ -18,7 +18,7 @@ isNeighbor (const VoxelKey& a, const VoxelKey& b)
 
 TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 {
-  // Sparse and dense: nearly every voxel alone, and nearly all occupied.
+  // From sparse, nearly every voxel without neighbors, to dense, nearly all occupied.
   for (const double edge : {0.2, 0.5, 1.5}) {
     const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1);
     const VoxelNeighbors neighbors = connected (grid.codes, 1).neighbors;

@@ -6,11 +6,11 @@
 using pcl_ops::MergingParameters;
 using pcl_ops::PlaneSegment;
 
-// The stages of OPS on surfels, seen from outside.
+// The stages of OPS on surfels, tested through the public interface.
 
 namespace {
 
-/** \brief Points of three coordinates drawn from -1 to 1 each, made into others. */
+/** \brief Points drawn uniformly in the cube from -1 to 1, each mapped by \p make. */
 template <typename Make>
 Cloud::Ptr
 cloudFrom (std::size_t number, Make&& make)
@@ -40,7 +40,8 @@ sampled (const Surface& surface, double spacing, double noise)
       .build();
 }
 
-/** \brief Nine tenths of the points of a surface are on one plane near it. */
+/** \brief Whether a plane near the first surface has as many inliers as nine tenths of
+ * the scene's points. */
 bool
 hasSurfaceOf (const LabelledScene& scene,
               const std::vector<PlaneSegment>& planes,
@@ -52,7 +53,7 @@ hasSurfaceOf (const LabelledScene& scene,
   });
 }
 
-/** \brief In one cloud, two surfaces that were sampled apart from each other. */
+/** \brief Fails unless both surfaces are found in the cloud of both scenes. */
 void
 expectFindsBoth (const LabelledScene& first, const LabelledScene& second)
 {
@@ -68,15 +69,15 @@ const Surface ground = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}};
 
 TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
 {
-  // Beyond a ditch of a meter a floor goes on 1 cm higher: two planes, as nothing
-  // connects them, but no two surfaces to merging, which allows 1.5 times the noise of
+  // A floor continues 1 cm higher beyond a gap of 1 m. Its halves are not connected and
+  // become two planes. Merging joins the planes, as it allows 1.5 times the noise of
   // 2 cm.
   Scene halves = Scene().floor (2, 3).surface ({3, 0, 1_cm}, {2, 0, 0}, {0, 3, 0});
   Ops ops = opsOn (halves.noise (2_cm).build().cloud);
   const auto planes = planesOf (ops);
   ASSERT_EQ (planes.size(), 1u);
   EXPECT_GE (ops.getNumberOfPlanesBeforeMerging(), 2u);
-  // Each half has its points on the one plane, which lies between them.
+  // The merged plane has the points of both halves and lies between them.
   EXPECT_GE (planes[0].inliers.size(), 0.9 * ops.getInputCloud()->size());
   EXPECT_NEAR (planes[0].centroid.z(), 5_mm, 2_mm);
   MergingParameters by_distance;
@@ -115,10 +116,10 @@ TEST (DefaultPath, FollowsAThresholdForEveryPoint)
 TEST (DefaultPath, FindsHardlyAnyPlaneOnCurvedSurfacesAndWires)
 {
   using Make = Eigen::Vector3d (*) (const Eigen::Vector3d&);
-  // With the share of the points that may be on planes.
+  // Name, shape and the largest share of points that may be on planes.
   const std::tuple<const char*, Make, double> shapes[] = {
       {"sphere", [] (const auto& p) { return Eigen::Vector3d (p.normalized()); }, 0.0},
-      // Between patches that are curved there are no strips that are flat.
+      // A cylinder has no flat strips between its curved patches.
       {"cylinder",
        [] (const auto& p) {
          return Eigen::Vector3d (
@@ -154,7 +155,7 @@ TEST (DefaultPath, FindsNoPlaneOnMostOfANoisyBall)
   EXPECT_LT (points, 60000u / 20);
 }
 
-// Clouds whose parts have little in common: each is looked at on its own scale.
+// Clouds whose parts differ in density and noise: each part needs its own scale.
 
 TEST (DefaultPath, FindsASparseGroundBesideADenseBoard)
 {

@@ -130,7 +130,7 @@ within (const pcl::search::Search<PointXYZ>& search,
   return found;
 }
 
-/** All points by rising distance, equal ones by rising index, up to a distance. */
+/** Neighbors within a radius, by ascending distance and then by ascending index. */
 Neighbors
 bruteForce (const Cloud& cloud, const PointXYZ& query, float squared_radius = INFINITY)
 {

@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
-// A cloud that is only written down in another way has the same planes. The share of
-// points that must stay on the same one is the table of the page on accuracy.
+// The planes of a cloud do not depend on how the cloud is written down. The table on
+// the accuracy page gives the share of points that must stay on the same plane.
 
 namespace {
 
@@ -28,11 +28,11 @@ struct Variant {
   Cloud::Ptr cloud;
   /** \brief For each point its index in the cloud it was made from, or -1. */
   pcl::Indices original;
-  /** \brief Lengths in the cloud's unit for one of its original. */
+  /** \brief Length in this cloud of one unit length of the original cloud. */
   double unit = 1.0;
 };
 
-/** \param[in] unit the lengths of the moved cloud for one before */
+/** \param[in] unit length in the moved cloud of one unit length before */
 void
 move (Variant& variant, const Eigen::Affine3d& by, double unit = 1.0)
 {
@@ -46,11 +46,11 @@ turnAbout (const Eigen::Vector3d& axis)
   return Eigen::Affine3d (Eigen::AngleAxisd (0.7, axis.normalized()));
 }
 
-/** \brief Takes the points in an order. */
+/** \brief Replaces the points by those with the indices in \p order. */
 void
 reorder (Variant& variant, const pcl::Indices& order)
 {
-  // pcl::copyPointCloud takes as many indices as points for all in their order.
+  // pcl::copyPointCloud ignores the order if there are as many indices as points.
   const auto ordered = pcl::make_shared<Cloud>();
   for (const pcl::index_t i : order)
     ordered->push_back ((*variant.cloud)[i]);
@@ -58,7 +58,7 @@ reorder (Variant& variant, const pcl::Indices& order)
   variant.original = order;
 }
 
-/** \brief Adds a hundredth more points anywhere in a cube of so many meters. */
+/** \brief Adds 1 % more points, drawn in a cube with this half edge [m]. */
 void
 addOutliers (Variant& variant, double half_edge)
 {
@@ -69,7 +69,7 @@ addOutliers (Variant& variant, double half_edge)
   variant.original.resize (variant.cloud->size(), -1);
 }
 
-/** \brief Adds so many more of its points as a sensor writes missing readings. */
+/** \brief Adds missing readings at zero; their number is a share of the points. */
 void
 addMissing (Variant& variant, double share)
 {
@@ -134,7 +134,7 @@ const std::map<std::string, void (*) (Variant&)> changes = {
        v.cloud->sensor_origin_ = Eigen::Vector4f (-30.0f, 50.0f, -20.0f, 0.0f);
      }}};
 
-// In which OPS has every point stay on its plane.
+// Variants in which OPS keeps every point on its plane.
 const std::set<std::string> exact = {"permuted",
                                      "every_point_twice",
                                      "every_point_thirty_times",
@@ -173,12 +173,12 @@ const Method methods[] = {
     {"fspf", [] (const auto& v) { return planesBy (Fspf(), v); }, 99_percent},
     {"kht", [] (const auto& v) { return planesBy (Kht(), v); }, 98_percent}};
 
-/** \brief Share of the points of planes that are on the plane that has most points of
- * theirs in a variant. */
+/** \brief Share of the points on planes that stay together: for each plane, the plane
+ * of the variant with most of its points counts. */
 double
 agreement (const Planes& planes, const Planes& of_variant, const Variant& variant)
 {
-  std::map<int, std::size_t> after; // planes from 1 of points of the original
+  std::map<int, std::size_t> after; // original index to plane number from 1
   for (std::size_t p = 0; p < of_variant.size(); ++p)
     for (const pcl::index_t i : of_variant[p].inliers)
       after[variant.original[i]] = p + 1;

@@ -20,7 +20,7 @@ struct Row {
   std::vector<double> wrong, right;
 };
 
-/** \brief Those of some parameters, and those that all detectors have. */
+/** \brief Rows of one parameter struct; for a detector also the rows common to all. */
 std::vector<Row>
 rowsOf (const std::string& parameters, bool is_detector)
 {
@@ -51,7 +51,7 @@ setTo (double value, T& member)
     member = {1.0, 2.0, value};
 }
 
-/** \brief What validate says where one of good parameters has some value. */
+/** \brief Message of validate after one of valid parameters is set to a value. */
 template <typename Parameters>
 std::string
 problemWith (Parameters parameters, const std::string& changed, double value)
@@ -80,7 +80,7 @@ expectRanges (const std::vector<Row>& rows, const Parameters& good)
   }
 }
 
-/** \brief As a reader has it: an angle in degrees, an enumerator as its word. */
+/** \brief Prints a value readably: an angle in degrees, an enumerator as its word. */
 template <typename T>
 void
 print (const std::string& name, const T& value, std::ostream& out)
@@ -190,7 +190,7 @@ TEST (MeasureNoise, IsThatOfACloudAndOfNoneWithoutPoints)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   EXPECT_EQ (pcl_ops::measureNoise (cloud, {}).points, 0.0);
-  // A floor with 1 cm between rows that are at 0 and 2 mm in turn.
+  // A floor of points 1 cm apart; the pattern of their heights has 0 and 2 mm.
   for (int i = 0; i < 100; ++i)
     for (int k = 0; k < 100; ++k)
       cloud.push_back ({0.01f * i, 0.01f * k, 2e-3f * ((3 * i + 5 * k) % 7 % 2)});

@@ -77,8 +77,8 @@ coefficientsOf (const PlaneSegment& plane)
   return coefficients.cast<float>();
 }
 
-/** \brief Misuse: false and empty outputs of every overload, and one message that names
- * the fix. */
+/** \brief Fails unless every overload refuses misuse: it returns false, empties its
+ * outputs, and prints one message that names the fix. */
 template <typename Detector>
 void
 expectRefused (Detector& detector, const std::string& message)
@@ -113,7 +113,7 @@ expectRefused (Detector& detector, const std::string& message)
 
 } // namespace
 
-/** \brief Begins with a room that all detectors find every surface of. */
+/** \brief A detector on a room, in which all detectors find every surface. */
 template <typename Detector>
 class PlaneDetector : public ::testing::Test {
 protected:
@@ -129,7 +129,7 @@ protected:
   Detector detector;
 };
 
-/** \brief With enough samples for a small scene. */
+/** \brief OPS as in the paper, with enough samples for a small scene. */
 struct PublishedOps : Ops {
   PublishedOps() : Ops (paperOn (nullptr)) {}
 };
@@ -399,7 +399,7 @@ TYPED_TEST (PlaneDetector, UsesTheGivenIndicesAloneInAllFormsOfPclAndAnyOrder)
   ASSERT_EQ (floor.size(), 1u);
   EXPECT_TRUE (
       std::includes (given.begin(), given.end(), floor[0].begin(), floor[0].end()));
-  // A few of so many points may be farther off than noise is.
+  // Among so many points, a few may be farther off than the noise allows.
   EXPECT_GE (static_cast<double> (floor[0].size()),
              0.999 * static_cast<double> (given.size()));
   detector.setIndices (pcl::IndicesConstPtr (new pcl::Indices (given)));
@@ -531,7 +531,7 @@ TEST (OpsOf, ASamplingRateThatDrawsNoPointFindsNone)
 
 TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 {
-  // A third of the points is. The final fit moves a plane a little.
+  // A third of the points is farther away. The final fit moves a plane a little.
   const auto cloud = room().noise (1_cm).spacing (2_cm).build().cloud;
   for (Ops ops : {opsOn (cloud), voxelsOn (cloud)}) {
     ops.setDistanceThreshold (1_cm);
@@ -547,8 +547,9 @@ TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 
 TEST (OpsOf, CoordinatesOfAThousandKilometersFindsWhatIsThere)
 {
-  // Single precision leaves steps of 6 cm there: a hall feels only that. Of a room all
-  // surfaces are found as in the paper; by default what is found at all is one of them.
+  // Single precision has steps of 6 cm there, which a hall tolerates. In a room the
+  // paper's parameters find all surfaces. Other parameters may find fewer planes, but
+  // each plane found is a true surface.
   const Eigen::Vector3d place (1e6, -1e6, 1e6);
   const auto hall = Scene()
                         .floor (40_m, 30_m)

@@ -31,7 +31,7 @@ planeWithShare (double share, std::size_t size = 1000)
   return cloud;
 }
 
-/** \brief pcl::RandomSampleConsensus with its number of iterations in sight. */
+/** \brief pcl::RandomSampleConsensus with public access to its iteration count. */
 struct CountingRansac : pcl::RandomSampleConsensus<pcl::PointNormal> {
   using pcl::RandomSampleConsensus<pcl::PointNormal>::RandomSampleConsensus;
   using pcl::RandomSampleConsensus<pcl::PointNormal>::iterations_;
@@ -55,7 +55,7 @@ sortedIterations (double share)
   return iterations;
 }
 
-/** \brief Indices a model draws one after the other. */
+/** \brief The indices of consecutive samples that a model draws. */
 pcl::Indices
 draws (Model& model, int number)
 {

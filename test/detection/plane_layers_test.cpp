@@ -9,8 +9,8 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// Points of two level squares, one above the other, that were labelled as one plane in
-// the middle: and what splitLayers makes of that plane.
+// Two level squares of points, one above the other, labeled as one plane between them,
+// and the result of splitLayers on that plane.
 struct Split {
   Split (double apart, double noise, std::size_t of_each, double min_apart = 5_mm)
   : labels (2 * of_each, 0), is_kept (1, 1)

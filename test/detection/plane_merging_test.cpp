@@ -19,7 +19,7 @@ square (const Eigen::Vector3d& center, double tilt = 0.0, double edge = 1_m)
   return {center - 0.5 * first - 0.5 * second, first, second};
 }
 
-/** \brief Moments of points so far off either side of a square. */
+/** \brief Moments of points at a distance [m] before and behind a square. */
 Moments
 noisySquare (const Eigen::Vector3d& center,
              double noise,
@@ -36,7 +36,7 @@ exactSquare (const Eigen::Vector3d& center, double tilt = 0.0, int steps = 10)
   return momentsOf (square (center, tilt), steps, steps);
 }
 
-/** \brief The noise decides alone. */
+/** \brief Parameters by which the noise alone limits the distance. */
 MergingParameters
 byNoise (double noise_factor)
 {
@@ -79,11 +79,12 @@ TEST (AreCoplanar, ByTheAngleAndBothDistancesWhateverTheSignOfTheNormals)
 
 TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
 {
-  // Points 3 cm off either side of each: 5 cm apart they are 5.8 cm from the other.
+  // Points lie 3 cm off both sides of each square. Their rms distance to the plane of
+  // the other square, 5 cm away, is 5.8 cm.
   const Moments noisy = noisySquare ({0, 0, 0}, 3_cm);
   const Moments above = noisySquare ({2, 0, 5_cm}, 3_cm);
   const Moments tilted = noisySquare ({0.5, 0, 0}, 3_cm, 30_cm, 8_deg);
-  // Of 9 cm of noise a plane with 1 cm may count on 6 cm.
+  // With a plane of 1 cm of noise, only 6 cm of another plane's 9 cm of noise count.
   const Moments thick = noisySquare ({0, 0, 0}, 9_cm);
   const Moments clean = noisySquare ({2, 0, 15_cm}, 1_cm);
   const Moments rough = noisySquare ({2, 0, 15_cm}, 2_cm);
@@ -109,7 +110,7 @@ TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
 
 TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
 {
-  // A piece of a wall 10 m away: its noise tilts it by 2 degrees, 35 cm there.
+  // A small piece 10 m from a wall: noise tilts it by 2 degrees, 35 cm over 10 m.
   const Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
   const Moments piece = noisySquare ({10, 0, 0}, 1_cm, 30_cm, 2_deg);
   EXPECT_FALSE (

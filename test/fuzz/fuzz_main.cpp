@@ -4,7 +4,7 @@
 
 #include "fuzz_targets.h"
 
-// What libFuzzer calls; PCL_OPS_FUZZ_TARGET is the name of the target it is built for.
+// Entry points of libFuzzer. PCL_OPS_FUZZ_TARGET is the name of the fuzzed target.
 
 extern "C" int
 LLVMFuzzerInitialize (int*, char***)

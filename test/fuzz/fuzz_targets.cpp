@@ -37,8 +37,8 @@ constexpr std::size_t max_points_of_a_shape = 400;
 using Planes = std::vector<PlaneSegment>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief Numbers from bytes, one after the other; zeros after the last, so that any
- * bytes mean something. */
+/** \brief Reads numbers from bytes one after the other, and zeros after the last byte:
+ * any bytes are a valid input. */
 class ByteReader {
 public:
   explicit ByteReader (const Bytes& bytes) : bytes_ (bytes) {}
@@ -73,7 +73,7 @@ private:
   std::size_t next_ = 0;
 };
 
-/** \brief What numbers may become, by the names of parameters. */
+/** \brief The values that a numeric parameter may be set to, by parameter name. */
 const std::map<std::string, std::vector<double>>&
 otherValues ()
 {
@@ -89,15 +89,15 @@ otherValues ()
   return values;
 }
 
-/** Leaves each parameter but three as it is for most bytes, else takes another value.
- */
+/** Changes parameters: a byte below 128 keeps a parameter, a larger one chooses another
+ * value. Three parameters never change. */
 template <typename Parameters>
 void
 vary (ByteReader& bytes, Parameters& parameters)
 {
   python::visit_parameters (parameters, [&] (const std::string& name, auto& value) {
     using Value = std::decay_t<decltype (value)>;
-    // Neither these nor what came after the corpus, whose bytes would mean others.
+    // A byte for a parameter newer than the corpus would shift all bytes after it.
     if (name == "threads" || name == "sampling" || name == "min_points")
       return;
     const auto chosen = bytes.take<std::uint8_t>();
@@ -223,9 +223,9 @@ indicesFrom (ByteReader& bytes, std::size_t points)
   return indices;
 }
 
-/** \brief Shapes as bytes say, all of it shrunk, magnified or moved off: bytes that
- * were points themselves would hardly ever lie on a plane.
- * \return also which points to use, outside of it, double or without order; or none */
+/** \brief Makes shapes from bytes, then scales and shifts the cloud. Points read from
+ * bytes directly would hardly ever lie on a plane.
+ * \return also indices, perhaps out of range, repeated or unsorted; or no indices */
 std::pair<Cloud::Ptr, pcl::IndicesPtr>
 cloudFrom (ByteReader& bytes)
 {
@@ -247,8 +247,8 @@ cloudFrom (ByteReader& bytes)
   return {cloud, indicesFrom (before_shapes, cloud->size())};
 }
 
-/** Planes by falling size with ascending indices of finite points, each of one plane
- * alone, and finite unit normals. */
+/** Checks that planes have finite unit normals and come in descending order of size.
+ * Inliers must be ascending indices of finite points; no planes may share a point. */
 void
 promiseOrderedPlanes (const Planes& planes, const Cloud& cloud)
 {
@@ -318,7 +318,8 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
   promiseEqual (planes, again);
 }
 
-/** \brief One for all inputs of a kind: a file takes longer to make than to read. */
+/** \brief One file for all inputs with an extension: making a file takes longer than
+ * reading it. */
 const apps::Spool&
 spoolOf (const std::string& extension)
 {
@@ -348,14 +349,14 @@ load (const Bytes& bytes, const std::string& extension, Use&& use)
              "an error is one line");
   }
   catch (const std::bad_alloc&) {
-    // A program says so in one line.
+    // A program reports missing memory in one line.
   }
 }
 
 void
 promiseSaved (const apps::FileCloud& cloud)
 {
-  // A name of its own: newer compilers take the reference for one to a temporary.
+  // A named string: newer compilers warn of a dangling reference to a temporary.
   const std::string extension = ".pcd";
   const apps::Spool& copy = spoolOf (extension);
   apps::saveCloud (copy.name(), cloud);
@@ -402,7 +403,8 @@ loadLas (const Bytes& bytes)
   });
 }
 
-/** In a small corner, by what stands on a line each. */
+/** Detects planes in a corner of a floor and a wall. Each line of the bytes is one
+ * command line argument. */
 void
 detectAsTold (const Bytes& bytes)
 {
@@ -433,7 +435,7 @@ detectAsTold (const Bytes& bytes)
 void
 readOptions (const Bytes& bytes)
 {
-  // Takes away what --help prints.
+  // Discards the output of --help.
   const std::ostringstream nothing;
   const boost::io::ios_rdbuf_saver saver (std::cout, nothing.rdbuf());
   try {

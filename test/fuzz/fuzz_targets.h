@@ -10,10 +10,11 @@
 
 namespace pcl_ops::fuzz {
 
-/** \brief What a fuzzer makes up. */
+/** \brief An input that a fuzzer generates. */
 using Bytes = std::vector<std::uint8_t>;
 
-/** \brief Of something that holds for whatever comes in. */
+/** \brief Checks a property that must hold for every input.
+ * \throw std::logic_error if it does not hold */
 inline void
 promise (bool holds, const std::string& what)
 {
@@ -23,13 +24,13 @@ promise (bool holds, const std::string& what)
 
 using Targets = std::map<std::string, void (*) (const Bytes&)>;
 
-/** \brief All by their names; the corpus of each is the folder of that name. "pcd",
- * "ply", "las", "ascii", "ptx", "kitti", "npy", "off" and "obj" load bytes as a file: a
- * cloud whose sizes agree, or an error of one line; from "ascii" on each number is
- * written again, and a LAS is labeled, where it takes labels. "options" takes lines for
- * what stands on a command line, and detects planes in a small cloud by it. The others
- * detect planes, with parameters and in a cloud made up from bytes, by a method: see
- * promiseOrderedPlanes. */
+/** \brief All targets by name; the folder of that name has the target's corpus. "pcd",
+ * "ply", "las", "ascii", "ptx", "kitti", "npy", "off" and "obj" load bytes as a file.
+ * Loading must return a cloud with consistent sizes, or fail with an error of one line.
+ * From "ascii" on each number is written again; a LAS that takes labels is labeled.
+ * "options" reads a command line argument from each line and detects planes in a small
+ * cloud. The other targets detect planes by one method, with parameters and a cloud
+ * made from the bytes: see promiseOrderedPlanes. */
 const Targets&
 allTargets ();
 

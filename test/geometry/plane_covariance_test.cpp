@@ -8,7 +8,7 @@ using namespace pcl_ops;
 
 namespace {
 
-/** \brief A long, tilted board whose sides are those of no axis, 10 m away. */
+/** \brief A long, tilted board 10 m away; its edges are parallel to no axis. */
 const Surface board{{10, 2, 1}, {2.4, 0.9, 0.3}, {-0.2, 0.5, 0.4}};
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -53,7 +53,7 @@ TEST (PlaneCovariance, SaysHowFarFitsOfManyAndOfFewPointsAreOff)
   constexpr int draws = 1000;
   for (const auto& [points, noise] : {std::pair (300, 1_cm), {30, 5_mm}}) {
     RandomGenerator generator (seedOfTest());
-    // Means over many draws of what the covariance promises to be 1.
+    // Means over many draws; the covariance is right if their expected value is 1.
     Eigen::Vector3d squared_errors = Eigen::Vector3d::Zero();
     double squared_distance = 0.0;
     for (int i = 0; i < draws; ++i) {

@@ -144,7 +144,8 @@ TEST (Moments, OfAMeanAndACovarianceHaveBoth)
 
 TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliersToItself)
 {
-  // A plane of a coarse method, 4 cm beside points 3 cm to either side of theirs.
+  // A plane of a coarse method, 4 cm from the fitted plane of its points, which lie
+  // 3 cm off either side of that plane.
   pcl_ops::PlaneSegment segment;
   segment.centroid = {2, 0, 0};
   segment.normal = Eigen::Vector3d::UnitX();

@@ -58,7 +58,7 @@ TEST (Metrics, AreWhatTheirDefinitionSays)
   }
 }
 
-/** Whether the truth of each is unknown, by \ref runs of 1 and 0. */
+/** Marks for points from \ref runs: 1 if the truth of a point is unknown, else 0. */
 std::vector<char>
 ignoring (const std::string& text)
 {
@@ -77,7 +77,7 @@ valueOf (const Metrics& metrics, const std::string& name)
 
 TEST (Metrics, PointsWhoseTruthIsUnknownAreLeftOut)
 {
-  // Of the wall the truth knows nothing; half of the floor's plane is missing.
+  // The truth of the wall is unknown; half of the floor's plane is not found.
   const Metrics metrics = compareLabels (floorAndWall(),
                                          runs ("10x1 10x0"),
                                          runs ("5x1 15x0"),
@@ -124,13 +124,13 @@ TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
   EXPECT_THROW (
       compareLabels (floorAndWall(), PlaneLabels (20, 1), PlaneLabels (19, 1)),
       std::invalid_argument);
-  PlaneLabels one_a_point (20'000); // refused before memory is
+  PlaneLabels one_a_point (20'000); // refused before memory runs out
   std::iota (one_a_point.begin(), one_a_point.end(), 1u);
   EXPECT_THROW (compareLabels (XyzCloud (20'000, 1), one_a_point, one_a_point),
                 std::length_error);
 }
 
-/** How many planes there are in each class. */
+/** Number of planes in each size class. */
 std::vector<std::size_t>
 planesIn (const SizeClasses& classes)
 {

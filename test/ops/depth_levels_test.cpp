@@ -11,7 +11,7 @@ namespace {
 
 const Surface slanted_wall = {{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}};
 
-// Depth in steps.
+// Points of the slanted wall with depths z rounded to a step [m].
 Coordinates
 onSteps (double step, double jitter = 0.0)
 {

@@ -28,7 +28,7 @@ detectIn (const Points& points, const OpsParameters& parameters = usualParameter
   return detectOnPlaces (points, parameters, durations);
 }
 
-/** \brief Adds points anywhere on a surface, so far from each other on average. */
+/** \brief Adds points drawn uniformly on a surface with a mean spacing [m]. */
 void
 addDrawn (Points& points, const Surface& surface, double spacing, double noise)
 {
@@ -60,7 +60,7 @@ smallRoom ()
   return drawnPoints ({floor_of_room, wall_of_room, table}, 2.5e-2, 3_mm);
 }
 
-/** \brief The label that most points of a range have, and their share of it. */
+/** \brief The most frequent label of a range of points, and the share that has it. */
 std::pair<std::int32_t, double>
 usualLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
 {
@@ -74,8 +74,8 @@ usualLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
           static_cast<double> (*most) / static_cast<double> (end - begin)};
 }
 
-/** \brief Each surface, of points that follow each other, has a plane of its own with
- * nearly all of them. */
+/** \brief Fails unless each surface has a plane of its own with nearly all its points.
+ * The points of a surface are consecutive. */
 void
 expectEachHasItsPlane (const LabelledPlanes& found,
                        const std::vector<std::size_t>& ends,
@@ -92,7 +92,7 @@ expectEachHasItsPlane (const LabelledPlanes& found,
   EXPECT_EQ (planes.size(), ends.size());
 }
 
-/** \brief The points in an order. */
+/** \brief The points in the order of these indices. */
 Points
 inOrder (const Points& points, const Indices& order)
 {
@@ -190,7 +190,7 @@ TEST (DetectOnPlaces, FindsTheFacesOfARoofInSinglePrecisionOfMapCoordinates)
 
 TEST (DetectOnPlaces, TellsTheSidesOfAWallApart)
 {
-  // 10 cm thick: some of the neighborhoods of one side reach the other.
+  // A wall 10 cm thick: some neighborhoods of one side reach the other side.
   const Points points = drawnPoints (
       {{{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}}, {{0, 0.1, 0}, {4, 0, 0}, {0, 0, 2.5}}},
       2_cm,
@@ -314,7 +314,8 @@ TEST (DetectOnPlaces, LabelsEqualPointsAlike)
 
 TEST (DetectOnPlaces, IsNotDisturbedByMissingReadingsAtZero)
 {
-  // Those of a room about zero, as few as no earlier stage takes for missing ones.
+  // A room around the origin with so few zeros that no earlier stage takes them for
+  // missing readings.
   Points points = smallRoom();
   const std::size_t of_room = points.size();
   for (float& z : points.z)
@@ -358,7 +359,8 @@ TEST (DetectOnPlaces, FindsASurfaceThatIsFarDenserInAPlace)
 
 TEST (DetectOnPlaces, PartsTheSidesOfAWallThatNeighborhoodsMix)
 {
-  // Seen from both sides, 3 cm apart: as far as points of a side are.
+  // A board seen from both sides. Its sides are 3 cm apart, as far as the points of one
+  // side.
   const Points points = drawnPoints (
       {{{0, 0, 0.01}, {2, 0, 0}, {0, 2, 0}}, {{0, 0, 0.04}, {2, 0, 0}, {0, 2, 0}}},
       3_cm,
@@ -419,8 +421,8 @@ TEST (DetectOnPlaces, FindsNearlyTheSameWithoutSomeOfThePoints)
 
 TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
 {
-  // Errors of 2 cm, 20 cm wide, as those of a smoothed depth image far away; near
-  // points scatter by a tenth of that.
+  // Correlated errors of up to 2 cm, 20 cm wide, as in a smoothed depth image far away.
+  // Their rms is 1 cm; neighboring points scatter by a tenth of that.
   Points points = drawnPoints ({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, 2_cm, 1_mm);
   const auto wave = [] (float along) { return std::sin (2.0 * M_PI * along / 0.4); };
   for (std::size_t i = 0; i < points.size(); ++i)

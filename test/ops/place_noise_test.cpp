@@ -9,7 +9,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// A wall whose neighboring points err alike: waves of 40 cm.
+// A wall with correlated errors of neighboring points: waves 40 cm long.
 Coordinates
 wavyWall ()
 {

@@ -45,7 +45,7 @@ planesOf (const LabelledScene& scene, const KhtParameters& parameters)
   return ::planesOf (kht);
 }
 
-/** Which surface a plane is, or -1. */
+/** Index of the surface that a plane is near, or -1. */
 int
 surfaceOf (const PlaneSegment& plane,
            const LabelledScene& scene,

@@ -56,7 +56,7 @@ const HoughSpace space{BallDirections (180), 200, 0.01};
 
 using Bin = std::pair<std::uint32_t, int>;
 
-/** The votes of each bin, which is there once. */
+/** The votes of each bin; fails if a bin gets votes twice. */
 std::map<Bin, double>
 votesOf (const PlaneKernel& kernel)
 {
@@ -73,7 +73,7 @@ votesOf (const PlaneKernel& kernel)
   return bins;
 }
 
-/** Deviations of some bins' width, all correlated. */
+/** A kernel with standard deviations of 3 to 4 bins, all correlated. */
 PlaneKernel
 kernelAt (double rho, double phi, double theta)
 {
@@ -102,7 +102,8 @@ leastVote (const PlaneKernel& kernel)
   return std::exp (-2.0) * density (kernel, kernel.mean);
 }
 
-/** The density at a bin seen from either side of the poles, any number of turns on. */
+/** Largest density at the equivalent coordinates of a bin: theta up to two turns on,
+ * phi on either side of both poles. */
 double
 largestDensity (const PlaneKernel& kernel, const Bin& bin)
 {

@@ -39,7 +39,7 @@ addPatch (std::size_t size, Coordinates& points)
   }
 }
 
-/** Adds points a meter and more from it and from each other: none has a neighbor. */
+/** Adds points at least 1 m from the patch and from each other, without neighbors. */
 void
 addLonePoints (std::size_t size, Coordinates& points)
 {
@@ -90,8 +90,8 @@ without (const CloudView& cloud = {})
   return {cloud, &some, Eigen::Vector3d::Zero(), nullptr};
 }
 
-/** The sphere around every point holds once what looking at all points finds, but for
- * those so near its surface that rounding decides. */
+/** Fails unless the search finds each point within the radius of every point once, as
+ * brute force does. Points so near the sphere that rounding decides do not count. */
 void
 expectFindsAll (const Coordinates& coordinates, double radius)
 {
@@ -182,7 +182,7 @@ TEST (SampleLocalPlanes, EndsAtTheNumberOfInliersHypothesesOrVisits)
   hypotheses.max_hypotheses_per_point = 0.5;
   EXPECT_EQ (samplePatch (200, hypotheses).hypotheses, 100u);
   visits.max_inliers_per_point = 1e9;
-  // Each costs its 200 points and a hundred.
+  // Each hypothesis costs the 200 points of its sphere and 100 more.
   visits.max_visits_per_point = 7 * 1.5;
   EXPECT_EQ (samplePatch (200, visits).hypotheses, 7u);
 }
@@ -192,7 +192,7 @@ TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
   constexpr std::size_t size = 200;
   Coordinates points;
   addLonePoints (size, points);
-  // As a search does whose voxels hold everything.
+  // Like a search whose voxels hold all points: it visits many and finds one.
   const auto find_itself = [] (std::uint32_t center, Indices& sphere) {
     sphere = {center};
     return std::size_t (3 * 300);

@@ -29,7 +29,7 @@ clustersOf (const Coordinates& points, int first_level)
   return findCoplanarClusters (points, parameters);
 }
 
-/** Its points lie in one octree leaf and on the tilted surface. */
+/** Fails unless a cluster's points lie in one octree leaf and on the tilted surface. */
 void
 expectPointsOfOneCell (const OctreeClusters& found,
                        const CoplanarCluster& cluster,

@@ -33,8 +33,8 @@ orient (const Cloud::ConstPtr& cloud,
   return orientSamples (view, points, sample, search, k, sigma);
 }
 
-/** \brief M_i straight from the paper: the k nearest by sorting all distances. The
- * radius of the neighborhood is sigma unless there is one. */
+/** \brief M_i straight from the paper: the k nearest by sorting all distances. Without
+ * a given sigma, sigma is the distance to the k-th nearest point. */
 Eigen::Matrix3d
 scatterByBruteForce (const Cloud& cloud,
                      std::size_t sample,
@@ -56,7 +56,7 @@ scatterByBruteForce (const Cloud& cloud,
   return m;
 }
 
-/** \brief Five points of a line, 1 m apart; the one in the middle is nowhere. */
+/** \brief Five points of a line, 1 m apart; the middle point has a NaN coordinate. */
 struct Line {
   Line()
   {

@@ -32,7 +32,8 @@ votesOfKernelAt (double rho, double phi, double theta)
   return votes;
 }
 
-/** A value beyond the first or the last bin comes from the other side or is none. */
+/** Votes of a bin. Below bin 0 they are those of the opposite direction; beyond the
+ * last bin there are 0 votes. */
 float
 votesOf (const SphericalAccumulator& accumulator, std::uint32_t direction, int bin)
 {

@@ -10,8 +10,8 @@ using namespace pcl_ops;
 
 namespace {
 
-/** \brief The planes of a scene as a detector would give them that makes no mistake: in
- * the order of the surfaces. */
+/** \brief The planes of a scene as a perfect detector returns them, in the order of the
+ * surfaces. */
 std::vector<PlaneSegment>
 planesOf (const LabelledScene& scene)
 {
@@ -32,7 +32,7 @@ edgesOf (const LabelledScene& scene, const PlaneEdgeParameters& parameters = {})
   return findPlaneEdges (*scene.cloud, planesOf (scene), parameters);
 }
 
-/** \brief The scene with its last surface as a part of the plane of another. */
+/** \brief Builds a scene whose last surface belongs to the plane with this index. */
 LabelledScene
 withLastIn (int plane, Scene scene)
 {
@@ -65,7 +65,7 @@ edgeBetween (const PlaneEdges& found, std::size_t first, std::size_t second)
   return edge;
 }
 
-/** \brief The ends are near these, in any order. */
+/** \brief Fails unless an edge ends near these two points, in either order. */
 void
 expectRuns (const PlaneEdge& edge, Vector3d from, Vector3d to, double tolerance)
 {

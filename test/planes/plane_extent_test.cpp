@@ -21,7 +21,7 @@ extentOf (const Cloud& cloud, const Eigen::Vector3d& normal = Eigen::Vector3d::U
       cloud, planeOfPoints (cloud, upTo<pcl::Indices> (cloud.size()), normal));
 }
 
-/** \brief Two corners of a grid of points 1 cm apart, and all between. */
+/** \brief A level grid of points 1 cm apart, from (0, 0) to (length, width) [m]. */
 Cloud
 gridOf (double length, double width)
 {
@@ -84,7 +84,7 @@ shareInside (const Cloud& cloud,
 
 const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
 
-/** \brief That of the convex hull of points of the ground. */
+/** \brief The extent of the convex hull of points of the ground. */
 PlaneExtent
 extentOnGround (const PlanarPoints& points)
 {

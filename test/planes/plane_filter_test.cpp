@@ -29,7 +29,7 @@ house ()
           planeOf ({std::sin (30_deg), 0, std::cos (30_deg)}, Orientation::Other, 200)};
 }
 
-/** \brief So wide as a plane has hundreds of points, and 10 m long. */
+/** \brief An extent 10 m long and 1 m wide for each hundred points of a plane. */
 PlaneExtent
 extentByPoints (const PlaneSegment& plane)
 {

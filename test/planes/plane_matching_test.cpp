@@ -28,7 +28,7 @@ roomCorner ()
           board ({-1, 4.7, 0.3}, Vector3d::UnitZ(), {1, 0.4})};
 }
 
-/** \brief The same as seen from elsewhere. */
+/** \brief The same planes as seen from another pose. */
 Planes
 seenFrom (const Isometry3d& pose, Planes planes)
 {
@@ -127,7 +127,7 @@ struct MatchingCase {
   Planes previous;
   Planes current;
   PlaneMatchingParameters parameters;
-  /** Of each current plane the previous one that it is. */
+  /** Index of the previous plane that matches each current plane. */
   Labels expected;
 };
 
@@ -153,7 +153,7 @@ withMinOverlap (double share)
   return parameters;
 }
 
-/** Of a pose without an error. */
+/** Parameters for a pose without an error. */
 PlaneMatchingParameters
 exactPose ()
 {

@@ -34,7 +34,8 @@ addSquare (int side, double x, double y, Cloud& cloud)
       cloud.push_back (toPoint ({x + spacing * i, y + spacing * j, 0.0}));
 }
 
-/** \brief 8 x 8 squares of 6 x 6 points, with so many spacings from one to the next. */
+/** \brief 8 x 8 squares of 6 x 6 points.
+ * \param[in] gap from one square to the next, in spacings of points */
 Cloud
 checkerboard (double gap)
 {

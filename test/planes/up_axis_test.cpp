@@ -13,8 +13,9 @@ namespace {
 
 const Vector3d up = Vector3d::UnitZ();
 
-/** \brief A surface as a detector gives it: with a point every 10 cm, and its normal
- * towards the eye; in a unit of which a meter has so many. */
+/** \brief A surface as a detector returns it, with a point every 10 cm and its normal
+ * towards the eye.
+ * \param[in] unit number of length units in a meter */
 PlaneSegment
 seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
 {

@@ -74,8 +74,8 @@ roomAt (const Vector3d& corner)
   return cloud;
 }
 
-/** \brief The normals of the planes that are not vertical, told where the sensor was.
- */
+/** \brief Detects planes with a known sensor position and returns the normals of those
+ * that are not vertical. */
 std::vector<Vector3d>
 normalsOf (const Cloud& cloud, const Vector3d& sensor = Vector3d::Zero())
 {

@@ -62,7 +62,7 @@ isInWall (const Eigen::Vector2d& p)
 
 constexpr double area_of_l = 1.75;
 
-/** \brief Points of a square of 3 m, drawn until there are so many of a shape. */
+/** \brief Draws points in a square of 3 m until a number of them are in a shape. */
 template <typename Shape>
 PlanarPoints
 scattered (std::size_t number, double noise, Shape&& isInShape)

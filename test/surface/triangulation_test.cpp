@@ -9,7 +9,7 @@ using pcl_ops::PlanarPoints;
 
 namespace {
 
-/** \brief The areas of the triangles, each of which runs counter-clockwise. */
+/** \brief Total area of the triangles; fails if a triangle runs clockwise. */
 double
 areaOfTriangles (const pcl_ops::PlanarRings& rings)
 {

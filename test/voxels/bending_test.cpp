@@ -9,7 +9,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Of a surface above (x, y) [m]. */
+/** \brief Height of a surface at (x, y) [m]. */
 using Height = double (*) (double x, double y);
 
 /** \brief Points above a square of 200 x 200, in voxels of 10 cm.

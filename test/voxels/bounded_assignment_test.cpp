@@ -36,7 +36,8 @@ TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
 
 TEST (BoundedAssignment, GivesAPointBetweenPlanesToTheNoisierAndOneOnBothToTheCleaner)
 {
-  // Points at 5 cm; left of x = 1 a plane so far below, right of it one above them.
+  // The points lie at z = 5 cm. Left of x = 1 m a plane is this far below them, right
+  // of it another plane is above them.
   VoxelScene scene ({{ground}});
   scene.label (1, [] (const auto& at) { return at.x() > 1.0; });
   for (const double off : {3_cm, 1_mm})

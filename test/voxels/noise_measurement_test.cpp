@@ -24,7 +24,7 @@ TEST (Noise, IsThatOfMostOfThePlaneAndOfOneWithoutVoxelsIsKept)
   scene.addPlane ({Eigen::Vector3d::UnitX(), 7.0});
   scene.planes.noise[1] = 1_m;
   measureNoise (scene.grid(), 1, scene.planes);
-  // Of points that are spread evenly within a noise.
+  // The standard deviation of a uniform distribution from -1 cm to 1 cm.
   EXPECT_NEAR (scene.planes.noise[0], 1_cm / std::sqrt (3.0), 1_mm);
   EXPECT_EQ (scene.planes.noise[1], 1_m);
 }

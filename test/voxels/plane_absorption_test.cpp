@@ -7,7 +7,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Adds a copy of the ground's plane that has its voxels some way along. */
+/** \brief Adds a copy of plane 0, which takes all voxels with x < \p width [m]. */
 void
 splitOff (double width, VoxelScene& scene)
 {
@@ -16,14 +16,15 @@ splitOff (double width, VoxelScene& scene)
   scene.label (splinter, [width] (const auto& at) { return at.x() < width; });
 }
 
-/** \brief For each plane the one that it ends in. */
+/** \brief For each plane the index of the plane that absorbs it. */
 pcl_ops::Labels
 absorbed (const VoxelScene& scene)
 {
   return absorbPlanes (scene.grid(), 2.0, scene.planes);
 }
 
-/** \brief Where a strip so far above a ground ends [m], by the noise of both [m]. */
+/** \brief Index of the plane that absorbs a strip at a height above a ground [m], when
+ * both have this noise [m]. */
 std::int32_t
 absorberOfStrip (double height, double noise_of_ground, double noise_of_strip)
 {

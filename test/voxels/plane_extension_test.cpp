@@ -28,8 +28,8 @@ struct FloorAndRows {
     return *this;
   }
 
-  /** \brief The label that each row has when planes went on, in voxels of 10 cm; they
-   * are those of all of its points. */
+  /** \brief The label of each row after plane extension in voxels of 10 cm; fails if
+   * the points of a row differ in label. */
   Labels
   extended (int levels, std::optional<double> distance_threshold = {}) const
   {

@@ -15,7 +15,7 @@ isRight (const Eigen::Vector3d& at)
   return at.x() > 1.0;
 }
 
-/** \brief The ground, whose left half alone is on its plane. */
+/** \brief The ground; only its left half is on its plane. */
 VoxelScene
 halfExplained ()
 {
@@ -129,7 +129,7 @@ TEST (Refinement, KeepsTheCoarsePlanesAndThatOfTheVoxelThatHoldsAFinerOne)
 
 TEST (Refinement, KeepsNoPlaneThatTheFinerPointsAreNotOn)
 {
-  // A thing of 5 x 5 cm lies 4 cm above the ground, within a voxel of the tenth row.
+  // An object of 5 x 5 cm lies 4 cm above the ground, within a voxel of the tenth row.
   VoxelScene scene ({{ground}});
   addGrid (scene.points, {{0.95, 0.5, 0.09}, {0.05, 0, 0}, {0, 0.05, 0}}, 12);
   scene.voxelize();

@@ -12,7 +12,7 @@ namespace {
 const Surface floor_of_the_scene = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 const Surface wall_of_the_scene = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
-/** \brief With the default resolutions, and neighborhoods of 30 points or of as many
+/** \brief Surfels at the default resolutions. A neighborhood has 30 points, or as many
  * as eight voxels hold on average. */
 std::vector<std::optional<Surfel>>
 surfelsOf (const VoxelGrid& grid, unsigned threads = 1)

@@ -12,8 +12,8 @@ namespace {
 constexpr int many = 224;
 constexpr double few_voxels = 0.003;
 
-/** \brief Of a floor of 40 m, 40,000 points and 13 in a voxel, with 10,000 more on a
- * patch of it; half of the points are \p noise above the floor and half below. */
+/** \brief Voxels of a floor of 40 m, 40,000 points and 13 in a voxel, with 10,000 more
+ * on a patch of it; half of the points are \p noise above the floor and half below. */
 VoxelGrid
 gridOfFloorWithPatch (double patch_edge, double noise)
 {
@@ -29,7 +29,7 @@ gridOfFloorWithPatch (double patch_edge, double noise)
   return voxelizeByNoise (points, usual_samples, 1).coarse;
 }
 
-/** \brief Of a floor of 4 m, one half of which is two layers so far apart. */
+/** \brief Voxels of a floor of 4 m; one half has two layers this far apart [m]. */
 VoxelGrid
 gridOfHalfALayer (double apart)
 {
@@ -40,7 +40,7 @@ gridOfHalfALayer (double apart)
   return voxelizeByNoise (points, few_voxels, 1).coarse;
 }
 
-/** \brief Of two floors of 4 m, so far above each other. */
+/** \brief Voxels of two floors of 4 m, one this far above the other [m]. */
 VoxelGrid
 gridOfFloors (double apart, int steps, double sampling_rate)
 {
@@ -67,7 +67,7 @@ TEST (VoxelChoice, TakesVoxelsOfSeventyTimesTheNoise)
 
 TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
 {
-  // Of exact planes and of those with hardly any noise, which would do with 36 mm.
+  // Exact planes, and planes whose noise alone would allow voxels of 36 mm.
   for (const double apart : {0.0, 1_mm})
     EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many, few_voxels)), 8.0);
   EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, 23, 0.03)), 3.0)

@@ -13,14 +13,13 @@ using namespace pcl_ops;
 
 namespace {
 
-/** \brief Points of surfaces with the planes that a detector finds in these. */
+/** \brief Points on surfaces, with the planes that a detector would find. */
 struct LabelledPlaneScene {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   std::vector<PlaneSegment> planes;
   RandomGenerator generator = RandomGenerator (seedOfTest());
 
-  /** \brief Adds a surface with so many points, a plane of its own unless it is none.
-   */
+  /** \brief Adds points on a surface, and a plane of these points if \p is_plane. */
   LabelledPlaneScene&
   add (const Surface& surface, std::size_t points, double noise, bool is_plane = true)
   {
@@ -48,7 +47,7 @@ struct LabelledPlaneScene {
     return resultWarnings (cloud, planes, context);
   }
 
-  /** \brief "thick-planes unit" */
+  /** \brief The codes of all warnings, e.g. "thick-planes unit". */
   std::string
   codes (const ResultContext& context = ResultContext()) const
   {

@@ -25,7 +25,7 @@ struct Detector {
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   bool quiet = false;
   bool proceeds = false;
-  /** \brief What the command line complains about, empty if nothing. */
+  /** \brief The error message of the command line; empty without an error. */
   std::string complaint;
 
   explicit Detector (const Arguments& arguments)

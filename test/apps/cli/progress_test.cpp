@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::milliseconds seldom = std::chrono::seconds (10), always{0};
 const std::string erased = "\r\033[K";
 
-/** \brief What the steps of a run of two say. */
+/** \brief The output of a run of two steps after some steps and a note. */
 std::string
 saidAfter (int steps, ProgressStyle style, std::chrono::milliseconds between = seldom)
 {

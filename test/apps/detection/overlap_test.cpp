@@ -29,7 +29,7 @@ addSquare (float x, float height, XyzCloud& cloud)
   return plane;
 }
 
-/** \brief The one of two squares beside or over each other. */
+/** \brief The overlap of a square at (0, 0) and a second one at (x, height) [m]. */
 std::optional<OverlappingPlanes>
 ofSquaresAt (float x, float height)
 {

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/** pcl_ops_evaluate, the files of inputs and some clouds. */
+/** A folder with input files and clouds for pcl_ops_evaluate. */
 class EvaluateProgram : public AnswersFolder {
 protected:
   EvaluateProgram() : AnswersFolder (PCL_OPS_EVALUATE_PROGRAM)
@@ -77,7 +77,7 @@ private:
     return "x,y,z,label\n" + point + floor.substr (floor.find ("\n0.02,"));
   }
 
-  /** The floor, whose first five points are these instead. */
+  /** The floor of one plane with its first five points replaced by one line of text. */
   static std::string
   withoutFivePoints (const std::string& point)
   {
@@ -123,8 +123,8 @@ INSTANTIATE_TEST_SUITE_P (All,
 
 TEST_P (EvaluateProgram, IsAsTheTableSays) { expectAnswers(); }
 
-/** A key of the second plane of a.json, a wrong value in its place, null for none, and
- * what pcl_ops_evaluate says of that. */
+/** A key of the second plane of a.json, a wrong value for it (null: no value), and the
+ * error message of pcl_ops_evaluate. */
 struct WrongValue {
   std::string test, key;
   Json value;

@@ -44,7 +44,7 @@ isFile (int descriptor)
 
 enum class Disk { HasRoom, GetsFull, IsFull };
 
-/** \brief How the disk is at this write: the n-th one still finds room for a part. */
+/** \brief State of the disk at the next write; the n-th still has room for a part. */
 Disk
 diskAtNextWrite ()
 {
@@ -59,7 +59,7 @@ diskAtNextWrite ()
   return write == last ? Disk::GetsFull : Disk::IsFull;
 }
 
-/** \brief Writes all, half of it, or nothing: bytes, or parts. */
+/** \brief Writes all, half or none of a number of bytes or parts. */
 template <typename Call, typename What, typename Count>
 ssize_t
 writeWhereThereIsRoom (Call* call, int descriptor, const What* what, Count count)

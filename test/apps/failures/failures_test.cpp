@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief Of outputs.tsv. */
+/** \brief A row of outputs.tsv. */
 using Row = std::vector<std::string>;
 
 std::string
@@ -95,8 +95,8 @@ protected:
       EXPECT_NE (entry.path().filename().string().front(), '.') << entry.path();
   }
 
-  /** \brief Gives a program more and more memory until it has enough; before, it says
-   * that it has not. */
+  /** \brief Raises the memory limit of a program until a run succeeds. Each run before
+   * must report that memory is missing. */
   void
   expectMemoryIsMissed () const
   {
@@ -109,7 +109,7 @@ protected:
     constexpr int not_loaded = 127;
     while (run_with_limit().exit_code == not_loaded && limit < most)
       limit += step;
-    // With luck that run had enough: a run of many files would find its work done.
+    // That run may have succeeded: a run of many files would then skip its work.
     for (protect(); limit < most; limit += step) {
       SCOPED_TRACE (std::to_string (limit) + " kB");
       const Outcome done = run_with_limit();
@@ -125,7 +125,7 @@ protected:
   std::string command_, file_, kept_;
 
 private:
-  /** \brief Without the lines that say how far a long run is. */
+  /** \brief The text without the progress lines of a long run. */
   static std::string
   ownLines (const std::string& text)
   {
@@ -155,8 +155,8 @@ class Failures : public Failing, public testing::WithParamInterface<Row> {
 protected:
   Failures() : Failing (GetParam()) {}
 
-  /** \brief Looks at the end of a run with a trouble at the first write, at the second
-   * and so on, until one ends well. */
+  /** \brief Checks the outcome of runs with a trouble at the first write, at the second
+   * and so on, until a run succeeds. */
   void
   expectAtEveryWrite (const std::string& trouble,
                       const std::function<void (const Outcome&)>& expect) const
@@ -175,7 +175,7 @@ protected:
     EXPECT_LT (write, max_writes);
   }
 
-  /** \brief A name of so many characters. */
+  /** \brief A file name of this many characters. */
   std::string
   nameOfLength (std::size_t length) const
   {
@@ -196,7 +196,7 @@ TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
 {
   expectAtEveryWrite ("FULL_AT_WRITE=", [this] (const Outcome& ending) {
     expectPromise (ending, file_);
-    protect(); // or a run of many files goes on
+    protect(); // else a run of many files resumes
   });
 }
 

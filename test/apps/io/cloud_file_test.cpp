@@ -44,7 +44,7 @@ const std::string pcd_header =
     "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
     "WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n";
 
-/** \brief A PCD one of whose lines is another one. */
+/** \brief A PCD whose header line with the same first word is replaced by \p line. */
 std::string
 pcdWith (const std::string& line, const std::string& body = "1 2 3\n4 5 6\n")
 {
@@ -66,7 +66,7 @@ plyWith (const std::string& elements,
   return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n" + body;
 }
 
-/** \brief What a line is repeated to, each time with its number. */
+/** \brief Repeats a line; its index follows the text \p line each time. */
 std::string
 repeated (int count, const std::string& line, const std::string& rest = "")
 {
@@ -105,7 +105,7 @@ lasWith (const std::string& changes)
   return las;
 }
 
-/** \brief A .npy of these bytes. */
+/** \brief A .npy file with this description in its header and these data. */
 std::string
 npyWith (const std::string& description, const std::string& data)
 {

@@ -14,7 +14,7 @@ constexpr std::uint16_t wkt_id = 2112;
 constexpr std::uint16_t geo_keys_id = 34735;
 constexpr const char* projection = "LASF_Projection";
 
-/** \brief What a file with these variable length records is in. */
+/** \brief Coordinate reference system of a LAS with these variable length records. */
 std::string
 crsOfRecords (const std::vector<std::string>& vlrs)
 {

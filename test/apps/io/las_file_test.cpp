@@ -15,7 +15,7 @@ namespace {
 
 class LasFileTest : public CloudFolder {
 protected:
-  /** \brief The file with these labels. */
+  /** \brief The bytes of a LAS after these labels were added. */
   std::string
   labelled (const std::string& las, const std::vector<std::uint32_t>& labels) const
   {

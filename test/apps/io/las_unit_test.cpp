@@ -20,7 +20,7 @@ protected:
     return unitOf (*load ("a.las", lasBytes (recipe)).las);
   }
 
-  /** \brief By keys of GeoTIFF: number, 0, 1, value of each. */
+  /** \brief Unit of a LAS with GeoTIFF keys, each of them as id, 0, 1 and value. */
   LasUnit
   unitWithKeys (const std::vector<std::uint16_t>& keys) const
   {

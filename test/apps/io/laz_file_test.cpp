@@ -41,7 +41,7 @@ compressByLaszip (const std::string& las, const std::string& laz)
   laszip_destroy (reader);
 }
 
-/** \brief One with all that a LAS can have beside its points. */
+/** \brief A recipe with everything that a LAS can have beside its points. */
 LasRecipe
 recipeWithAll (std::uint8_t minor, std::uint8_t format)
 {
@@ -81,7 +81,7 @@ protected:
     return contentOf (folder_ / "again.las");
   }
 
-  /** \brief What loading complains about. */
+  /** \brief The error message of loading. */
   std::string
   complaintAbout (const std::string& bytes) const
   {

@@ -28,7 +28,7 @@ TEST_F (OutputFile, WritesManyFilesOfAFolderAtOnceEachInOneStep)
 
 TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
 {
-  // Of a program of the same number, as in another container.
+  // Temporary files of a program with the same process id in another container.
   constexpr int many = 500;
   const std::string start = ".pcl_ops." + std::to_string (::getpid()) + ".";
   for (int i = 0; i < many; ++i)

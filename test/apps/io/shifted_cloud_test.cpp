@@ -28,7 +28,7 @@ floorOfPoints ()
 }
 
 /** \brief Moves a share of a cloud's points, spread over it.
- * \param[in] one_of how many points there are for each that is moved */
+ * \param[in] one_of one of this many points is moved */
 XyzCloud
 withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& place, float step)
 {
@@ -50,7 +50,7 @@ damage (const XyzCloud& cloud, const Eigen::Vector3d& shift = {0, 0, 0})
   return damageOf (ShiftedCloud{cloud.makeShared(), shift});
 }
 
-/** \brief What is said of a share of a cloud at one place. */
+/** \brief The message about a share of a cloud's points that are at one place. */
 std::string
 atOnePlace (const std::string& share, const std::string& place)
 {

@@ -48,7 +48,7 @@ elementOf (const std::string& page, const std::string& id)
   return page.substr (begin, page.find ("</script>", begin) - begin);
 }
 
-/** \brief The bytes that letters of base64 stand for. */
+/** \brief The bytes that a text encodes in base64. */
 std::vector<std::uint8_t>
 decoded (const std::string& letters)
 {

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief One with extra bytes of a name that ours has, and another type. */
+/** \brief A LAS whose extra bytes have the name of a field of ours and another type. */
 LasRecipe
 withField (const std::string& name)
 {
@@ -67,7 +67,7 @@ protected:
     fs::create_symlink ("/dev/null", folder_ / "null.pcd");
   }
 
-  /** \brief What is there, and when it was written. */
+  /** \brief The files in the folder and the times they were written. */
   std::map<std::string, fs::file_time_type>
   files () const
   {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** \brief Tells of files that appear in a folder. */
+/** \brief Waits for files that appear in a folder. */
 class FolderWatch {
 public:
   explicit FolderWatch (const std::string& folder) : queue_ (::inotify_init())
@@ -27,8 +27,8 @@ public:
   operator= (const FolderWatch&) = delete;
   ~FolderWatch() { ::close (queue_); }
 
-  /** \brief Goes on when a file of this name is there, or any with an empty name.
-   * \return false if there is none though the program had all the time it needs */
+  /** \brief Waits until a file of this name appears, or any file for an empty name.
+   * \return false if no file appears in time */
   bool
   waitFor (const std::string& name) const
   {
@@ -64,8 +64,8 @@ private:
 /** \brief A run of pcl_ops_segment that is ended at its work by SIGTERM. */
 class Interruption : public Segment {
 protected:
-  /** \brief Starts a command of the shell in the folder, which the program is to take
-   * the place of; its errors go to the file "said".
+  /** \brief Starts a shell command in the folder; the program is to replace the shell.
+   * Standard error goes to the file "said".
    * \param[in] input file descriptor of its standard input */
   pid_t
   start (const std::string& command, int input = STDIN_FILENO) const
@@ -103,7 +103,7 @@ protected:
   static constexpr int ended_by_sigterm = 128 + SIGTERM;
 };
 
-/** \brief In the midst of 40 clouds. */
+/** \brief A run that is interrupted in the midst of 40 clouds. */
 class InterruptedBatch : public Interruption {
 protected:
   InterruptedBatch()

@@ -36,8 +36,8 @@ addGrid (InputCloud& cloud,
     }
 }
 
-/** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m.
- * \param[in] side how many points there are along each edge */
+/** \brief A floor of 2 m by 2 m, a point with NaN coordinates, and a wall at x = 3 m.
+ * \param[in] side number of points along each edge */
 inline InputCloud
 floorAndWall (int side = points_of_side)
 {
@@ -68,7 +68,7 @@ floorAndWallInLas ()
   return recipe;
 }
 
-/** \brief The same with the keys of GeoTIFF that say EPSG:2992 and international feet.
+/** \brief \ref floorAndWallInLas with GeoTIFF keys for EPSG:2992 in international feet.
  */
 inline LasRecipe
 floorAndWallInFeet ()
@@ -82,8 +82,8 @@ floorAndWallInFeet ()
   return recipe;
 }
 
-/** \brief A square of points, 4 cm apart, at UTM coordinates in text, with the number
- * of each point. */
+/** \brief A text file of a square of points 4 cm apart at UTM coordinates; the fourth
+ * column is the index of the point. */
 inline std::string
 squareText (int side, double z, const char* separator = " ")
 {

@@ -217,8 +217,8 @@ protected:
     save ("wall.pcd", wall);
   }
 
-  /** \brief The planes of the second scan and the third would be numbered otherwise, as
-   * their wall is larger; of the third the sensor has moved by 1 m in x. */
+  /** \brief The second and the third scan have a larger wall, which would change the
+   * numbers of their planes. The sensor of the third scan has moved by 1 m in x. */
   void
   saveSequences () const
   {

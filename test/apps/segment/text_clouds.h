@@ -59,7 +59,8 @@ pcdOfManyTypes ()
 }
 
 /** \brief A scan of a horizontal square of 1 m by 1 m, in the format PTX.
- * \param[in] scanner, above the heights of the scanner, and of the square over it */
+ * \param[in] scanner height of the scanner [m]
+ * \param[in] above height of the square above the scanner [m] */
 inline std::string
 scanText (int scanner, int above)
 {
@@ -121,7 +122,7 @@ windowText ()
   return text.str();
 }
 
-/** \brief A wall and a floor that rises by 3 cm on 2.4 m. */
+/** \brief A wall, and a floor that rises by 3 cm over 2.4 m. */
 inline std::string
 tiltedFloorText ()
 {

@@ -13,12 +13,12 @@
 #include <set>
 #include <sstream>
 
-/** What a command of a table has to leave at some place. */
+/** A row of a table: a command, a place in its outputs, and what is expected there. */
 struct Answer {
   std::string command, place, what;
 };
 
-/** The rows below a heading, whose commands share a folder. */
+/** A section of a table: a heading and its rows. Their commands run in one folder. */
 struct Answers {
   std::string heading;
   std::vector<Answer> rows;
@@ -30,7 +30,7 @@ struct Answers {
   }
 };
 
-/** Reads a table of segment/answers.tsv's kind. */
+/** Reads a table in the format of segment/answers.tsv. */
 inline std::vector<Answers>
 answersIn (const std::string& file)
 {
@@ -55,8 +55,8 @@ nameOfAnswers (const testing::TestParamInfo<Answers>& info)
   return std::regex_replace (info.param.heading, std::regex ("[^A-Za-z0-9]+"), "_");
 }
 
-/** The width of a cloud, its sensor's place, and the type and the values of each field:
- * numbers, null where there is none, and colors as red, green and blue. */
+/** A cloud in JSON: its width, its sensor's origin, and the type and values of each
+ * field. Values that are not finite become null; colors become [red, green, blue]. */
 inline nlohmann::json
 toJson (const pcl_ops::apps::FileCloud& cloud)
 {
@@ -87,7 +87,7 @@ protected:
   using ProgramFolder::ProgramFolder;
   using Json = nlohmann::json;
 
-  /** Whether two values are the same but for numbers that differ by less. */
+  /** Whether two JSON values are equal; numbers may differ by less than a tolerance. */
   static bool
   isNear (const Json& value, const Json& expected, double tolerance)
   {
@@ -110,7 +110,7 @@ protected:
                             : contentOf (folder_ / place);
   }
 
-  /** \return discarded where it is missing */
+  /** \return the JSON value at a place, or a discarded value if there is none */
   Json
   valueAt (const std::string& place) const
   {
@@ -170,7 +170,9 @@ protected:
       EXPECT_EQ (text.find (part) == std::string::npos, is_absent) << text;
   }
 
-  /** \param[in] conditions what a heading may begin with, and whether it is met here */
+  /** Runs the commands of the section and checks their outputs.
+   * \param[in] conditions beginnings of headings; a section whose condition is false is
+   * skipped */
   void
   expectAnswers (const std::map<std::string, bool>& conditions = {})
   {

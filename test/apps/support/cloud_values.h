@@ -24,7 +24,8 @@ valuesOf (const pcl_ops::apps::FileCloud& cloud, const std::string& name)
   return values;
 }
 
-/** \brief Every field and its numbers, and the height of an organized cloud. */
+/** \brief The name and the values of each field as text, and the height of an organized
+ * cloud. */
 inline std::string
 textOf (const pcl_ops::apps::FileCloud& cloud)
 {
@@ -50,7 +51,7 @@ protected:
     return pcl_ops::apps::loadCloud (folder_.write (name, content));
   }
 
-  /** \return the line that loading complains by, without the file's name */
+  /** \return the one-line message that loading fails with, without the file's name */
   std::string
   complaintAbout (const std::string& file) const
   {

@@ -15,7 +15,7 @@
 using pcl_ops::apps::bytesOf;
 using pcl_ops::apps::LasHeader;
 
-/** \brief What a small LAS file is made of. */
+/** \brief The content of a small LAS file. */
 struct LasRecipe {
   std::uint8_t minor_version = 4;
   std::uint8_t format = 6;
@@ -23,9 +23,9 @@ struct LasRecipe {
   std::vector<std::array<std::int32_t, 3>> points = {{1, 2, 3}, {4, 5, 6}};
   double scale = 0.001;
   std::array<double, 3> offset = {500000, 5400000, 0};
-  /** \brief Whole variable length records, and those behind the points. */
+  /** \brief Complete variable length records before and, extended, after the points. */
   std::vector<std::string> vlrs = {}, evlrs = {};
-  /** \brief Extra bytes of each record; all have the same number. */
+  /** \brief Extra bytes of each point record; all records have equally many. */
   std::vector<std::string> extra = {};
   /** \brief Bytes between the variable length records and the points. */
   std::string gap = {};
@@ -58,8 +58,8 @@ extraBytesField (const std::string& name, char type, char options = 0)
   return bytes;
 }
 
-/** \brief A record whose bytes, but for the coordinates, tell it and its places apart.
- */
+/** \brief The i-th point record. Each byte behind the coordinates is its position plus
+ * 16 i, so that no two bytes of a record are equal. */
 inline std::string
 lasRecord (const LasRecipe& recipe, std::size_t i)
 {
@@ -73,7 +73,7 @@ lasRecord (const LasRecipe& recipe, std::size_t i)
   return record + (recipe.extra.empty() ? "" : recipe.extra[i]);
 }
 
-/** \brief The bytes of the file. */
+/** \brief The bytes of the LAS file that a recipe describes. */
 inline std::string
 lasBytes (const LasRecipe& recipe)
 {

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-/** \brief All lidar scans of a folder of data, which are in the frames of their
- * sensors.
- */
+/** \brief Paths of all lidar scans in a data folder. Each scan is in the frame of its
+ * sensor. */
 inline std::vector<std::filesystem::path>
 lidarScansIn (const std::filesystem::path& data)
 {

@@ -34,7 +34,7 @@ public:
     return path_.string();
   }
 
-  /** \brief The path of a file in it. */
+  /** \brief Path of a file with this name in the folder. */
   std::string
   operator/ (const std::string& name) const
   {
@@ -57,7 +57,8 @@ public:
   }
 
 private:
-  /** \brief That of a parametrised test has a slash. */
+  /** \brief Name of the running test. A slash, as in the names of parametrized tests,
+   * becomes an underscore. */
   static std::string
   testName ()
   {

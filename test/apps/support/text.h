@@ -27,7 +27,7 @@ contains (const std::string& text, const std::string& part)
          << "the text: " << text;
 }
 
-/** \brief What some work says that it fails for; empty where it succeeds. */
+/** \brief Message of the std::runtime_error that a function throws; empty without. */
 inline std::string
 complaintOf (const std::function<void()>& work)
 {
@@ -40,7 +40,7 @@ complaintOf (const std::function<void()>& work)
   return "";
 }
 
-/** \brief The rows of a table: what is between tabs, without comments. */
+/** \brief Rows of a file of tab-separated columns, without comments and empty lines. */
 inline std::vector<std::vector<std::string>>
 tableIn (const std::string& file)
 {
@@ -57,7 +57,7 @@ tableIn (const std::string& file)
   return rows;
 }
 
-/** \brief The numbers between the blanks of a text; also nan, inf and 1e-320. */
+/** \brief The numbers of a text, separated by white space; also nan, inf and 1e-320. */
 inline std::vector<double>
 numbersIn (const std::string& text)
 {

@@ -136,7 +136,7 @@ protected:
     planes_ = list.at ("planes").size();
   }
 
-  /** \brief What a finished run is asked for is written beside it alone. */
+  /** \brief Fails if a request to a finished run has changed the files of the run. */
   void
   expectRunUnchanged () const
   {

@@ -43,7 +43,7 @@ protected:
     EXPECT_TRUE (contains (done.err, complaint));
   }
 
-  /** \brief The command with its n-th write ending it. */
+  /** \brief The command, which is killed at its n-th write. */
   static std::string
   killedAt (int write, const std::string& command)
   {
@@ -51,8 +51,8 @@ protected:
            std::to_string (write) + " " + command;
   }
 
-  /** \brief Has the folder out as a command leaves it that is killed soon after it has
-   * written this file: some write of a new run, near the first behind which it is. */
+  /** \brief Leaves the folder "out" as of a command that was killed soon after it wrote
+   * a file: a new run is killed near the first write behind which the file exists. */
   void
   stopOnceThereIs (const std::string& file, const std::string& command) const
   {
@@ -78,7 +78,8 @@ protected:
     return shell (killedAt (write, command)).exit_code == 0;
   }
 
-  /** \brief The first one that is late enough, if those behind it are. */
+  /** \brief The first write that is late enough, by bisection. All later writes must be
+   * late enough, too. */
   template <typename IsLateEnough>
   static int
   firstWrite (const IsLateEnough& is_late_enough)
@@ -130,7 +131,7 @@ protected:
   }
 };
 
-/** \brief The same by several processes. */
+/** \brief \ref TilesRestart with several processes. */
 class TilesRanks : public TilesRestart {
 protected:
   void
@@ -237,7 +238,7 @@ TEST_F (TilesRestart, GoesOnWithItsOwnPlan)
   expectSameAsWhole();
 }
 
-// Else the end of a run with tiles of 30 m would be taken.
+// Otherwise the results of a run with tiles of 30 m would be reused.
 TEST_F (TilesRestart, StartsAnewWithoutItsPlan)
 {
   stopOnceThereIs ("out/work/cells/3.cells",

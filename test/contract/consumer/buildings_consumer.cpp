@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-// No planes make no kinds and an empty plan: what counts is that all of it is linked.
+// Tests linking only: without planes there are no kinds and the plan is empty.
 int
 main ()
 {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-// As a driver hands them over: a time before each position.
+// A point as a driver provides it: a time stamp before the position.
 struct TimedPoint {
   double seconds;
   float x, y, z;
