@@ -35,8 +35,7 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
     /** \brief alpha_min: a hypothesis is accepted if more than this share of the test
      * points are inliers. */
     double min_inlier_fraction = 0.8;
-    /** \brief Which inliers of an accepted hypothesis count, for the plane and N_max.
-     */
+    /** \brief Which inliers of an accepted hypothesis count, for plane and N_max. */
     Inliers inliers = Inliers::Sphere;
     /** \brief N_max, as a multiple of the number of points: sampling ends at this
      * number of inliers. A point counts once for each plane of which it is an inlier.

@@ -64,8 +64,8 @@ struct PlaneExtent {
   double area = 0.0;
   /** \brief The minimum-area bounding rectangle of the outline: its center, unit
    * vectors along its sides with long_axis x short_axis = normal, and the lengths of
-   * the sides [m]. The width is 0 for points on one line; both are 0 for equal points.
-   */
+   * the sides [m]. The width is 0 for points on one line; the length is also 0 for
+   * equal points. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d long_axis = Eigen::Vector3d::UnitX();
   Eigen::Vector3d short_axis = Eigen::Vector3d::UnitY();

@@ -27,8 +27,8 @@ struct UpAxisParameters {
    * candidate direction needs. The weight of a plane is the root of its number of
    * points. */
   double min_share = 0.02;
-  /** \brief Smallest confidence of a result. 0: the likeliest direction with the
-   * smallest shares is always returned. */
+  /** \brief Smallest confidence of a result. 0: if any directions pass min_share, the
+   * likeliest one is returned. */
   double min_confidence = 0.7;
 };
 

@@ -16,8 +16,8 @@
 namespace pcl_ops {
 
 struct PlaneRegularizationParameters {
-  /** \brief Planes become parallel or orthogonal if they are within this angle of it
-   * [rad]; by default 3 degrees. */
+  /** \brief Planes become parallel or orthogonal if their angle differs by at most this
+   * from 0 or pi/2 [rad]; by default 3 degrees. */
   double max_angle = 3.0 * (M_PI / 180.0);
   /** \brief Parallel planes become coplanar if they are within this distance [m]. Not
    * given: 3 sqrt (rms1^2 + rms2^2). */
@@ -40,9 +40,8 @@ struct PlaneMove {
    * its new normal by offset [m]. */
   double angle = 0.0;
   double offset = 0.0;
-  /** \brief Displacement as in \ref PlaneRegularizationParameters::max_displacement.
-   * For a plane that is not moved, because it was too large, that of the rejected move.
-   */
+  /** \brief Displacement as in \ref PlaneRegularizationParameters::max_displacement. If
+   * the move was too large and so not made, the displacement it would have had. */
   double displacement = 0.0;
   bool is_moved = false;
   /** \brief Planes with equal direction are parallel, planes with equal level are
