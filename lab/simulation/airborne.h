@@ -19,7 +19,7 @@ struct Airborne {
   Relief relief = {};
   int lots = 4;         // number along each side
   double density = 0.6; // [points / m^2]
-  /** The house of each lot, row by row; nullopt: the lot is a wood. */
+  /** The house on each lot, row by row; none: the lot has a wood. */
   std::vector<std::optional<House>> houses = {};
 
   double

@@ -9,7 +9,7 @@
 #ifdef __linux__
 #include <sched.h>
 #endif
-#ifdef __unix__
+#if defined(__unix__) || defined(__APPLE__)
 #include <pthread.h>
 #endif
 
@@ -145,7 +145,7 @@ Workers&
 workersOfThisProcess ()
 {
   static Workers* workers = new Workers;
-#ifdef __unix__
+#if defined(__unix__) || defined(__APPLE__)
   static const int registered =
       ::pthread_atfork (nullptr, nullptr, [] { workers = new Workers; });
   static_cast<void> (registered);
