@@ -172,22 +172,33 @@ leaningGround (const std::vector<PlaneShape>& shapes)
   return std::any_of (shapes.begin(), shapes.end(), is_level) ? nullptr : ground;
 }
 
+/** \brief Returns the height of the lowest shape with an area of min_area_of_depth or
+ * more; if all shapes are smaller, of the lowest one; 0 without shapes [m]. */
+double
+lowestHeight (const std::vector<PlaneShape>& shapes)
+{
+  // A long road falls by more than a step; its lower end is no deeper floor.
+  const auto bottom = [] (const PlaneShape& shape) {
+    return shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
+  };
+  const auto comes_before = [&] (const PlaneShape& a, const PlaneShape& b) {
+    const bool is_small_a = a.area < constants.min_area_of_depth;
+    const bool is_small_b = b.area < constants.min_area_of_depth;
+    return is_small_a != is_small_b ? is_small_b : bottom (a) < bottom (b);
+  };
+  const auto lowest = std::min_element (shapes.begin(), shapes.end(), comes_before);
+  return lowest == shapes.end() ? 0.0 : bottom (*lowest);
+}
+
 std::vector<Story>
 storiesIn (const std::vector<PlaneShape>& shapes)
 {
   std::vector<LevelPlane> level;
-  double lowest = shapes.empty() ? 0.0 : shapes.front().low;
-  for (const PlaneShape& shape : shapes) {
+  for (const PlaneShape& shape : shapes)
     if (shape.orientation == Orientation::Horizontal)
       level.push_back (
           {shape.middle, shape.area, shape.faces_down, shape.sight.is_below});
-    // A long road falls by more than a step; its lower end is no deeper floor.
-    const double bottom =
-        shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
-    if (shape.area >= constants.min_area_of_depth)
-      lowest = std::min (lowest, bottom);
-  }
-  return storiesOf (levelsOf (std::move (level)), lowest);
+  return storiesOf (levelsOf (std::move (level)), lowestHeight (shapes));
 }
 
 bool

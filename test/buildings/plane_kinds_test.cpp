@@ -55,7 +55,9 @@ TEST (PlaneKinds, AreTheSameInReverseOrderOfPlanes)
   house.sensor = {0, 0, 1e3};
   house.level (0.0, 60_m, 40_m, -20.0, -20.0).add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5});
   house.level (5.0, 6_m, 6_m, 20.0, 0.0).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
-  for (Rectangles scene : {room, house}) {
+  Rectangles cellar = shell();
+  cellar.add ({1, 1, -1}, {0.2, 0, 0}, {0, 0, 0.2}); // a scrap below the floor
+  for (Rectangles scene : {room, house, cellar}) {
     Names expected = scene.kinds();
     std::reverse (expected.begin(), expected.end());
     std::reverse (scene.planes.begin(), scene.planes.end());
