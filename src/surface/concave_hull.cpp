@@ -120,14 +120,11 @@ withHoles (const std::vector<Ring>& rings, double least, double tolerance)
   return outline;
 }
 
-/** \brief Number of different points. Repeated points, as of rounded coordinates, say
- * nothing about the spacing. */
+/** \brief Number of different points, of which equal ones follow each other. Repeated
+ * points, as of rounded coordinates, say nothing about the spacing. */
 std::size_t
 numberOfPlaces (PlanarPoints points)
 {
-  std::sort (points.begin(), points.end(), [] (const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
   return std::unique (points.begin(), points.end()) - points.begin();
 }
 
@@ -139,7 +136,8 @@ scaled (double factor, PlanarPoints points)
   return points;
 }
 
-/** \brief The concave outline of points that were scaled by \ref unitScale. */
+/** \brief The concave outline of points that were sorted, and scaled by \ref unitScale.
+ */
 PlanarRings
 outlineAround (const PlanarPoints& points, double alpha)
 {
@@ -177,6 +175,10 @@ PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha)
 {
   PlanarPoints finite = finiteOf (points);
+  // So that the outline does not depend on the order of the points.
+  std::sort (finite.begin(), finite.end(), [] (const auto& a, const auto& b) {
+    return std::make_pair (a.x(), a.y()) < std::make_pair (b.x(), b.y());
+  });
   const double scale = unitScale (finite);
   PlanarRings rings = outlineAround (scaled (scale, std::move (finite)), scale * alpha);
   for (PlanarPoints& ring : rings)

@@ -103,6 +103,16 @@ TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInsideTheSameEveryTime
     }
 }
 
+TEST (ConcaveHull, IsTheSameForAnyOrderOfThePoints)
+{
+  for (std::size_t number = 100; number <= 2000; number += 100) {
+    PlanarPoints l = scattered (number, 5_cm, isInL);
+    const PlanarPoints hull = concaveHull (l);
+    std::reverse (l.begin(), l.end());
+    EXPECT_EQ (concaveHull (l), hull) << number;
+  }
+}
+
 TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
 {
   PlanarPoints parts = gridOf (300, isInL);
