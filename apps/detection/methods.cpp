@@ -518,9 +518,12 @@ double
 roundedUp (double length)
 {
   constexpr double smallest = 1e-3;
-  const double digit =
+  const double unit =
       std::pow (10.0, std::floor (std::log10 (std::max (length, smallest))));
-  return digit * std::floor (std::max (length, smallest) / digit + 1.0);
+  // .3 / .1 is rounded to a number below 3.
+  constexpr double rounding = 1e-9;
+  const double digit = std::floor (std::max (length, smallest) / unit + rounding);
+  return unit * (digit + 1.0);
 }
 
 /** \brief If two planes may be one surface (\ref findOverlapping), adds a hint with the

@@ -59,7 +59,10 @@ roundedUpLength (double length)
 {
   constexpr double smallest = 1e-6;
   const double unit = unitOf (std::max (length, smallest));
-  return written (std::floor (std::max (length, smallest) / unit + 1.0) * unit);
+  // .3 / .1 is rounded to a number below 3.
+  constexpr double rounding = 1e-9;
+  const double digit = std::floor (std::max (length, smallest) / unit + rounding);
+  return written ((digit + 1.0) * unit);
 }
 
 std::string
