@@ -38,16 +38,18 @@ struct DrawnText {
   double height;
 };
 
-/** \brief Lines and texts on layers, in meters. */
+/** \brief Lines and texts on layers. */
 struct Drawing {
+  /** \brief Length of a meter in the unit of the coordinates. */
+  double meter = 1.0;
   std::vector<Layer> layers;
   std::vector<DrawnLine> lines;
   std::vector<DrawnText> texts;
 };
 
-/** \return ASCII DXF of AutoCAD 2000 (AC1015), which all programs read, in meters
- * ($INSUNITS 6): TEXT, LINE between two corners, LWPOLYLINE where all z are 0, else
- * POLYLINE in space */
+/** \return ASCII DXF of AutoCAD 2000 (AC1015), which all programs read, with its unit
+ * in $INSUNITS, 6 for meters, 0 for an unknown one: TEXT, LINE between two corners,
+ * LWPOLYLINE where all z are 0, else POLYLINE in space */
 std::string
 toDxf (const Drawing& drawing);
 

@@ -125,15 +125,31 @@ boxAround (const Drawing& drawing)
                        : box;
 }
 
-void
-putHeader (const Eigen::AlignedBox3d& box, DxfText& dxf)
+/** \brief Returns the number of a unit in $INSUNITS of DXF; 0 for unknown units.
+ * \param[in] meter length of a meter in that unit */
+int
+unitNumber (double meter)
 {
-  constexpr int meters = 6;
+  struct Unit {
+    int number;
+    double meter;
+  };
+  constexpr double tolerance = 1e-4; // for 3.2808, and for feet of the US survey
+  for (const Unit unit :
+       {Unit{1, 1.0 / 0.0254}, {2, 1.0 / 0.3048}, {4, 1000.0}, {5, 100.0}, {6, 1.0}})
+    if (std::abs (meter / unit.meter - 1.0) < tolerance)
+      return unit.number;
+  return 0;
+}
+
+void
+putHeader (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
+{
   constexpr int metric = 1;
   dxf.put (0, "SECTION").put (2, "HEADER");
   dxf.put (9, "$ACADVER").put (1, "AC1015");
   dxf.put (9, "$HANDSEED").put (5, "FFFFFF");
-  dxf.put (9, "$INSUNITS").put (70, meters);
+  dxf.put (9, "$INSUNITS").put (70, unitNumber (meter));
   dxf.put (9, "$MEASUREMENT").put (70, metric);
   dxf.put (9, "$EXTMIN").place (10, box.min());
   dxf.put (9, "$EXTMAX").place (10, box.max());
@@ -371,7 +387,7 @@ toDxf (const Drawing& drawing)
 {
   DxfText dxf;
   const Eigen::AlignedBox3d box = boxAround (drawing);
-  putHeader (box, dxf);
+  putHeader (box, drawing.meter, dxf);
   putTables (drawing, box, dxf);
   putBlocks (dxf);
   dxf.put (0, "SECTION").put (2, "ENTITIES");

@@ -39,10 +39,11 @@ featureOf (const PlaneCorner& corner)
 } // namespace
 
 Drawing
-drawingOf (const PlaneEdges& edges)
+drawingOf (const PlaneEdges& edges, double meter)
 {
   const char* const layer = "EDGE";
   Drawing drawing;
+  drawing.meter = meter;
   drawing.layers = {{layer, 7, "#000000", 0.25}};
   for (const PlaneEdge& edge : edges.edges)
     drawing.lines.push_back ({layer, {edge.from, edge.to}});

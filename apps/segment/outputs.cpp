@@ -363,13 +363,16 @@ saveMesh (const std::string& file,
   return counted (outlines, "outline");
 }
 
-/** \return a description of the contents for messages */
+/** \brief Writes the edges of the planes in the format of the file's extension.
+ * \param[in] meter length of a meter in the unit of the cloud
+ * \return a description of the contents for messages */
 std::string
 saveEdges (const std::string& file,
            const FileCloud& cloud,
            const ShiftedCloud& shifted,
            const Report& report,
-           const std::string& crs)
+           const std::string& crs,
+           double meter)
 {
   PlaneEdges edges =
       findPlaneEdges (*shifted.cloud, report.detected.planes, {}, shifted.shift);
@@ -384,7 +387,7 @@ saveEdges (const std::string& file,
   if (extension == ".json")
     writeTextFile (file, toJson (edges));
   else if (extension == ".dxf")
-    writeTextFile (file, toDxf (drawingOf (edges)));
+    writeTextFile (file, toDxf (drawingOf (edges, meter)));
   else if (extension == ".geojson" || extension == ".gpkg")
     writeTextFile (file, mapFor (file, edgesToGeoJson (edges, crs), "edges"));
   else
@@ -442,7 +445,12 @@ saveOutputs (const SegmentOptions& options,
           saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0)));
   if (!outputs.edges.empty())
     note (outputs.edges,
-          saveEdges (outputs.edges, cloud, shifted, report, options.map.crs));
+          saveEdges (outputs.edges,
+                     cloud,
+                     shifted,
+                     report,
+                     options.map.crs,
+                     options.of_plan.meter));
   if (!outputs.plan.empty()) {
     savePlan (outputs.plan,
               report.plan.value(),
