@@ -18,33 +18,53 @@ using namespace internal;
 
 /** \brief A point as seen from a place: the cell of its direction on a cube around the
  * place, and its range [m]. */
-using Sighting = std::pair<std::uint32_t, float>;
+using Sighting = std::pair<std::uint64_t, double>;
 
-std::uint32_t
-cellOf (const Eigen::Vector3d& offset)
+/** \brief Returns by how much directions and ranges to a scene differ less than if its
+ * center were four times its radius away; 1 for closer ones.
+ * \param[in] place from where the scene is looked at */
+double
+magnificationFrom (const Eigen::Vector3d& place, const Coordinates& points)
 {
-  constexpr double cells_per_radian = 80.0;
-  constexpr std::uint32_t face_cells = 256;
+  constexpr double max_radii = 4.0;
+  Moments moments;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    moments.add (points.x[i], points.y[i], points.z[i]);
+  const double radius = std::sqrt (moments.covariance().trace());
+  const double distance = (moments.centroid() - place).norm();
+  // No more than what fits into the number of a cell.
+  constexpr double largest = 1e7;
+  return std::clamp (distance / (max_radii * radius), 1.0, largest);
+}
+
+std::uint64_t
+cellOf (const Eigen::Vector3d& offset, double magnification)
+{
+  const double cells_per_radian = 80.0 * magnification;
+  const auto face_cells =
+      static_cast<std::uint64_t> (right_angle * cells_per_radian) + 1u;
   Eigen::Index axis = 0;
   const double depth = offset.cwiseAbs().maxCoeff (&axis);
   const auto along = [&] (Eigen::Index other) {
     const double angle = std::atan2 (offset[other % 3], depth) + 0.5 * right_angle;
-    return static_cast<std::uint32_t> (angle * cells_per_radian);
+    return static_cast<std::uint64_t> (angle * cells_per_radian);
   };
   const auto face =
-      2 * static_cast<std::uint32_t> (axis) + (offset[axis] < 0.0 ? 1u : 0u);
+      2 * static_cast<std::uint64_t> (axis) + (offset[axis] < 0.0 ? 1u : 0u);
   return (face * face_cells + along (axis + 1)) * face_cells + along (axis + 2);
 }
 
 std::vector<Sighting>
-sightingsFrom (const Eigen::Vector3d& place, const Coordinates& points)
+sightingsFrom (const Eigen::Vector3d& place,
+               const Coordinates& points,
+               double magnification)
 {
   std::vector<Sighting> sightings;
   sightings.reserve (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d offset = points[i] - place;
     if (const double range = offset.norm(); range > 0.0)
-      sightings.emplace_back (cellOf (offset), static_cast<float> (range));
+      sightings.emplace_back (cellOf (offset, magnification), range);
   }
   std::sort (sightings.begin(), sightings.end());
   // A sensor may give all missing readings one place, which must not count as often.
@@ -60,9 +80,9 @@ sightingsFrom (const Eigen::Vector3d& place, const Coordinates& points)
 /** \brief Whether sorted ranges have a gap with a fifth or more of them on each side:
  * one surface behind another, rather than one surface seen at a low angle. */
 bool
-areOfTwoSurfaces (const Sighting* first, std::size_t number)
+areOfTwoSurfaces (const Sighting* first, std::size_t number, double magnification)
 {
-  constexpr float smallest_ratio = 1.15f;
+  const double smallest_ratio = 1.0 + 0.15 / magnification;
   constexpr std::size_t min_share = 5;
   const std::size_t least = (number + min_share - 1) / min_share;
   for (std::size_t i = least; i <= number - least; ++i)
@@ -110,8 +130,10 @@ detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoi
   if (!viewpoint.allFinite())
     return 0.0;
   const Points points = finitePoints (cloud, 1);
-  const std::vector<Sighting> sightings =
-      sightingsFrom (viewpoint - points.origin, samplePoints (points, looked_at));
+  const Eigen::Vector3d place = viewpoint - points.origin;
+  const Coordinates sample = samplePoints (points, looked_at);
+  const double magnification = magnificationFrom (place, sample);
+  const std::vector<Sighting> sightings = sightingsFrom (place, sample, magnification);
   std::size_t hidden = 0;
   std::size_t told = 0;
   for (std::size_t first = 0, last = 0; first < sightings.size(); first = last) {
@@ -121,7 +143,7 @@ detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoi
     if (number < fewest)
       continue;
     told += number;
-    if (areOfTwoSurfaces (&sightings[first], number))
+    if (areOfTwoSurfaces (&sightings[first], number, magnification))
       hidden += number;
   }
   return told > 0 ? static_cast<double> (hidden) / static_cast<double> (told) : 0.0;

@@ -186,6 +186,24 @@ TEST (Visibility, OfHalfTheRaysOfALidarIsGivenFromTheLidarAlone)
   EXPECT_FALSE (isSeenFrom (lidar + Vector3d (0, 3, 0), CloudView (half)));
 }
 
+TEST (Visibility, FromFarAwayIsToldAsFromNear)
+{
+  // The table hides the floor, or the wall hides both.
+  const Cloud room = roomAt ({0, 0, 0});
+  for (const double distance : {10.0, 20.0, 100.0, 2000.0, 5e6})
+    for (const Vector3d& direction : {Vector3d (1, 1, 1), {-1, -2, 1}})
+      EXPECT_FALSE (isSeenFrom (distance * direction, CloudView (room))) << distance;
+  // A floor and a wall behind it, 100 m from the camera.
+  Cloud corner;
+  for (int row = -50; row < 50; ++row)
+    for (int column = -50; column < 50; ++column) {
+      const Vector3d ray (1e-4 * column, 1.0, -0.01 + 1e-4 * row);
+      const double to_floor = -1.0 / std::min (-1e-9, ray.z());
+      corner.push_back (toPoint (std::min (to_floor, 102.0) * ray));
+    }
+  EXPECT_TRUE (isSeenFrom (Vector3d::Zero(), CloudView (corner)));
+}
+
 TEST (Visibility, OfTooFewPointsIsAsGiven)
 {
   Cloud few;
