@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/planes_of_regions.h"
 
+#include "cloud/coordinate_steps.h"
 #include "detection/plane_assignment.h"
 #include "detection/plane_layers.h"
 #include "ops/constants.h"
@@ -31,12 +32,17 @@ splitThinWalls (const Coordinates& places,
   // Below 2: noise that was measured over both sides of a wall is half of their
   // distance.
   constexpr double noises_apart = 1.7;
+  // Rounded coordinates put a surface into two layers, one step apart.
+  constexpr double steps_apart = 1.5;
+  const Eigen::Vector3d steps = coordinateSteps (places);
   std::vector<Plane> planes;
   std::vector<double> min_apart;
   for (const Region& region : regions.list) {
+    const double step = region.fit.plane.normal.cwiseProduct (steps).norm();
     planes.push_back (region.fit.plane);
-    min_apart.push_back (
-        std::max (noises_apart * region.noise, distance_threshold.value_or (0.0)));
+    min_apart.push_back (std::max ({noises_apart * region.noise,
+                                    steps_apart * step,
+                                    distance_threshold.value_or (0.0)}));
   }
   splitLayers (places, planes, min_apart, labels, is_plane);
 }

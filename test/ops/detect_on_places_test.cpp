@@ -200,6 +200,16 @@ TEST (DetectOnPlaces, TellsTheSidesOfAWallApart)
   expectEachHasItsPlane (found, {points.size() / 2, points.size()});
 }
 
+TEST (DetectOnPlaces, MakesOnePlaneOfAFloorWhoseHeightsAreRounded)
+{
+  // Half of the heights are rounded up to 2.94 m, half down to 2.93 m.
+  Points points = drawnPoints ({{{0, 0, 2.935}, {4, 0, 0}, {0, 3, 0}}}, 3_cm, 3_mm);
+  for (std::vector<float>* const coordinates : {&points.x, &points.y, &points.z})
+    for (float& coordinate : *coordinates)
+      coordinate = 0.01f * std::round (100.0f * coordinate);
+  EXPECT_EQ (detectIn (points).planes.fits.size(), 1u);
+}
+
 TEST (DetectOnPlaces, MakesOnePlaneOfWhatAGapDivides)
 {
   const Points points = drawnPoints (

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud/points.h"
+
+namespace pcl_ops::internal {
+
+/** \brief Returns for each axis the step that coordinates were rounded to [m], as by a
+ * file with two decimals; 0 for an axis without one. */
+Eigen::Vector3d
+coordinateSteps (const Coordinates& points);
+
+} // namespace pcl_ops::internal
