@@ -14,9 +14,12 @@ namespace pcl_ops {
 
 /** \brief Wall time of each stage of the last call [ms]. */
 struct StageDurations {
+  /** \brief Search of the neighbors of points, or division of the cloud into voxels. */
   double search = 0.0;
   double normals = 0.0;
+  /** \brief Extraction of planes, or of the regions that become planes. */
   double extraction = 0.0;
+  /** \brief Assignment of points to planes. */
   double assignment = 0.0;
   double merging = 0.0;
   /** \brief The whole detection, from the input cloud to the list of planes. */
@@ -44,15 +47,17 @@ struct CloudNoise {
   /** \brief Number of distinct points of the cloud. In larger clouds a plane needs more
    * points. */
   double points = 0.0;
-  /** \brief For each size of neighborhoods, smallest first: the factor, 1 or more, from
-   * its scatter to that of a neighborhood with many independent errors. */
+  /** \brief For each size of neighborhoods, smallest first: the scatter of
+   * neighborhoods with many independent errors over the scatter of those of this size;
+   * 1 or more. */
   std::vector<double> growth;
   /** \brief Number of neighboring points that share one independent error; 1 for white
    * noise. */
   double common_errors = 1.0;
-  /** \brief Median noise of the points [m]: of the whole cloud, and for each octave of
-   * the point density. The key is log2 of the density [1/m^2], rounded down. */
+  /** \brief Median noise of the points of the whole cloud [m]. */
   double usual = 0.0;
+  /** \brief Median noise of the points in each octave of the point density [m]. The key
+   * is log2 of the density [1/m^2], rounded down. */
   std::map<int, double> usual_of_octave;
 };
 

@@ -20,9 +20,11 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   struct Clusters {
     /** \brief Nodes with fewer points are not used. */
     std::size_t min_samples = 30;
-    /** \brief s_level: the first level whose nodes are tested; the root is level 0. */
+    /** \brief s_level: the first level whose nodes are tested; the root is level 0. As
+     * published; KernelHoughTransformParameters sets 3. */
     int first_level = 5;
-    /** \brief s_alpha: the thickness l1 / l2 of coplanar nodes is below 1 / s_alpha. */
+    /** \brief s_alpha: the thickness l1 / l2 of coplanar nodes is below 1 / s_alpha. As
+     * published; KernelHoughTransformParameters sets 15. */
     double s_alpha = 25.0;
     /** \brief s_beta: the elongation l2 / l3 of coplanar nodes is above 1 / s_beta. */
     double s_beta = 6.0;

@@ -39,7 +39,9 @@ orientationOf (const Eigen::Vector3d& normal,
                const Eigen::Vector3d& up,
                double tolerance);
 
-/** \brief Returns the angle between a plane and the horizontal, 0 to pi/2 [rad]. */
+/** \brief Returns the angle between a plane and the horizontal, 0 to pi/2 [rad].
+ * \param[in] normal of the plane, of either sign and any length but 0
+ * \param[in] up against gravity, in the same frame, of any length but 0 */
 PCL_OPS_EXPORT double
 slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up);
 

@@ -25,8 +25,9 @@ namespace pcl_ops {
 struct PCL_OPS_EXPORT Moments {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double count = 0.0;
+  /** \brief Sum of the points, relative to \ref origin. */
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  /** \brief xx xy xz yy yz zz */
+  /** \brief Sums over the points of xx xy xz yy yz zz, relative to \ref origin. */
   std::array<double, 6> products{};
 
   /** \brief Returns the moments of \p count points from their mean and population
@@ -113,11 +114,12 @@ meanSquaredDistance (const Moments& moments, const Plane& plane)
   const Eigen::Vector3d& n = plane.normal;
   const std::array<double, 6>& m = moments.products;
   const double offset = plane.distance (moments.origin);
-  const double second =
+  const double second_moment = // along the normal
       n.x() * n.x() * m[0] + n.y() * n.y() * m[3] + n.z() * n.z() * m[5] +
       2.0 * (n.x() * n.y() * m[1] + n.x() * n.z() * m[2] + n.y() * n.z() * m[4]);
   const double squared =
-      (second + 2.0 * offset * n.dot (moments.sum)) / moments.count + offset * offset;
+      (second_moment + 2.0 * offset * n.dot (moments.sum)) / moments.count +
+      offset * offset;
   return std::max (0.0, squared);
 }
 

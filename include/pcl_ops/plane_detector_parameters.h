@@ -19,7 +19,8 @@ namespace pcl_ops {
 struct PlaneDetectorParameters {
   /** \brief theta_h: largest distance of a point to its plane [m], before the last fit
    * and merging. Not given: the distance follows the noise of the cloud, in any unit.
-   * Every detector needs it except OPS without Sampling::Points. */
+   * Every detector needs it except OPS without Sampling::Points, which does not set it
+   * by default. */
   std::optional<double> distance_threshold = 0.05;
   /** \brief Smallest number of inliers of a plane. Smaller planes are dropped, and
    * their points are on no plane. 0: no limit. */

@@ -27,6 +27,7 @@ public:
   {
     return axes_.transpose() * (point - origin_);
   }
+  /** \brief Returns the point of the plane with the coordinates u and v. */
   Eigen::Vector3d
   toSpace (const Eigen::Vector2d& point) const
   {
@@ -62,14 +63,15 @@ struct PlaneExtent {
   std::vector<std::vector<Eigen::Vector3d>> holes;
   /** \brief Area inside the outline minus the area of the holes [m^2]. */
   double area = 0.0;
-  /** \brief The minimum-area bounding rectangle of the outline: its center, unit
-   * vectors along its sides with long_axis x short_axis = normal, and the lengths of
-   * the sides [m]. The width is 0 for points on one line; the length is also 0 for
-   * equal points. */
+  /** \brief Center of the minimum-area bounding rectangle of the outline. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /** \brief Unit vector along the longer sides of the rectangle. */
   Eigen::Vector3d long_axis = Eigen::Vector3d::UnitX();
+  /** \brief Unit vector along its shorter sides: long_axis x short_axis = normal. */
   Eigen::Vector3d short_axis = Eigen::Vector3d::UnitY();
+  /** \brief Length of its longer sides [m]; 0 for equal points. */
   double length = 0.0;
+  /** \brief Length of its shorter sides [m]; 0 for points on one line. */
   double width = 0.0;
 
   /** \brief Returns \ref hull, then the \ref holes. */

@@ -28,8 +28,9 @@ struct TrackedPlane {
   /** \brief Convex hull of the plane in all frames, in the common frame. Each frame
    * adds the rectangle that has the moments of the plane. Holes are not known. */
   PlaneExtent extent;
-  /** \brief Numbers of the first and the last frame it was seen in, from 0. */
+  /** \brief Number of the first frame it was seen in; frames are numbered from 0. */
   std::size_t first_seen = 0;
+  /** \brief Number of the last frame it was seen in. */
   std::size_t last_seen = 0;
   /** \brief The number of frames it was seen in. */
   std::size_t times_seen = 0;

@@ -29,21 +29,22 @@ namespace {
 /** \brief The worker threads and the queue of tasks posted to them. */
 struct Workers {
   boost::asio::io_context tasks;
-  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> more_to_come{
+  /** \brief Keeps io_context::run_one waiting while there is no task. */
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_guard{
       tasks.get_executor()};
-  std::mutex guard;
-  std::size_t started = 0;
+  std::mutex mutex;
+  std::size_t started = 0; // number of threads; guarded by the mutex
 
   // Runs tasks forever. Polls for a while before it sleeps: the next task of a detector
   // mostly comes sooner than a sleeping thread wakes up.
   void
   serve ()
   {
-    constexpr int patience = 200;
+    constexpr int polls_before_sleep = 200;
     while (true) {
-      for (int idle = 0; idle < patience; ++idle) {
+      for (int idle_polls = 0; idle_polls < polls_before_sleep; ++idle_polls) {
         if (tasks.poll_one() != 0)
-          idle = 0;
+          idle_polls = 0;
         std::this_thread::yield();
       }
       tasks.run_one();
@@ -60,30 +61,30 @@ public:
   Pieces (std::size_t size, std::size_t grain, const PieceBody& body)
   : size_ (size)
   , grain_ (grain)
-  , number_ ((size + grain - 1) / grain)
+  , count_ ((size + grain - 1) / grain)
   , body_ (body)
-  , is_taken_ (number_)
+  , is_taken_ (count_)
   {}
 
-  /** \brief Does pieces, from piece \p first on, until all have been taken. Threads
+  /** \brief Does pieces that no other thread has taken, from piece \p first on. Threads
    * begin at different pieces, the same in each call of this size: so the data of the
    * call before may still be in a thread's cache. */
   void
-  takeTurns (std::size_t first = 0)
+  doPieces (std::size_t first = 0)
   {
-    for (std::size_t i = 0; i < number_ && done_ < number_; ++i) {
-      const std::size_t piece = (first + i) % number_;
+    for (std::size_t i = 0; i < count_ && done_ < count_; ++i) {
+      const std::size_t piece = (first + i) % count_;
       if (!is_taken_[piece].exchange (true))
-        work (piece);
+        doPiece (piece);
     }
   }
 
-  /** \brief Calls \ref takeTurns as one of \p helpers threads, with a first piece of
+  /** \brief Calls \ref doPieces as one of \p helpers threads, with a first piece of
    * its own. */
   void
   help (std::size_t helpers)
   {
-    takeTurns (number_ * ++helping_ / (helpers + 1));
+    doPieces (count_ * ++helping_ / (helpers + 1));
   }
 
   /** \brief Waits until all pieces are done. Rethrows an exception of a piece: the last
@@ -91,34 +92,36 @@ public:
   void
   waitForOthers ()
   {
-    std::unique_lock<std::mutex> lock (guard_);
-    all_done_.wait (lock, [this] { return done_ == number_; });
+    std::unique_lock<std::mutex> lock (mutex_);
+    all_done_.wait (lock, [this] { return done_ == count_; });
     if (thrown_)
       std::rethrow_exception (thrown_);
   }
 
 private:
   void
-  work (std::size_t piece)
+  doPiece (std::size_t piece)
   {
     try {
       body_ (piece * grain_, std::min (size_, (piece + 1) * grain_));
     }
     catch (...) {
-      const std::lock_guard<std::mutex> lock (guard_);
+      const std::lock_guard<std::mutex> lock (mutex_);
       thrown_ = std::current_exception();
     }
-    if (++done_ == number_) {
-      const std::lock_guard<std::mutex> lock (guard_);
+    if (++done_ == count_) {
+      const std::lock_guard<std::mutex> lock (mutex_);
       all_done_.notify_one();
     }
   }
 
-  std::size_t size_, grain_, number_;
+  std::size_t size_, grain_;
+  std::size_t count_; // of pieces
   const PieceBody& body_;
   std::vector<std::atomic<bool>> is_taken_;
-  std::atomic<std::size_t> helping_{0}, done_{0};
-  std::mutex guard_;
+  std::atomic<std::size_t> helping_{0}; // number of helpers so far
+  std::atomic<std::size_t> done_{0};    // number of pieces done
+  std::mutex mutex_;
   std::condition_variable all_done_;
   std::exception_ptr thrown_;
 };
@@ -156,20 +159,20 @@ workersOfThisProcess ()
 } // namespace
 
 void
-callOnWorkers (std::size_t number, const std::function<void()>& task)
+callOnWorkers (std::size_t calls, const std::function<void()>& task)
 {
   Workers& workers = workersOfThisProcess();
   {
-    const std::lock_guard<std::mutex> lock (workers.guard);
+    const std::lock_guard<std::mutex> lock (workers.mutex);
     try {
-      for (; workers.started < number; ++workers.started)
+      for (; workers.started < calls; ++workers.started)
         std::thread ([&workers] { workers.serve(); }).detach();
     }
     catch (const std::system_error&) {
       // The system starts no more threads: go on with the started ones.
     }
   }
-  for (std::size_t i = 0; i < number; ++i)
+  for (std::size_t i = 0; i < calls; ++i)
     boost::asio::post (workers.tasks, task);
 }
 
@@ -186,11 +189,11 @@ parallelFor (unsigned threads,
   const auto pieces = std::make_shared<Pieces> (size, grain, body);
   constexpr std::size_t max_threads = 256; // more only cost time
   const std::size_t wanted = threads ? threads : availableProcessors();
-  const std::size_t number = (size + grain - 1) / grain;
-  const std::size_t helpers = std::min ({wanted, number, max_threads}) - 1;
+  const std::size_t piece_count = (size + grain - 1) / grain;
+  const std::size_t helpers = std::min ({wanted, piece_count, max_threads}) - 1;
   if (helpers > 0)
     callOnWorkers (helpers, [=] { pieces->help (helpers); });
-  pieces->takeTurns();
+  pieces->doPieces();
   pieces->waitForOthers();
 }
 

@@ -12,12 +12,12 @@ namespace pcl_ops::internal {
 std::size_t
 availableProcessors ();
 
-/** \brief Posts \p number calls of a task to the worker threads and returns at once.
- * A call runs when a worker has time: perhaps late, perhaps never. Workers are started
+/** \brief Posts \p calls calls of a task to the worker threads and returns at once. A
+ * call runs when a worker has time: perhaps late, perhaps never. Workers are started
  * when first needed, fewer if the system refuses more; idle workers sleep.
  * \param[in] task must not throw */
 void
-callOnWorkers (std::size_t number, const std::function<void()>& task);
+callOnWorkers (std::size_t calls, const std::function<void()>& task);
 
 /** \brief Calls \p body (begin, end) in parallel for consecutive pieces of the range
  * 0 .. size - 1. All parallel loops of the library use it. The pieces depend on
@@ -44,16 +44,16 @@ forEach (unsigned threads, std::size_t size, Visit&& visit)
 }
 
 /** \brief Calls \p body (begin, end) for each piece as \ref parallelFor does.
- * \return the results of \p body in the order of the pieces */
+ * \return a vector of the results of \p body, in the order of the pieces */
 template <typename Body>
 auto
 parallelChunks (unsigned threads, std::size_t size, std::size_t grain, Body&& body)
 {
-  std::vector<decltype (body (size, size))> pieces ((size + grain - 1) / grain);
+  std::vector<decltype (body (size, size))> results ((size + grain - 1) / grain);
   parallelFor (threads, size, grain, [&] (std::size_t begin, std::size_t end) {
-    pieces[begin / grain] = body (begin, end);
+    results[begin / grain] = body (begin, end);
   });
-  return pieces;
+  return results;
 }
 
 } // namespace pcl_ops::internal

@@ -30,7 +30,7 @@ sortByDigit (unsigned threads,
              Item* sorted)
 {
   constexpr std::size_t digits = 1 << bits_of_digit;
-  constexpr std::size_t items_per_piece = 1 << 15; // many more than digits
+  constexpr std::size_t items_per_piece = 1 << 15; // many more than there are digits
   const auto digitOf = [&] (const Item& item) {
     return static_cast<std::size_t> (keyOf (item) >> lowest_bit & (digits - 1));
   };
@@ -58,8 +58,8 @@ sortByDigit (unsigned threads,
   });
 }
 
-/** \brief Sorts items by ascending key: a stable LSD radix sort that ends at the
- * highest digit in which keys differ.
+/** \brief Sorts items by ascending key: a stable radix sort, from the lowest digit to
+ * the highest one in which keys differ.
  * \param[in,out] items the items to sort; overwritten
  * \param[in] size number of items, below 2^32
  * \param[in] spare buffer with room for \p size items; overwritten
@@ -70,12 +70,15 @@ Item*
 radixSort (
     unsigned threads, Item* items, std::size_t size, Item* spare, const KeyOf& keyOf)
 {
-  std::uint64_t differing = 0;
+  constexpr int bits_of_key = 64;
+  std::uint64_t differing_bits = 0;
   for (std::size_t i = 0; i < size; ++i)
-    differing |= keyOf (items[i]) ^ keyOf (items[0]);
-  for (int bit = 0; bit < 64 && differing >> bit != 0; bit += bits_of_digit) {
-    sortByDigit (threads, items, size, bit, keyOf, spare);
-    std::swap (items, spare);
+    differing_bits |= keyOf (items[i]) ^ keyOf (items[0]);
+  for (int lowest_bit = 0;
+       lowest_bit < bits_of_key && differing_bits >> lowest_bit != 0;
+       lowest_bit += bits_of_digit) {
+    sortByDigit (threads, items, size, lowest_bit, keyOf, spare);
+    std::swap (items, spare); // the sorted items are the input of the next digit
   }
   return items;
 }

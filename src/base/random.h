@@ -27,11 +27,12 @@ drawBelow (RandomGenerator& generator, std::uint32_t bound)
   return std::uint32_t (product >> 32);
 }
 
-/** \brief Uniform draw from [0, 1) with 32 random bits. */
+/** \brief Returns a uniform draw from [0, 1) with 32 random bits. */
 inline double
 drawUnit (RandomGenerator& generator)
 {
-  return generator() * (1.0 / 4294967296.0);
+  constexpr double two_to_the_32 = 4294967296.0;
+  return generator() * (1.0 / two_to_the_32);
 }
 
 } // namespace pcl_ops::internal

@@ -13,7 +13,10 @@ namespace pcl_ops::internal::buildings {
  * in FloorPlanParameters and PlaneRegularizationParameters. */
 struct BuildingConstants {
   // Stories.
-  /** \brief Level planes within this height difference are one level. */
+  /** \brief Level planes within this height difference are one level. Points of walls
+   * and ceilings are above the top of a front or a wall if they are higher by more than
+   * this.
+   */
   double same_level = 0.15;
   /** \brief Height of a step: a surface higher above the floor is no part of it. */
   double step = 0.3;
@@ -23,8 +26,8 @@ struct BuildingConstants {
   double min_ground_area = 50.0;
   /** \brief Largest height between a ceiling and the floor above it. */
   double max_deck = 0.8;
-  /** \brief Smallest area of a level that makes a story: in m^2, and as a share of the
-   * area of the largest level. */
+  /** \brief Smallest area of a level that makes a story: in square meters, and as a
+   * share of the area of the largest level. */
   double min_level_area = 1.0;
   double min_level_share = 0.2;
   /** \brief Smallest area of a highest level that is a ceiling, as a share of the floor
@@ -41,14 +44,16 @@ struct BuildingConstants {
   /** \brief A viewpoint farther away than so many times the reach of the planes is no
    * sensor, as in turnUnseenUp. */
   double max_distance_by_reach = 500.0;
+  /** \brief Ground under a sensor that leans: its smallest area, its smallest solid
+   * angle [sr], about a hundredth of the full sphere, and its slopes, from a lean that
+   * matters up to that of a car on a curb or a lidar on a stick. */
   double min_area_of_leaning_ground = 4.0;
-  /** \brief Solid angle [sr], about a hundredth of the full sphere. */
   double min_sight_of_leaning_ground = 0.1;
   double min_lean = 3.0 * M_PI / 180.0;
-  /** \brief For a car on a kerb or a lidar on a stick. */
   double max_lean = 12.0 * M_PI / 180.0;
-  /** \brief A plane that is more level than the ground: its largest slope and smallest
-   * solid angle, as shares of the slope and the solid angle of the ground. */
+  /** \brief A plane that is more level than this ground, so that the sensor does not
+   * lean: its largest slope and smallest solid angle, as shares of those of the ground.
+   */
   double max_slope_of_level = 0.5;
   double min_sight_of_level = 0.2;
 
@@ -56,11 +61,13 @@ struct BuildingConstants {
   /** \brief Largest distance below the level of the ceiling: of lower parts of the
    * ceiling, and of the tops of walls. */
   double max_drop_of_ceiling = 0.6;
+  /** \brief Largest gap between the top of a wall and its ceiling. */
   double max_gap_above_wall = 0.3;
   /** \brief Smallest height of a part of a wall that reaches the ceiling. */
   double min_height_at_ceiling = 0.5;
+  /** \brief Smallest width and height of a wall that does not reach a ceiling; counters
+   * are lower. */
   double min_wall_width = 1.0;
-  /** \brief Counters are lower. */
   double min_wall_height = 1.3;
   /** \brief A front of furniture before a wall: cosine of some 25 degrees between their
    * normals, and its distance. Nearer planes are relief of the wall. */
@@ -77,26 +84,33 @@ struct BuildingConstants {
   double max_off_wall = 0.1;
 
   // Other kinds.
+  /** \brief Smallest area of a part of a ceiling in a story with a ceiling level. */
   double min_area_of_ceiling_part = 0.3;
   /** \brief Smallest area of a ceiling in a story without a ceiling level: lower than
    * high_ceiling over the floor, up to where cupboards reach, and higher. */
   double min_area_of_low_ceiling = 1.0;
   double min_area_of_high_ceiling = 0.1;
   double high_ceiling = 2.3;
+  /** \brief Tables; heights are over the floor. */
   double min_table_height = 0.3;
   double max_table_height = 1.3;
   double min_table_area = 0.1;
   double max_table_area = 6.0;
   double min_table_width = 0.2;
+  /** \brief Ramps: their slope, area and rise, and how far their lower end may be from
+   * the height of the floor. */
   double min_ramp_slope = 2.5 * M_PI / 180.0;
   double max_ramp_slope = 35.0 * M_PI / 180.0;
   double min_ramp_area = 0.5;
   double min_ramp_rise = 0.15;
-  double max_ramp_above_floor = 0.2;
-  double min_roof_area = 2.0;
-  double min_step_area = 1.0;
-  double min_slab_area = 2.0;
+  double max_ramp_off_floor = 0.2;
+  double min_roof_area = 2.0; // of a sloping roof
+  /** \brief A level plane is floor if it is less than same_floor above the level of the
+   * floor, or less than a step and of min_step_area or more. */
   double same_floor = 0.1;
+  double min_step_area = 1.0;
+  /** \brief Smaller level planes above a step are no slab, roof or ground. */
+  double min_slab_area = 2.0;
 
   // Hills, which are no roofs.
   /** \brief Largest rms distance of a roof, chimneys included: as a multiple of its
@@ -108,8 +122,10 @@ struct BuildingConstants {
   /** \brief Largest horizontal distance of planes beside an outline: eaves reach over
    * the ground, and the foot of a wall has few points. */
   double max_beside_outline = 4.0;
+  /** \brief Smaller planes beside an outline do not count. */
   double min_area_beside_outline = 2.0;
-  std::size_t places_of_outline = 32;
+  /** \brief Number of samples along an outline. */
+  std::size_t samples_of_outline = 32;
   /** \brief A plane that continues another: largest height difference, and cosine of 20
    * degrees between their normals. */
   double same_height = 1.0;
@@ -148,7 +164,8 @@ struct BuildingConstants {
   double max_off_line = 0.05;
   /** \brief Door leaves and window panes: how far they are set back, and how much of
    * them may have wall points in front. That share is counted in grid squares: their
-   * smallest edge, and how many make up the longest gap between neighboring points. */
+   * smallest edge, and how many of them the longest gap between neighboring points has.
+   */
   double min_recess = 0.02;
   double max_recess = 0.45;
   double max_share_before_leaf = 0.6;
@@ -158,10 +175,11 @@ struct BuildingConstants {
   double noise_of_ends = 0.02;
   /** \brief Sine of 7 degrees, the largest lean of a plane that may be a leaf. */
   double max_sine_of_upright = 0.12;
-  /** \brief Points of floors and ceilings beside a wall are searched within
-   * reach_beside_wall of places at distance beside_wall from its line: farther than
+  /** \brief Points of floors and ceilings beside a wall are searched around samples,
+   * one for each square along the wall that has points: within reach_beside_wall of a
+   * sample at distance beside_wall from the line of the wall. This is farther than
    * noise moves points, and nearer than the other side of a wall of 10 cm. Up to
-   * few_side_squares such places prove nothing. */
+   * few_side_squares samples with such points prove nothing. */
   double edge_of_side_square = 0.05;
   double beside_wall = 0.06;
   double reach_beside_wall = 0.036;
@@ -172,8 +190,9 @@ struct BuildingConstants {
   double min_sine_of_meeting = 0.26;
   /** \brief A wall is hidden at the cut unless more of its length has points there. */
   double min_cut_share = 0.25;
-  /** \brief Two sides of a wall: cosine of their directions, 5 degrees from opposite;
-   * their distance; the length over which they are side by side. */
+  /** \brief Two sides of one wall: largest cosine of the angle between their
+   * directions, 5 degrees from opposite; their distance; the length over which they are
+   * side by side. */
   double max_cosine_of_opposite = -0.996;
   double min_thickness = 0.03;
   double max_thickness = 0.7;
@@ -187,8 +206,8 @@ struct BuildingConstants {
   double edge_of_gap_bin = 0.1;
 
   // Rooms.
-  /** \brief Smallest share of walls in a side that divides rooms, and in the outline of
-   * a room. */
+  /** \brief Smallest share of walls in a side of a cell that divides rooms, in the
+   * outline of a room, and in the border of a cell within a wall. */
   double min_walled = 0.5;
   /** \brief A room extends to a wall over a strip of unseen floor up to this wide. */
   double max_unseen = 0.5;
@@ -197,6 +216,7 @@ struct BuildingConstants {
   /** \brief Density of floor and ceiling points between the sides of a wall, as a share
    * of their mean density. Noise moves that many points there. */
   double max_cover_within_wall = 0.5;
+  /** \brief Smallest area of a hole of a room. */
   double min_hole_area = 0.02;
   /** \brief Shorter parts of an outline without a wall are left out. */
   double min_unseen_part = 0.05;
@@ -208,6 +228,7 @@ struct BuildingConstants {
   double step_to_room = 0.05;
   /** \brief The highest sill of a door. */
   double max_threshold = 0.25;
+  /** \brief Distance of the rim of a plan from the outermost walls. */
   double margin_of_plan = 0.5;
   /** \brief The number of cells grows with the square of the number of walls. */
   std::size_t max_walls = 1'000;
@@ -216,6 +237,7 @@ struct BuildingConstants {
   double min_edge_of_cover = 0.1;
   double max_cover_squares = 4e6;
   double points_of_cover_square = 3.0;
+  /** \brief Largest number of samples of a cell in each direction, for its cover. */
   int max_samples_of_cell = 60;
 
   // Right angles.

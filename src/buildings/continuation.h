@@ -13,6 +13,7 @@ struct PlaneFromAbove {
   /** \brief Unit normal that points up. */
   Eigen::Vector3d normal;
   Eigen::Vector3d center;
+  /** \brief Corners of its convex outline. */
   std::vector<Eigen::Vector3d> hull;
   double area;
 };
@@ -23,7 +24,7 @@ struct PlaneFromAbove {
  * height and slope, or lies far above the sample, as the slope over a terrace does. The
  * plane is ground if more than half as many samples are like the ground as like a roof;
  * a sample that is like the ground for both reasons counts twice.
- * \param[in] plane one of \p all */
+ * \param[in] plane one of \p all, by reference */
 bool
 isPartOfGround (const PlaneFromAbove& plane, const std::vector<PlaneFromAbove>& all);
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -32,66 +33,67 @@ public:
   : cloud_ (cloud), to_plan_ (to_plan)
   {}
 
-  void
-  add (std::size_t i, PlanPoints& points) const
-  {
-    const float* const point = cloud_[i];
-    const Vector3d place (point[0], point[1], point[2]);
-    if (place.allFinite())
-      points.push_back (to_plan_ * place);
-  }
-
   PlanPoints
   pointsOf (const PlaneSegment& plane) const
   {
     PlanPoints points;
     points.reserve (plane.inliers.size());
     for (const pcl::index_t i : plane.inliers)
-      add (static_cast<std::size_t> (i), points);
+      if (const auto point = finitePoint (static_cast<std::size_t> (i)))
+        points.push_back (*point);
     return points;
   }
 
+  /** \brief Returns the points within half_band_of_cloud of a height [m]. */
   PlanPoints
   pointsAt (double height) const
   {
     PlanPoints points;
-    PlanPoints one;
-    for (std::size_t i = 0; i < cloud_.size; ++i) {
-      one.clear();
-      add (i, one);
-      if (!one.empty() &&
-          std::abs (one.front().z() - height) <= constants.half_band_of_cloud)
-        points.push_back (one.front());
-    }
+    for (std::size_t i = 0; i < cloud_.size; ++i)
+      if (const auto point = finitePoint (i);
+          point && std::abs (point->z() - height) <= constants.half_band_of_cloud)
+        points.push_back (*point);
     return points;
   }
 
 private:
+  std::optional<Vector3d>
+  finitePoint (std::size_t i) const
+  {
+    const float* const point = cloud_[i];
+    const Vector3d in_cloud (point[0], point[1], point[2]);
+    if (!in_cloud.allFinite())
+      return {};
+    return to_plan_ * in_cloud;
+  }
+
   const CloudView& cloud_;
   Eigen::Matrix3d to_plan_;
 };
 
 /** \brief A plane with its kind. In the frame of the plan: its normal, its finite
  * inliers and their mean height [m]. */
-struct Seen {
+struct PlanPlane {
   PlaneKind kind;
   Vector3d normal;
   PlanPoints points;
   double height;
 };
 
-std::vector<Seen>
-seenPlanes (const PlanCloud& cloud,
+/** \param[in] to_plan rotation from the frame of the planes to that of the plan */
+std::vector<PlanPlane>
+planPlanes (const PlanCloud& cloud,
             const std::vector<PlaneSegment>& planes,
             const std::vector<PlaneKind>& kinds,
             const Eigen::Matrix3d& to_plan)
 {
-  std::vector<Seen> all;
+  std::vector<PlanPlane> all;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    Seen seen{kinds[i], to_plan * planes[i].normal, cloud.pointsOf (planes[i]), 0.0};
-    for (const Vector3d& point : seen.points)
-      seen.height += point.z() / static_cast<double> (seen.points.size());
-    all.push_back (std::move (seen));
+    PlanPlane plane{
+        kinds[i], to_plan * planes[i].normal, cloud.pointsOf (planes[i]), 0.0};
+    for (const Vector3d& point : plane.points)
+      plane.height += point.z() / static_cast<double> (plane.points.size());
+    all.push_back (std::move (plane));
   }
   return all;
 }
@@ -100,12 +102,12 @@ seenPlanes (const PlanCloud& cloud,
  * points of the largest floor, or more [m]. Without a floor it is the height of the
  * lowest point of a wall, or 0 without walls. */
 double
-lowestFloor (const std::vector<Seen>& planes)
+lowestFloor (const std::vector<PlanPlane>& planes)
 {
   std::size_t largest = 0;
   double lowest_point = 0.0;
   bool has_wall = false;
-  for (const Seen& plane : planes) {
+  for (const PlanPlane& plane : planes) {
     if (plane.kind == PlaneKind::Floor)
       largest = std::max (largest, plane.points.size());
     if (plane.kind == PlaneKind::Wall)
@@ -114,25 +116,27 @@ lowestFloor (const std::vector<Seen>& planes)
         has_wall = true;
       }
   }
+  const double smallest_count =
+      constants.min_share_of_lowest_floor * static_cast<double> (largest);
   double lowest = lowest_point;
   bool has_floor = false;
-  for (const Seen& plane : planes)
+  for (const PlanPlane& plane : planes)
     if (plane.kind == PlaneKind::Floor &&
-        static_cast<double> (plane.points.size()) >=
-            constants.min_share_of_lowest_floor * static_cast<double> (largest)) {
+        static_cast<double> (plane.points.size()) >= smallest_count) {
       lowest = has_floor ? std::min (lowest, plane.height) : plane.height;
       has_floor = true;
     }
   return lowest;
 }
 
-/** \brief Returns the height of the highest floor below the cut [m]. */
+/** \brief Returns the height of the highest floor below the cut [m].
+ * \param[in] lowest height of the \ref lowestFloor */
 double
-floorBelow (const std::vector<Seen>& planes, double height, double lowest)
+floorBelow (const std::vector<PlanPlane>& planes, double cut_height, double lowest)
 {
   double floor = lowest;
-  for (const Seen& plane : planes)
-    if (plane.kind == PlaneKind::Floor && plane.height < height)
+  for (const PlanPlane& plane : planes)
+    if (plane.kind == PlaneKind::Floor && plane.height < cut_height)
       floor = std::max (floor, plane.height);
   // Parts of one floor differ in height by less than a step.
   return floor - lowest < constants.step ? lowest : floor;
@@ -144,8 +148,9 @@ append (PlanPoints& points, const PlanPoints& others)
   points.insert (points.end(), others.begin(), others.end());
 }
 
+/** \brief Returns whether planes of a kind are level and neither floor nor ceiling. */
 bool
-isLevel (PlaneKind kind)
+isLevelSurface (PlaneKind kind)
 {
   return kind == PlaneKind::Table || kind == PlaneKind::Slab || kind == PlaneKind::Ramp;
 }
@@ -153,19 +158,21 @@ isLevel (PlaneKind kind)
 /** \brief Returns the points of all planes for which \p isSuch is true. */
 template <typename IsSuch>
 PlanPoints
-pointsOf (const std::vector<Seen>& planes, const IsSuch& isSuch)
+pointsOf (const std::vector<PlanPlane>& planes, const IsSuch& isSuch)
 {
   PlanPoints points;
-  for (const Seen& plane : planes)
+  for (const PlanPlane& plane : planes)
     if (isSuch (plane))
       append (points, plane.points);
   return points;
 }
 
-/** \brief Squares of a horizontal grid with edges of length max_eaves. */
-using EavesSquares = std::set<std::pair<long, long>>;
+/** \brief A square of a horizontal grid with edges of length max_eaves, by column and
+ * row. */
+using EavesSquare = std::pair<long, long>;
+using EavesSquares = std::set<EavesSquare>;
 
-std::pair<long, long>
+EavesSquare
 eavesSquareAt (const Vector3d& point)
 {
   return {std::lround (point.x() / constants.max_eaves),
@@ -190,60 +197,62 @@ squaresUnder (const PlanPoints& roofs)
 /** \brief Returns whether a building stands under roofs: most wall points are below the
  * roofs or their eaves. A sloping piece of a room's ceiling covers few wall points. */
 bool
-coverWalls (const PlanPoints& roofs, const std::vector<Seen>& planes)
+coverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
 {
   const EavesSquares under_roofs = squaresUnder (roofs);
-  double all = 0.0;
-  double under = 0.0;
-  for (const Seen& plane : planes)
+  double wall_points = 0.0;
+  double covered_points = 0.0;
+  for (const PlanPlane& plane : planes)
     if (plane.kind == PlaneKind::Wall)
       for (const Vector3d& point : plane.points) {
-        all += 1.0;
-        under += static_cast<double> (under_roofs.count (eavesSquareAt (point)));
+        wall_points += 1.0;
+        covered_points +=
+            static_cast<double> (under_roofs.count (eavesSquareAt (point)));
       }
-  return under > constants.min_walls_under_roofs * all;
+  return covered_points > constants.min_walls_under_roofs * wall_points;
 }
 
 /** \brief Returns the points that cover the rooms at a cut: of roofs if there is no
  * ceiling and a building stands under the roofs, because floors then are ground around
  * it; otherwise of floors, ceilings and other level planes. */
 Cover
-coverAt (const std::vector<Seen>& planes, double floor, double height)
+coverAt (const std::vector<PlanPlane>& planes, double floor, double cut_height)
 {
-  const auto is_below = [&] (const Seen& plane) {
-    return plane.height <= height && plane.height > floor - constants.max_below_floor;
+  const auto is_below_cut = [&] (const PlanPlane& plane) {
+    return plane.height <= cut_height &&
+           plane.height > floor - constants.max_below_floor;
   };
   Cover cover;
-  cover.floor = pointsOf (planes, [&] (const Seen& plane) {
-    return plane.kind == PlaneKind::Floor && is_below (plane);
+  cover.floor = pointsOf (planes, [&] (const PlanPlane& plane) {
+    return plane.kind == PlaneKind::Floor && is_below_cut (plane);
   });
-  cover.ceiling = pointsOf (planes, [&] (const Seen& plane) {
-    return plane.kind == PlaneKind::Ceiling && plane.height > height &&
-           plane.height < height + constants.max_ceiling_over_cut;
+  cover.ceiling = pointsOf (planes, [&] (const PlanPlane& plane) {
+    return plane.kind == PlaneKind::Ceiling && plane.height > cut_height &&
+           plane.height < cut_height + constants.max_ceiling_over_cut;
   });
-  PlanPoints roofs = pointsOf (planes, [&] (const Seen& plane) {
-    return plane.kind == PlaneKind::Roof && plane.height > height;
+  PlanPoints roofs = pointsOf (planes, [&] (const PlanPlane& plane) {
+    return plane.kind == PlaneKind::Roof && plane.height > cut_height;
   });
   if (cover.ceiling.empty() && coverWalls (roofs, planes)) {
     cover.points = std::move (roofs);
     return cover;
   }
-  const PlanPoints level = pointsOf (planes, [&] (const Seen& plane) {
-    return isLevel (plane.kind) && is_below (plane);
+  const PlanPoints level_surfaces = pointsOf (planes, [&] (const PlanPlane& plane) {
+    return isLevelSurface (plane.kind) && is_below_cut (plane);
   });
   append (cover.points, cover.floor);
   append (cover.points, cover.ceiling);
-  append (cover.points, level);
+  append (cover.points, level_surfaces);
   return cover;
 }
 
-/** \brief Changes walls to PlaneKind::Other if the ceiling continues over them. They
- * are fronts and sides of furniture, however large. */
+/** \brief Changes walls over which the ceiling continues to PlaneKind::Other: they are
+ * fronts and sides of furniture, however large. */
 void
-denyFurniture (const Cover& cover, std::vector<Seen>& planes)
+excludeFurniture (const Cover& cover, std::vector<PlanPlane>& planes)
 {
   const RoomSides ceilings ({&cover.ceiling});
-  for (Seen& plane : planes)
+  for (PlanPlane& plane : planes)
     if (plane.kind == PlaneKind::Wall &&
         ceilings.goOnOver (plane.normal.head<2>().normalized(), plane.points))
       plane.kind = PlaneKind::Other;
@@ -252,9 +261,9 @@ denyFurniture (const Cover& cover, std::vector<Seen>& planes)
 /** \brief Flips normals of walls so that they point to the rooms whose floors and
  * ceilings end at the walls. */
 void
-turnToRooms (const RoomSides& rooms, std::vector<Seen>& planes)
+turnToRooms (const RoomSides& rooms, std::vector<PlanPlane>& planes)
 {
-  for (Seen& plane : planes)
+  for (PlanPlane& plane : planes)
     if (plane.kind == PlaneKind::Wall &&
         rooms.areBehind (plane.normal.head<2>().normalized(), plane.points))
       plane.normal = -plane.normal;
@@ -263,23 +272,24 @@ turnToRooms (const RoomSides& rooms, std::vector<Seen>& planes)
 /** \brief Sets WallFace::ends_rooms: true for a wall that is seen over furniture at the
  * cut and at which floors and ceilings end. */
 void
-findEnds (const RoomSides& rooms,
-          const std::vector<Seen>& planes,
-          double height,
-          std::vector<WallFace>& faces)
+findWhereRoomsEnd (const RoomSides& rooms,
+                   const std::vector<PlanPlane>& planes,
+                   double cut_height,
+                   std::vector<WallFace>& faces)
 {
   for (WallFace& face : faces) {
-    const Seen& plane = planes[face.planes.front()];
-    const auto is_over_furniture = [height] (const Vector3d& point) {
-      const double over_cut = point.z() - height;
+    const PlanPlane& plane = planes[face.planes.front()];
+    const auto is_over_furniture = [cut_height] (const Vector3d& point) {
+      const double over_cut = point.z() - cut_height;
       return over_cut > constants.half_band_of_cloud &&
              over_cut < constants.max_furniture_over_cut;
     };
     const auto over_furniture =
         std::count_if (plane.points.begin(), plane.points.end(), is_over_furniture);
-    face.ends_rooms = static_cast<double> (over_furniture) >
-                          constants.min_share_over_furniture *
-                              static_cast<double> (plane.points.size()) &&
+    const bool is_seen_over_furniture =
+        static_cast<double> (over_furniture) >
+        constants.min_share_over_furniture * static_cast<double> (plane.points.size());
+    face.ends_rooms = is_seen_over_furniture &&
                       rooms.endAt (plane.normal.head<2>().normalized(), plane.points);
   }
 }
@@ -287,24 +297,24 @@ findEnds (const RoomSides& rooms,
 /** \brief Returns a face for each plane with points for which \p isSuch is true. */
 template <typename IsSuch>
 std::vector<WallFace>
-facesOf (const std::vector<Seen>& planes, double height, const IsSuch& isSuch)
+facesOf (const std::vector<PlanPlane>& planes, double cut_height, const IsSuch& isSuch)
 {
   std::vector<WallFace> faces;
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (isSuch (planes[i]) && !planes[i].points.empty())
-      faces.push_back (faceOf (planes[i].normal, planes[i].points, i, height));
+      faces.push_back (faceOf (planes[i].normal, planes[i].points, i, cut_height));
   return faces;
 }
 
 bool
-isSeenWall (const Seen& plane)
+isSeenWall (const PlanPlane& plane)
 {
   return plane.kind == PlaneKind::Wall;
 }
 
 /** \brief Returns whether a plane may be a door leaf or a window pane. */
 bool
-isUpright (const Seen& plane)
+isUpright (const PlanPlane& plane)
 {
   return plane.kind == PlaneKind::Other &&
          std::abs (plane.normal.z()) < constants.max_sine_of_upright;
@@ -323,45 +333,47 @@ hiddenBy (PlanPoints points)
     std::vector<char> behind (bins, 0);
     for (const Vector3d& point : points) {
       const double distance = line.distance (point.head<2>());
-      const double place = line.place (point.head<2>());
-      if (std::abs (distance) > constants.max_off_gap || place < gap.from ||
-          place > gap.to)
+      const double position = line.positionOf (point.head<2>());
+      const bool is_beside_gap = std::abs (distance) <= constants.max_off_gap &&
+                                 position >= gap.from && position <= gap.to;
+      if (!is_beside_gap)
         continue;
       const auto bin =
-          static_cast<std::size_t> ((place - gap.from) / constants.edge_of_gap_bin);
-      (distance > -constants.max_depth_in_wall ? before : behind)[bin] = 1;
+          static_cast<std::size_t> ((position - gap.from) / constants.edge_of_gap_bin);
+      const bool is_behind = distance <= -constants.max_depth_in_wall;
+      (is_behind ? behind : before)[bin] = 1;
     }
-    const auto hidden = std::count (before.begin(), before.end(), 1);
-    const auto through = std::count (behind.begin(), behind.end(), 1);
+    const auto bins_before = std::count (before.begin(), before.end(), 1);
+    const auto bins_behind = std::count (behind.begin(), behind.end(), 1);
     const auto half = static_cast<std::ptrdiff_t> (bins) / 2;
-    return hidden > half && through <= half;
+    return bins_before > half && bins_behind <= half;
   };
 }
 
 /** \brief Moves a plan from the frame of the cloud to that of the planes.
- * \param[in] shift along the axes of the plan [m] */
+ * \param[in] shift of the cloud, in the frame of the plan [m] */
 void
 moveBy (const Vector3d& shift, FloorPlan& plan)
 {
-  const Eigen::Vector2d level = shift.head<2>();
+  const Eigen::Vector2d horizontal = shift.head<2>();
   plan.floor += shift.z();
   plan.height += shift.z();
   for (PlanWall& wall : plan.walls) {
-    wall.from += level;
-    wall.to += level;
+    wall.from += horizontal;
+    wall.to += horizontal;
     for (PlanOpening& opening : wall.openings) {
-      opening.from += level;
-      opening.to += level;
+      opening.from += horizontal;
+      opening.to += horizontal;
     }
   }
   for (PlanRoom& room : plan.rooms) {
-    room.middle += level;
+    room.middle += horizontal;
     for (PlanarPoints& ring : room.rings)
       for (Eigen::Vector2d& corner : ring)
-        corner += level;
+        corner += horizontal;
     for (auto& [from, to] : room.unseen) {
-      from += level;
-      to += level;
+      from += horizontal;
+      to += horizontal;
     }
     for (std::optional<double>* height : {&room.floor, &room.ceiling})
       if (*height)
@@ -440,19 +452,19 @@ findFloorPlan (const CloudView& cloud,
   const Eigen::Matrix3d turn = turnUpright (up);
   plan.to_plan = turn / parameters.meter;
   const PlanCloud points (cloud, plan.to_plan);
-  std::vector<Seen> seen = seenPlanes (points, planes, kinds, turn);
-  const double lowest = lowestFloor (seen);
+  std::vector<PlanPlane> plan_planes = planPlanes (points, planes, kinds, turn);
+  const double lowest = lowestFloor (plan_planes);
   plan.height = lowest + parameters.cut_height;
-  plan.floor = floorBelow (seen, plan.height, lowest);
-  const Cover cover = coverAt (seen, plan.floor, plan.height);
-  denyFurniture (cover, seen);
+  plan.floor = floorBelow (plan_planes, plan.height, lowest);
+  const Cover cover = coverAt (plan_planes, plan.floor, plan.height);
+  excludeFurniture (cover, plan_planes);
   const RoomSides rooms ({&cover.floor, &cover.ceiling});
-  turnToRooms (rooms, seen);
-  std::vector<WallFace> walls = facesOf (seen, plan.height, isSeenWall);
-  findEnds (rooms, seen, plan.height, walls);
+  turnToRooms (rooms, plan_planes);
+  std::vector<WallFace> walls = facesOf (plan_planes, plan.height, isSeenWall);
+  findWhereRoomsEnd (rooms, plan_planes, plan.height, walls);
   const std::vector<WallFace> faces =
       withoutRecesses (withoutFurniture (joinFaces (std::move (walls))),
-                       facesOf (seen, plan.height, isUpright));
+                       facesOf (plan_planes, plan.height, isUpright));
   std::vector<WallSpan> spans = spansOf (faces, parameters);
   addOpenings (faces, parameters, hiddenBy (points.pointsAt (plan.height)), spans);
   plan.walls = toWalls (faces, spans, plan.floor, plan.height);

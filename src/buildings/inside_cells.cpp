@@ -41,17 +41,22 @@ toCapacity (double square_meters)
   return std::llround (units * square_meters);
 }
 
-/** \brief Adds two arcs, each the reverse of the other. */
+/** \brief Adds two arcs, each the reverse of the other.
+ * \param[in] capacity of the arc from \p from to \p to
+ * \param[in] reverse_capacity of the arc back */
 void
-addArcs (
-    std::size_t from, std::size_t to, Capacity there, Capacity back, CutGraph& graph)
+addArcs (std::size_t from,
+         std::size_t to,
+         Capacity capacity,
+         Capacity reverse_capacity,
+         CutGraph& graph)
 {
-  const auto first = boost::add_edge (from, to, graph).first;
-  const auto second = boost::add_edge (to, from, graph).first;
-  boost::put (boost::edge_capacity, graph, first, there);
-  boost::put (boost::edge_capacity, graph, second, back);
-  boost::put (boost::edge_reverse, graph, first, second);
-  boost::put (boost::edge_reverse, graph, second, first);
+  const auto arc = boost::add_edge (from, to, graph).first;
+  const auto reverse = boost::add_edge (to, from, graph).first;
+  boost::put (boost::edge_capacity, graph, arc, capacity);
+  boost::put (boost::edge_capacity, graph, reverse, reverse_capacity);
+  boost::put (boost::edge_reverse, graph, arc, reverse);
+  boost::put (boost::edge_reverse, graph, reverse, arc);
 }
 
 } // namespace
@@ -60,6 +65,7 @@ std::vector<char>
 cellsInside (const std::vector<CellEvidence>& cells,
              const std::vector<CellBorder>& borders)
 {
+  // The vertices: one for each cell, then the source and the sink of the flow.
   const std::size_t inside = cells.size();
   const std::size_t outside = cells.size() + 1;
   CutGraph graph (cells.size() + 2);
@@ -74,6 +80,7 @@ cellsInside (const std::vector<CellEvidence>& cells,
     addArcs (first, second, cost, cost, graph);
   }
   boost::boykov_kolmogorov_max_flow (graph, inside, outside);
+  // Vertices on the source's side of the cut are black.
   std::vector<char> is_inside;
   const auto colors = boost::get (boost::vertex_color, graph);
   for (std::size_t i = 0; i < cells.size(); ++i)

@@ -25,9 +25,9 @@ struct CellBorder {
   double open;
 };
 
-/** \brief Returns for each cell 1 if it is in a room, else 0. The labels are a minimum
- * graph cut, after Ochmann et al. 2016 without their walls, with the cost
- *   covered area outside of rooms + uncovered area inside of rooms
+/** \brief Returns for each cell 1 if it is in a room, else 0: a minimum graph cut, as
+ * in Ochmann et al. 2016 but with no labels for walls, of the cost [m^2] covered area
+ * outside of rooms + uncovered area inside of rooms
  *     + max_unseen [m] of constants.h * length of the border of rooms without a wall.
  * So a room extends over unseen floor up to a wall. It can end at a wall even if some
  * floor was seen beyond the wall. */

@@ -8,7 +8,7 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A part of a line between two places, measured along the line [m]. */
+/** \brief A part of a line between two positions along it [m]. */
 struct Interval {
   double from, to;
 
@@ -39,15 +39,15 @@ unionOf (Intervals intervals, const Intervals& others, double max_gap)
   return all;
 }
 
-/** \brief Returns the intervals that places cover. A gap between neighboring places
- * larger than \p max_gap [m] separates two intervals. */
+/** \brief Returns the intervals that positions cover. A gap between neighboring
+ * positions larger than \p max_gap [m] separates two intervals. */
 inline Intervals
-intervalsOf (const std::vector<double>& places, double max_gap)
+intervalsOf (const std::vector<double>& positions, double max_gap)
 {
   Intervals points;
-  points.reserve (places.size());
-  for (const double place : places)
-    points.push_back ({place, place});
+  points.reserve (positions.size());
+  for (const double position : positions)
+    points.push_back ({position, position});
   return unionOf (std::move (points), {}, max_gap);
 }
 

@@ -14,20 +14,20 @@ namespace {
 /** \brief Points within this distance of a line lie on it [m]. */
 constexpr double on_line = 1e-7;
 
-/** \brief Returns whether two points lie on different sides of a line, by their signed
- * distances to it. */
+/** \brief Returns whether two points lie on different sides of a line.
+ * \param[in] begin, end their signed distances to the line [m] */
 bool
-isBetween (double begin, double end)
+areOnDifferentSides (double begin, double end)
 {
   return (begin > on_line && end < -on_line) || (begin < -on_line && end > on_line);
 }
 
 /** \brief Returns the part of a cell on one side of a line.
  * \param[in] sign 1 for the part before the line, -1 for the part behind it
- * \param[in] number index of the line
+ * \param[in] line_index index of the line
  * \return a cell without corners if there is no part, or hardly any */
 PlanCell
-partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t number)
+partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t line_index)
 {
   PlanCell part;
   const std::size_t corners = cell.corners.size();
@@ -42,15 +42,15 @@ partOf (const PlanCell& cell, const PlanLine& line, double sign, std::size_t num
       part.corners.push_back (from);
       // A side that already lies on the line keeps its own line.
       const bool leaves = !is_next_in && begin <= on_line;
-      part.lines.push_back (leaves ? number : cell.lines[i]);
+      part.lines.push_back (leaves ? line_index : cell.lines[i]);
     }
-    if (isBetween (begin, end)) {
+    if (areOnDifferentSides (begin, end)) {
       part.corners.push_back (from + begin / (begin - end) * (to - from));
-      part.lines.push_back (is_in ? number : cell.lines[i]);
+      part.lines.push_back (is_in ? line_index : cell.lines[i]);
     }
   }
-  constexpr double smallest = 1e-10; // [m^2]
-  if (part.corners.size() < 3 || areaOf (part.corners) < smallest)
+  constexpr double smallest_area = 1e-10; // [m^2]
+  if (part.corners.size() < 3 || areaOf (part.corners) < smallest_area)
     return {};
   return part;
 }
@@ -69,13 +69,37 @@ divides (const PlanLine& line, const PlanCell& cell)
   return is_before && is_behind;
 }
 
-/** \brief A side of a cell. Its line and the rounded sum of its ends (x, y) are equal
- * for both cells that share it. */
-struct SideKey {
+/** \brief A side of a cell with the key by which the same side of another cell is
+ * found: its line and the rounded sum (x, y) of its ends. */
+struct KeyedSide {
   std::size_t line;
   long long x, y;
   std::size_t cell, side;
 };
+
+/** \brief Returns the sides of all cells that are not on the rim, sorted by key. */
+std::vector<KeyedSide>
+sidesByKey (const std::vector<PlanCell>& cells)
+{
+  constexpr double step = 1e-4; // of the rounded sums [m]
+  std::vector<KeyedSide> sides;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t i = 0; i < cells[c].corners.size(); ++i) {
+      if (cells[c].lines[i] == no_line)
+        continue;
+      const Eigen::Vector2d sum =
+          cells[c].corners[i] + cells[c].corners[(i + 1) % cells[c].corners.size()];
+      sides.push_back ({cells[c].lines[i],
+                        std::llround (sum.x() / step),
+                        std::llround (sum.y() / step),
+                        c,
+                        i});
+    }
+  std::sort (sides.begin(), sides.end(), [] (const KeyedSide& a, const KeyedSide& b) {
+    return std::tie (a.line, a.x, a.y, a.cell) < std::tie (b.line, b.x, b.y, b.cell);
+  });
+  return sides;
+}
 
 } // namespace
 
@@ -105,37 +129,22 @@ cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines)
 std::vector<CommonSide>
 commonSides (const std::vector<PlanCell>& cells)
 {
-  constexpr double step = 1e-4; // [m]
-  std::vector<SideKey> keys;
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    for (std::size_t i = 0; i < cells[c].corners.size(); ++i) {
-      if (cells[c].lines[i] == no_line)
-        continue;
-      const Eigen::Vector2d sum =
-          cells[c].corners[i] + cells[c].corners[(i + 1) % cells[c].corners.size()];
-      keys.push_back ({cells[c].lines[i],
-                       std::llround (sum.x() / step),
-                       std::llround (sum.y() / step),
-                       c,
-                       i});
-    }
-  std::sort (keys.begin(), keys.end(), [] (const SideKey& a, const SideKey& b) {
-    return std::tie (a.line, a.x, a.y, a.cell) < std::tie (b.line, b.x, b.y, b.cell);
-  });
-  // Rounding may separate the sums of one side by one step.
-  std::vector<CommonSide> sides;
-  std::vector<char> is_taken (keys.size(), 0);
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    for (std::size_t j = i + 1;
-         !is_taken[i] && j < keys.size() && keys[j].line == keys[i].line &&
-         keys[j].x - keys[i].x <= 1;
+  const std::vector<KeyedSide> sides = sidesByKey (cells);
+  // Rounding may separate the sums of one side by one step in x and in y.
+  const auto may_be_equal = [&] (std::size_t i, std::size_t j) {
+    return sides[j].line == sides[i].line && sides[j].x - sides[i].x <= 1;
+  };
+  std::vector<CommonSide> common;
+  std::vector<char> is_taken (sides.size(), 0);
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; !is_taken[i] && j < sides.size() && may_be_equal (i, j);
          ++j)
-      if (!is_taken[j] && std::llabs (keys[j].y - keys[i].y) <= 1 &&
-          keys[j].cell != keys[i].cell) {
+      if (!is_taken[j] && std::llabs (sides[j].y - sides[i].y) <= 1 &&
+          sides[j].cell != sides[i].cell) {
         is_taken[i] = is_taken[j] = 1;
-        sides.push_back ({keys[i].cell, keys[j].cell, keys[i].side});
+        common.push_back ({sides[i].cell, sides[j].cell, sides[i].side});
       }
-  return sides;
+  return common;
 }
 
 } // namespace pcl_ops::internal::buildings

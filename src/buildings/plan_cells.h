@@ -19,6 +19,7 @@ struct PlanCell {
   std::vector<std::size_t> lines;
 };
 
+/** \brief Marks sides on the rim of the plan. */
 constexpr std::size_t no_line = static_cast<std::size_t> (-1);
 
 /** \brief Divides a box into cells by all lines, each extended to the rim. */
@@ -34,6 +35,7 @@ struct CommonSide {
   std::size_t side;
 };
 
+/** \brief Returns each side that two cells share, once. */
 std::vector<CommonSide>
 commonSides (const std::vector<PlanCell>& cells);
 

@@ -19,11 +19,11 @@ struct Cover {
 
 /** \brief Returns the rooms by descending area; empty for no walls or more than
  * max_walls walls.
- * \param[in] smallest smallest area of a room [m^2] */
+ * \param[in] smallest_area of a room [m^2] */
 std::vector<PlanRoom>
 roomsOf (const std::vector<WallFace>& faces,
          const std::vector<WallSpan>& spans,
          const Cover& cover,
-         double smallest);
+         double smallest_area);
 
 } // namespace pcl_ops::internal::buildings

@@ -13,10 +13,10 @@
 namespace pcl_ops::internal::buildings {
 namespace {
 
-/** \brief Returns the place along \p line where \p other crosses it [m]; nothing for
+/** \brief Returns the position along \p line where \p other crosses it [m]; nothing for
  * nearly parallel lines. */
 std::optional<double>
-meetingPlace (const PlanLine& line, const PlanLine& other)
+crossingWith (const PlanLine& line, const PlanLine& other)
 {
   const double sine = cross (line.along, other.along);
   if (std::abs (sine) < constants.min_sine_of_meeting)
@@ -24,7 +24,7 @@ meetingPlace (const PlanLine& line, const PlanLine& other)
   return cross (other.origin - line.origin, other.along) / sine;
 }
 
-/** \brief Returns the place to which an end of a wall is moved: the nearest crossing
+/** \brief Returns the position to which an end of a wall is moved: the nearest crossing
  * with the line of another face, within \p max_snap [m] of the end and of points of
  * that face. Without such a crossing it is the end itself. */
 double
@@ -34,19 +34,20 @@ snapped (double end,
          double max_snap)
 {
   double nearest = end;
-  double least = max_snap;
+  double least_distance = max_snap;
   for (const WallFace& other : faces) {
-    const std::optional<double> place = meetingPlace (face.line, other.line);
-    if (!place || std::abs (*place - end) > least)
+    const std::optional<double> position = crossingWith (face.line, other.line);
+    if (!position || std::abs (*position - end) > least_distance)
       continue;
-    const double there = other.line.place (face.line.at (*place));
-    const bool comes_there = std::any_of (
+    const double on_other = other.line.positionOf (face.line.at (*position));
+    const bool has_points_near = std::any_of (
         other.seen.begin(), other.seen.end(), [&] (const Interval& interval) {
-          return there >= interval.from - max_snap && there <= interval.to + max_snap;
+          return on_other >= interval.from - max_snap &&
+                 on_other <= interval.to + max_snap;
         });
-    if (comes_there) {
-      nearest = *place;
-      least = std::abs (*place - end);
+    if (has_points_near) {
+      nearest = *position;
+      least_distance = std::abs (*position - end);
     }
   }
   return nearest;
@@ -61,11 +62,14 @@ wallsOn (const WallFace& face,
 {
   Intervals walls;
   for (const Interval& seen : face.seen) {
-    bool is_new = walls.empty() || seen.from - walls.back().to > parameters.max_opening;
-    if (!is_new)
-      for (const double end : {walls.back().to, seen.from})
-        is_new = is_new || snapped (end, face, faces, parameters.max_snap) != end;
-    if (is_new)
+    bool begins_wall =
+        walls.empty() || seen.from - walls.back().to > parameters.max_opening;
+    if (!begins_wall)
+      for (const double end : {walls.back().to, seen.from}) {
+        const bool meets_wall = snapped (end, face, faces, parameters.max_snap) != end;
+        begins_wall = begins_wall || meets_wall;
+      }
+    if (begins_wall)
       walls.push_back (seen);
     else
       walls.back().to = seen.to;
@@ -94,18 +98,18 @@ gapsOf (const Interval& whole, const Intervals& cut)
 /** \brief Returns the opening of a gap. Its sill and head are the heights over the
  * floor of the wall points next below and above the cut, in the middle of the gap. */
 PlanOpening
-openingOf (const WallFace& face, const Interval& gap, double floor, double height)
+openingOf (const WallFace& face, const Interval& gap, double floor, double cut_height)
 {
   const double low = gap.from + constants.margin_of_opening * gap.length();
   const double high = gap.to - constants.margin_of_opening * gap.length();
   PlanOpening opening;
   opening.from = face.line.at (gap.from);
   opening.to = face.line.at (gap.to);
-  for (const Eigen::Vector2d& point : face.points) {
-    if (point.x() < low || point.x() > high)
+  for (const FacePoint& point : face.points) {
+    if (point.position < low || point.position > high)
       continue;
-    const double over_floor = point.y() - floor;
-    if (point.y() < height)
+    const double over_floor = point.height - floor;
+    if (point.height < cut_height)
       opening.sill = std::max (opening.sill.value_or (over_floor), over_floor);
     else
       opening.head = std::min (opening.head.value_or (over_floor), over_floor);
@@ -126,18 +130,19 @@ thicknessOf (const WallSpan& wall,
     const PlanLine& back = faces[other.face].line;
     if (line.along.dot (back.along) > constants.max_cosine_of_opposite)
       continue;
-    const Interval there{line.place (back.at (other.whole.to)),
-                         line.place (back.at (other.whole.from))};
-    const double from = std::max (wall.whole.from, there.from);
-    const double to = std::min (wall.whole.to, there.to);
+    // The other side along the line of this wall; it runs the opposite way.
+    const Interval opposite{line.positionOf (back.at (other.whole.to)),
+                            line.positionOf (back.at (other.whole.from))};
+    const double from = std::max (wall.whole.from, opposite.from);
+    const double to = std::min (wall.whole.to, opposite.to);
     if (to - from < constants.min_common_length)
       continue;
     const Eigen::Vector2d middle = line.at (0.5 * (from + to));
-    const double apart = -back.distance (middle);
-    if (apart >= constants.min_thickness &&
-        apart <= std::min (constants.max_thickness,
-                           thickness.value_or (constants.max_thickness)))
-      thickness = apart;
+    const double distance = -back.distance (middle);
+    if (distance >= constants.min_thickness &&
+        distance <= std::min (constants.max_thickness,
+                              thickness.value_or (constants.max_thickness)))
+      thickness = distance;
   }
   return thickness;
 }
@@ -152,11 +157,12 @@ spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& paramete
     for (const Interval& wall : wallsOn (faces[i], faces, parameters)) {
       const Interval whole{snapped (wall.from, faces[i], faces, parameters.max_snap),
                            snapped (wall.to, faces[i], faces, parameters.max_snap)};
-      // A part no longer than the way by which ends may be moved is no wall.
-      const bool has_cut =
+      const bool is_seen_at_cut =
           lengthWithin (whole, faces[i].cut) > constants.min_cut_share * whole.length();
-      if (whole.length() > parameters.max_snap && (has_cut || faces[i].ends_rooms))
-        spans.push_back ({i, whole, {}, !has_cut});
+      // A part no longer than the way by which ends may be moved is no wall.
+      if (whole.length() > parameters.max_snap &&
+          (is_seen_at_cut || faces[i].ends_rooms))
+        spans.push_back ({i, whole, {}, !is_seen_at_cut});
     }
   return spans;
 }
@@ -171,8 +177,9 @@ addOpenings (const std::vector<WallFace>& faces,
     if (span.is_hidden)
       continue;
     for (const Interval& gap : gapsOf (span.whole, faces[span.face].cut)) {
-      const double least = std::max (parameters.min_opening, faces[span.face].spacing);
-      if (gap.length() >= least && gap.length() <= parameters.max_opening &&
+      const double min_length =
+          std::max (parameters.min_opening, faces[span.face].longest_spacing);
+      if (gap.length() >= min_length && gap.length() <= parameters.max_opening &&
           !is_hidden (faces[span.face].line, gap))
         span.openings.push_back (gap);
     }
@@ -183,7 +190,7 @@ std::vector<PlanWall>
 toWalls (const std::vector<WallFace>& faces,
          const std::vector<WallSpan>& spans,
          double floor,
-         double height)
+         double cut_height)
 {
   std::vector<PlanWall> walls;
   for (const WallSpan& span : spans) {
@@ -193,7 +200,7 @@ toWalls (const std::vector<WallFace>& faces,
     wall.to = face.line.at (span.whole.to);
     wall.thickness = thicknessOf (span, faces, spans);
     for (const Interval& gap : span.openings)
-      wall.openings.push_back (openingOf (face, gap, floor, height));
+      wall.openings.push_back (openingOf (face, gap, floor, cut_height));
     wall.planes = face.planes;
     walls.push_back (std::move (wall));
   }

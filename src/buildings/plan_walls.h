@@ -18,9 +18,10 @@ using IsHidden = std::function<bool (const PlanLine& line, const Interval& gap)>
 struct WallSpan {
   /** \brief Index of the wall's face in the list of faces. */
   std::size_t face;
+  /** \brief The wall and its openings, along the line of the face. */
   Interval whole;
   Intervals openings;
-  /** \brief At most a quarter of its length (min_cut_share) has points at the cut. */
+  /** \brief At most the share min_cut_share of its length has points at the cut. */
   bool is_hidden = false;
 };
 
@@ -39,11 +40,11 @@ addOpenings (const std::vector<WallFace>& faces,
 
 /** \brief Returns one wall of the plan for each span.
  * \param[in] floor height of the floor [m]
- * \param[in] height height of the cut [m] */
+ * \param[in] cut_height height of the cut [m] */
 std::vector<PlanWall>
 toWalls (const std::vector<WallFace>& faces,
          const std::vector<WallSpan>& spans,
          double floor,
-         double height);
+         double cut_height);
 
 } // namespace pcl_ops::internal::buildings

@@ -21,24 +21,26 @@ cross (const Eigen::Vector2d& first, const Eigen::Vector2d& second)
 inline double
 areaOf (const std::vector<Eigen::Vector2d>& polygon)
 {
-  double twice = 0.0;
+  double twice_area = 0.0;
   // Relative to the first corner: products of large coordinates would cancel.
   for (std::size_t i = 2; i < polygon.size(); ++i)
-    twice += cross (polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-  return 0.5 * twice;
+    twice_area += cross (polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+  return 0.5 * twice_area;
 }
 
-/** \brief Returns whether a place is inside a polygon, clockwise or counter-clockwise.
- */
+/** \brief Returns whether a position is inside a polygon, clockwise or
+ * counter-clockwise: whether a ray from it along x crosses an odd number of sides. */
 inline bool
-isWithinRing (const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& place)
+isWithinRing (const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& position)
 {
   bool is_within = false;
   for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
     const Eigen::Vector2d& a = ring[i];
     const Eigen::Vector2d& b = ring[last];
-    if ((a.y() > place.y()) != (b.y() > place.y()) &&
-        place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
+    const bool reaches_height = (a.y() > position.y()) != (b.y() > position.y());
+    if (reaches_height &&
+        position.x() <
+            (b.x() - a.x()) * (position.y() - a.y()) / (b.y() - a.y()) + a.x())
       is_within = !is_within;
   }
   return is_within;

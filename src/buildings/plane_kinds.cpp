@@ -23,22 +23,23 @@ using Viewpoint = std::optional<Vector3d>;
 
 /** \brief How a sensor saw a plane. */
 struct Sight {
+  /** \brief Whether the plane is below the sensor: seen from above. */
   bool is_below = false;
   double solid_angle = 0.0; // [sr], as if the plane were small for its distance
 };
 
 /** \brief Measures of a plane that the rules use, in meters. */
 struct PlaneShape {
-  Orientation orientation;
+  Orientation orientation = Orientation::Other;
   Vector3d normal, center, long_axis, short_axis;
-  double length, width, area;
+  double length = 0.0, width = 0.0, area = 0.0;
   /** \brief Angle between the plane and the horizontal [rad]. */
-  double slope;
+  double slope = 0.0;
   /** \brief Heights of the centroid, and of the lowest and highest corner of the hull.
    */
-  double middle, low, high;
-  bool faces_down;
-  Sight sight;
+  double middle = 0.0, low = 0.0, high = 0.0;
+  bool faces_down = false;
+  Sight sight = {};
 
   /** \brief Horizontal length of a vertical plane. */
   double
@@ -49,6 +50,9 @@ struct PlaneShape {
   }
 };
 
+/** \param[in] up unit vector
+ * \param[in] meter length of a meter in the unit of the planes; also in all functions
+ * below */
 Sight
 sightOf (const PlaneSegment& plane,
          const PlaneExtent& extent,
@@ -60,14 +64,19 @@ sightOf (const PlaneSegment& plane,
     return {};
   const Vector3d to_sensor = (*sensor - plane.centroid) / meter;
   const double distance = to_sensor.norm();
-  const double height =
+  // Signed distance of the sensor to the plane, positive on the upper side.
+  const double above_plane =
       (plane.normal.dot (up) < 0.0 ? -1.0 : 1.0) * plane.normal.dot (to_sensor);
-  const bool is_edge_on = std::abs (height) <= constants.min_sine_of_sight * distance;
-  Sight sight{is_edge_on ? to_sensor.dot (up) > constants.min_drop_below_sensor
-                         : height > 0.0};
-  if (!is_edge_on)
-    sight.solid_angle =
-        extent.area / (meter * meter) * std::abs (height) / std::pow (distance, 3);
+  const bool is_edge_on =
+      std::abs (above_plane) <= constants.min_sine_of_sight * distance;
+  Sight sight;
+  if (is_edge_on) {
+    sight.is_below = to_sensor.dot (up) > constants.min_drop_below_sensor;
+    return sight;
+  }
+  sight.is_below = above_plane > 0.0;
+  sight.solid_angle =
+      extent.area / (meter * meter) * std::abs (above_plane) / std::pow (distance, 3);
   return sight;
 }
 
@@ -86,10 +95,10 @@ nearSensor (const Viewpoint& sensor, const std::vector<PlaneExtent>& extents)
   for (const PlaneExtent& extent : extents)
     reach = std::max (reach,
                       (extent.center - extents.front().center).norm() + extent.length);
-  const bool is_far = !sensor || extents.empty() ||
-                      (*sensor - extents.front().center).norm() >
-                          constants.max_distance_by_reach * reach;
-  return is_far ? std::nullopt : sensor;
+  if (!sensor || extents.empty())
+    return {};
+  const double distance = (*sensor - extents.front().center).norm();
+  return distance > constants.max_distance_by_reach * reach ? std::nullopt : sensor;
 }
 
 PlaneShape
@@ -99,20 +108,19 @@ shapeOf (const PlaneSegment& plane,
          double meter,
          const Viewpoint& sensor)
 {
-  PlaneShape shape{plane.orientation,
-                   plane.normal,
-                   extent.center / meter,
-                   extent.long_axis,
-                   extent.short_axis,
-                   extent.length / meter,
-                   extent.width / meter,
-                   extent.area / (meter * meter),
-                   slopeOf (plane.normal, up),
-                   plane.centroid.dot (up) / meter,
-                   0.0,
-                   0.0,
-                   plane.normal.dot (up) < 0.0,
-                   sightOf (plane, extent, up, meter, sensor)};
+  PlaneShape shape;
+  shape.orientation = plane.orientation;
+  shape.normal = plane.normal;
+  shape.center = extent.center / meter;
+  shape.long_axis = extent.long_axis;
+  shape.short_axis = extent.short_axis;
+  shape.length = extent.length / meter;
+  shape.width = extent.width / meter;
+  shape.area = extent.area / (meter * meter);
+  shape.slope = slopeOf (plane.normal, up);
+  shape.faces_down = plane.normal.dot (up) < 0.0;
+  shape.sight = sightOf (plane, extent, up, meter, sensor);
+  shape.middle = plane.centroid.dot (up) / meter;
   shape.low = shape.high = shape.middle;
   for (const Vector3d& corner : extent.hull) {
     const double height = corner.dot (up) / meter;
@@ -156,13 +164,15 @@ leaningGround (const std::vector<PlaneShape>& shapes)
 {
   const PlaneShape* ground = nullptr;
   double most_seen = constants.min_sight_of_leaning_ground;
-  for (const PlaneShape& shape : shapes)
-    if (shape.sight.is_below && shape.slope <= constants.max_lean &&
-        shape.area >= constants.min_area_of_leaning_ground &&
-        shape.sight.solid_angle > most_seen) {
+  for (const PlaneShape& shape : shapes) {
+    const bool may_be_ground = shape.sight.is_below &&
+                               shape.slope <= constants.max_lean &&
+                               shape.area >= constants.min_area_of_leaning_ground;
+    if (may_be_ground && shape.sight.solid_angle > most_seen) {
       most_seen = shape.sight.solid_angle;
       ground = &shape;
     }
+  }
   if (ground == nullptr || ground->slope < constants.min_lean)
     return nullptr;
   const auto is_level = [&] (const PlaneShape& shape) {
@@ -177,7 +187,8 @@ leaningGround (const std::vector<PlaneShape>& shapes)
 double
 lowestHeight (const std::vector<PlaneShape>& shapes)
 {
-  // A long road falls by more than a step; its lower end is no deeper floor.
+  // A long road falls by more than a step: its lower end is no deeper floor, so that
+  // the middle counts.
   const auto bottom = [] (const PlaneShape& shape) {
     return shape.orientation == Orientation::Horizontal ? shape.middle : shape.low;
   };
@@ -190,6 +201,7 @@ lowestHeight (const std::vector<PlaneShape>& shapes)
   return lowest == shapes.end() ? 0.0 : bottom (*lowest);
 }
 
+/** \brief Returns the stories of a scene, from its horizontal planes. */
 std::vector<Story>
 storiesIn (const std::vector<PlaneShape>& shapes)
 {
@@ -201,6 +213,8 @@ storiesIn (const std::vector<PlaneShape>& shapes)
   return storiesOf (levelsOf (std::move (level)), lowestHeight (shapes));
 }
 
+/** \brief Returns whether the projection of a point onto a plane is in its rectangle.
+ */
 bool
 isInRectangle (const PlaneShape& shape, const Vector3d& point)
 {
@@ -220,8 +234,8 @@ standsBefore (const PlaneShape& front, const PlaneShape& wall)
   if (cosine < constants.min_cosine_of_front || wall.area <= front.area ||
       wall.high < front.high)
     return false;
-  int before = 0;
-  int all = 0;
+  int samples_before = 0;
+  int samples = 0;
   for (int i = -steps; i <= steps; ++i)
     for (int j = -steps; j <= steps; ++j) {
       const Vector3d sample = front.center +
@@ -231,12 +245,14 @@ standsBefore (const PlaneShape& front, const PlaneShape& wall)
       const bool is_before = distance >= constants.min_before_wall &&
                              distance <= constants.max_before_wall &&
                              isInRectangle (wall, sample);
-      before += is_before ? 1 : 0;
-      ++all;
+      samples_before += is_before ? 1 : 0;
+      ++samples;
     }
-  return 2 * before > all;
+  return 2 * samples_before > samples;
 }
 
+/** \brief Returns whether a vertical plane reaches a ceiling, or is wide and high and
+ * stands before no other. */
 bool
 isWall (const PlaneShape& shape,
         const std::vector<PlaneShape>& shapes,
@@ -273,16 +289,19 @@ isCeiling (const PlaneShape& shape, const Story& story)
   const double rise = shape.middle - story.floor;
   if (rise < constants.headroom || shape.sight.is_below)
     return false;
-  if (!story.ceiling)
-    return shape.faces_down && shape.area >= (rise < constants.high_ceiling
-                                                  ? constants.min_area_of_low_ceiling
-                                                  : constants.min_area_of_high_ceiling);
-  const double below = *story.ceiling - shape.middle;
-  return shape.area >= constants.min_area_of_ceiling_part &&
-         below <=
-             (shape.faces_down ? constants.max_drop_of_ceiling : constants.same_level);
+  if (!story.ceiling) {
+    const double min_area = rise < constants.high_ceiling
+                                ? constants.min_area_of_low_ceiling
+                                : constants.min_area_of_high_ceiling;
+    return shape.faces_down && shape.area >= min_area;
+  }
+  const double drop = *story.ceiling - shape.middle;
+  const double max_drop =
+      shape.faces_down ? constants.max_drop_of_ceiling : constants.same_level;
+  return shape.area >= constants.min_area_of_ceiling_part && drop <= max_drop;
 }
 
+/** \param[in] rise height over the floor */
 bool
 isTable (const PlaneShape& shape, double rise)
 {
@@ -299,7 +318,7 @@ isRamp (const PlaneShape& shape, const Story& story)
          shape.slope <= constants.max_ramp_slope &&
          shape.area >= constants.min_ramp_area &&
          shape.high - shape.low >= constants.min_ramp_rise &&
-         std::abs (shape.low - story.floor) <= constants.max_ramp_above_floor;
+         std::abs (shape.low - story.floor) <= constants.max_ramp_off_floor;
 }
 
 bool
@@ -311,6 +330,7 @@ isSlopingRoof (const PlaneShape& shape, const Story& story)
           shape.high >= *story.ceiling - constants.max_gap_above_wall);
 }
 
+/** \brief Returns the kind of a horizontal plane. */
 PlaneKind
 levelKind (const PlaneShape& shape,
            const std::vector<PlaneShape>& shapes,
@@ -318,8 +338,10 @@ levelKind (const PlaneShape& shape,
 {
   const Story& story = storyAt (stories, shape.middle);
   const double rise = shape.middle - story.floor;
-  if (rise < constants.same_floor ||
-      (rise < constants.step && shape.area >= constants.min_step_area)) {
+  const bool is_at_floor =
+      rise < constants.same_floor ||
+      (rise < constants.step && shape.area >= constants.min_step_area);
+  if (is_at_floor) {
     const bool is_upper = &story != &stories.front();
     return is_upper && isRoofAt (story.floor, shapes) ? PlaneKind::Roof
                                                       : PlaneKind::Floor;
@@ -332,9 +354,11 @@ levelKind (const PlaneShape& shape,
     return PlaneKind::Table;
   if (rise < constants.step || shape.area < constants.min_slab_area)
     return PlaneKind::Other;
-  if (shape.sight.is_below && shape.area >= constants.min_ground_area &&
-      rise < constants.headroom)
-    return PlaneKind::Floor; // the ground beyond a kerb or a slope
+  const bool is_higher_ground = shape.sight.is_below &&
+                                shape.area >= constants.min_ground_area &&
+                                rise < constants.headroom; // beyond a curb or a slope
+  if (is_higher_ground)
+    return PlaneKind::Floor;
   const bool is_outdoors =
       rise >= constants.headroom && !story.ceiling && !shape.faces_down;
   return is_outdoors ? PlaneKind::Roof : PlaneKind::Slab;
@@ -365,8 +389,8 @@ hasRelief (const PlaneSegment& plane, double meter)
          (plane.noise && rms > constants.max_noises_of_roof * *plane.noise);
 }
 
-/** \brief Returns all planes in a frame whose z is up [m]. Planes steeper than 60
- * degrees get no outline. */
+/** \brief Returns all planes in a frame whose z is up [m]. Planes steeper than
+ * min_cosine_from_above get no outline. */
 std::vector<PlaneFromAbove>
 planesFromAbove (const Scene& scene,
                  const std::vector<PlaneExtent>& extents,
@@ -439,12 +463,13 @@ nameGround (const std::vector<PlaneSegment>& planes,
 }
 
 /** \brief Changes roofs that are hillsides to Other. Walls are not tested: in depth
- * images they bend by as much, and of 20 rooms .17 of the walls were left. */
+ * images they bend by as much, so that the test would leave .17 of the walls of 20
+ * rooms. */
 void
-denyHills (const std::vector<PlaneSegment>& planes,
-           const std::vector<PlaneFromAbove>& from_above,
-           double meter,
-           std::vector<PlaneKind>& kinds)
+excludeHills (const std::vector<PlaneSegment>& planes,
+              const std::vector<PlaneFromAbove>& from_above,
+              double meter,
+              std::vector<PlaneKind>& kinds)
 {
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (kinds[i] == PlaneKind::Roof &&
@@ -464,7 +489,7 @@ isPartOfWall (const PlaneShape& part, const PlaneShape& wall)
 /** \brief Changes vertical planes in the plane of a wall to Wall: they may be parts too
  * small for isWall. */
 void
-nameParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
+nameWallParts (const std::vector<PlaneShape>& shapes, std::vector<PlaneKind>& kinds)
 {
   const std::vector<PlaneKind> before = kinds;
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -554,10 +579,10 @@ planeKinds (const std::vector<PlaneSegment>& planes,
   std::vector<PlaneKind> kinds;
   for (const PlaneShape& shape : shapes)
     kinds.push_back (kindOf (shape, shapes, stories));
-  nameParts (shapes, kinds);
+  nameWallParts (shapes, kinds);
   const std::vector<PlaneFromAbove> from_above =
       planesFromAbove (scene, extents, meter);
-  denyHills (planes, from_above, meter, kinds);
+  excludeHills (planes, from_above, meter, kinds);
   nameGround (planes, scene, from_above, meter, kinds);
   return kinds;
 }

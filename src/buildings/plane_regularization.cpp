@@ -32,8 +32,9 @@ towards (const Vector3d& direction, const Vector3d& side)
   return direction.dot (side) < 0.0 ? Vector3d (-direction) : direction;
 }
 
+/** \brief Returns the indices of all planes by falling number of points. */
 std::vector<std::size_t>
-bySize (const std::vector<PlaneSegment>& planes)
+largestFirst (const std::vector<PlaneSegment>& planes)
 {
   std::vector<std::size_t> order (planes.size());
   std::iota (order.begin(), order.end(), std::size_t (0));
@@ -70,11 +71,11 @@ parallelGroups (const std::vector<PlaneSegment>& planes,
         std::find_if (groups.begin(), groups.end(), [&] (const DirectionGroup& known) {
           return angleBetween (planes[i], planes[known.members.front()]) <= max_angle;
         });
-    DirectionGroup& own = group == groups.end()
-                              ? groups.emplace_back (DirectionGroup{planes[i].normal})
+    DirectionGroup& group_of_plane =
+        group == groups.end() ? groups.emplace_back (DirectionGroup{planes[i].normal})
                               : *group;
-    own.members.push_back (i);
-    own.points += planes[i].moments.count;
+    group_of_plane.members.push_back (i);
+    group_of_plane.points += planes[i].moments.count;
   }
   for (DirectionGroup& group : groups)
     group.direction = meanDirection (planes, group.members);
@@ -84,20 +85,24 @@ parallelGroups (const std::vector<PlaneSegment>& planes,
   return groups;
 }
 
+/** \brief Cosines and sines of angles that count as exactly 90 or 0 degrees. */
+constexpr double exact = 1e-9;
+
 /** \brief Makes each direction orthogonal to directions of larger groups to which it is
  * orthogonal within \p max_angle. If there are two that are orthogonal to each other,
  * it becomes their cross product. */
 void
-orthogonalize (std::vector<DirectionGroup>& groups, double max_angle)
+makeOrthogonal (std::vector<DirectionGroup>& groups, double max_angle)
 {
-  constexpr double exact = 1e-9;
   for (std::size_t i = 1; i < groups.size(); ++i) {
-    std::vector<Vector3d> across;
+    std::vector<Vector3d> across; // the larger directions, at most two
     for (std::size_t j = 0; j < i && across.size() < 2; ++j) {
       const Vector3d& larger = groups[j].direction;
       const double cosine = std::abs (groups[i].direction.dot (larger));
-      const bool fits = across.empty() || std::abs (across[0].dot (larger)) <= exact;
-      if (std::asin (std::min (1.0, cosine)) <= max_angle && fits)
+      const bool is_nearly_across = std::asin (std::min (1.0, cosine)) <= max_angle;
+      const bool is_across_first =
+          across.empty() || std::abs (across[0].dot (larger)) <= exact;
+      if (is_nearly_across && is_across_first)
         across.push_back (larger);
     }
     Vector3d& direction = groups[i].direction;
@@ -108,11 +113,11 @@ orthogonalize (std::vector<DirectionGroup>& groups, double max_angle)
   }
 }
 
-/** \brief Joins groups whose directions became equal in orthogonalize. */
+/** \brief Joins groups whose directions became equal in makeOrthogonal. Numbers of
+ * points are no longer needed, and stay those of the first group. */
 void
-joinEqual (std::vector<DirectionGroup>& groups)
+joinEqualDirections (std::vector<DirectionGroup>& groups)
 {
-  constexpr double exact = 1e-9;
   std::vector<DirectionGroup> joined;
   for (const DirectionGroup& group : groups) {
     const auto equal =
@@ -137,17 +142,21 @@ moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
   PlaneMove move;
   move.angle = slopeOf (plane.normal, normal);
   move.offset = offset;
-  // The change of a point's distance to the plane is linear in its place.
+  // The change of a point's distance to the plane is linear in its position.
   const Vector3d turn = normal - plane.normal;
   const Vector3d mean = plane.moments.centroid() - plane.centroid;
-  const double of_mean = turn.dot (mean) - offset;
+  const double displacement_of_mean = turn.dot (mean) - offset;
   const double spread = turn.dot (plane.moments.covariance() * turn);
-  const double squared = of_mean * of_mean + std::max (0.0, spread);
-  if (squared > 0.0)
-    move.displacement = std::sqrt (squared) / plane.rms(); // infinite for rms 0
+  const double squared_displacement =
+      displacement_of_mean * displacement_of_mean + std::max (0.0, spread);
+  if (squared_displacement > 0.0)
+    move.displacement =
+        std::sqrt (squared_displacement) / plane.rms(); // infinite for rms 0
   return move;
 }
 
+/** \brief Groups planes by direction and moves them. Directions and levels of planes
+ * share one sequence of numbers. */
 class Regularization {
 public:
   Regularization (const std::vector<PlaneSegment>& planes,
@@ -160,29 +169,34 @@ public:
   RegularizedPlanes
   run ()
   {
-    // Planes that would move too far do not count for the directions of others.
-    std::vector<std::size_t> members = bySize (planes_);
+    // Planes that would move too far do not count for the directions of others: the
+    // groups are made again until no plane is left out.
+    std::vector<std::size_t> members = largestFirst (planes_);
     std::vector<DirectionGroup> groups;
-    for (std::size_t before = members.size() + 1; members.size() < before;) {
-      before = members.size();
+    std::size_t previous_members = members.size() + 1;
+    while (members.size() < previous_members) {
+      previous_members = members.size();
       groups = parallelGroups (planes_, members, parameters_.max_angle);
-      orthogonalize (groups, parameters_.max_angle);
-      joinEqual (groups);
-      members = thoseThatFollow (groups, members);
+      makeOrthogonal (groups, parameters_.max_angle);
+      joinEqualDirections (groups);
+      members = withoutFarthest (groups, members);
     }
     for (const DirectionGroup& group : groups)
-      levelOut (group);
+      alignGroup (group);
     for (std::size_t i = 0; i < planes_.size(); ++i)
       if (!is_done_[i]) {
-        found_.moves[i].angle = found_.moves[i].offset = 0.0;
-        found_.moves[i].direction = found_.moves[i].level = next_++;
+        found_.moves[i].angle = 0.0;
+        found_.moves[i].offset = 0.0;
+        found_.moves[i].direction = next_number_;
+        found_.moves[i].level = next_number_;
+        ++next_number_;
       }
     return std::move (found_);
   }
 
 private:
   bool
-  isWithin (const PlaneMove& move) const
+  isAllowed (const PlaneMove& move) const
   {
     return move.displacement <= parameters_.max_displacement;
   }
@@ -190,10 +204,10 @@ private:
   /** \brief Returns the members without, for each group, the plane that moves farthest
    * if that is too far. Without this plane the others may move less. */
   std::vector<std::size_t>
-  thoseThatFollow (const std::vector<DirectionGroup>& groups,
+  withoutFarthest (const std::vector<DirectionGroup>& groups,
                    const std::vector<std::size_t>& members)
   {
-    std::vector<char> stays (planes_.size(), 0);
+    std::vector<char> is_left_out (planes_.size(), 0);
     for (const DirectionGroup& group : groups) {
       for (const std::size_t i : group.members)
         found_.moves[i] =
@@ -204,22 +218,24 @@ private:
           [&] (std::size_t a, std::size_t b) {
             return found_.moves[a].displacement < found_.moves[b].displacement;
           });
-      stays[farthest] = isWithin (found_.moves[farthest]) ? 0 : 1;
+      is_left_out[farthest] = isAllowed (found_.moves[farthest]) ? 0 : 1;
     }
     std::vector<std::size_t> kept;
     for (const std::size_t i : members)
-      if (!stays[i])
+      if (!is_left_out[i])
         kept.push_back (i);
     return kept;
   }
 
+  /** \brief Returns the position of a plane along the direction of its group. */
   double
-  placeOf (std::size_t i, const DirectionGroup& group) const
+  positionOf (std::size_t i, const DirectionGroup& group) const
   {
     const Vector3d& origin = planes_[group.members.front()].centroid;
     return group.direction.dot (planes_[i].centroid - origin);
   }
 
+  /** \brief Returns the largest distance of two parallel planes that are coplanar. */
   double
   maxOffset (std::size_t first, std::size_t second) const
   {
@@ -231,19 +247,20 @@ private:
   /** \brief Gives the planes of a group its direction as normal, and planes of one
    * level a common offset. */
   void
-  levelOut (const DirectionGroup& group)
+  alignGroup (const DirectionGroup& group)
   {
     std::vector<std::size_t> members = group.members;
     std::sort (members.begin(), members.end(), [&] (std::size_t a, std::size_t b) {
-      return std::pair (placeOf (a, group), a) < std::pair (placeOf (b, group), b);
+      return std::pair (positionOf (a, group), a) <
+             std::pair (positionOf (b, group), b);
     });
-    const std::size_t direction = next_++;
+    const std::size_t direction_number = next_number_++;
     for (std::size_t first = 0, next = 0; first < members.size(); first = next) {
       std::vector<std::size_t> level;
       while (next < members.size() &&
              (level.empty() || areLevel (level, members[next], group)))
         level.push_back (members[next++]);
-      place (level, group, direction);
+      moveLevel (level, group, direction_number);
     }
   }
 
@@ -255,35 +272,37 @@ private:
             const DirectionGroup& group) const
   {
     return std::all_of (level.begin(), level.end(), [&] (std::size_t other) {
-      return std::abs (placeOf (plane, group) - placeOf (other, group)) <=
+      return std::abs (positionOf (plane, group) - positionOf (other, group)) <=
              maxOffset (plane, other);
     });
   }
 
+  /** \brief Turns the planes of a level and moves them to their mean position. */
   void
-  place (const std::vector<std::size_t>& level,
-         const DirectionGroup& group,
-         std::size_t direction)
+  moveLevel (const std::vector<std::size_t>& level,
+             const DirectionGroup& group,
+             std::size_t direction_number)
   {
     double points = 0.0;
-    double mean = 0.0;
+    double mean_position = 0.0;
     for (const std::size_t i : level) {
       points += planes_[i].moments.count;
-      mean += planes_[i].moments.count * placeOf (i, group);
+      mean_position += planes_[i].moments.count * positionOf (i, group);
     }
-    mean /= points;
-    const std::size_t number = next_++;
+    mean_position /= points;
+    const std::size_t level_number = next_number_++;
     for (const std::size_t i : level) {
       const Vector3d normal = towards (group.direction, planes_[i].normal);
-      const double side = normal.dot (group.direction) < 0.0 ? -1.0 : 1.0;
-      const double offset = level.size() > 1 ? side * (mean - placeOf (i, group)) : 0.0;
+      const double sign = normal.dot (group.direction) < 0.0 ? -1.0 : 1.0;
+      const double offset =
+          level.size() > 1 ? sign * (mean_position - positionOf (i, group)) : 0.0;
       PlaneMove move = moveTo (planes_[i], normal, offset);
-      move.level = number;
-      if (!isWithin (move)) { // it is turned, but keeps its own offset
+      move.level = level_number;
+      if (!isAllowed (move)) { // it is turned, but keeps its own offset
         move = moveTo (planes_[i], normal, 0.0);
-        move.level = next_++;
+        move.level = next_number_++;
       }
-      move.direction = direction;
+      move.direction = direction_number;
       move.is_moved = move.angle > 0.0 || move.offset != 0.0;
       found_.planes[i].normal = normal;
       found_.planes[i].centroid += move.offset * normal;
@@ -296,7 +315,7 @@ private:
   const PlaneRegularizationParameters& parameters_;
   RegularizedPlanes found_;
   std::vector<char> is_done_ = std::vector<char> (planes_.size(), 0);
-  std::size_t next_ = 0;
+  std::size_t next_number_ = 0;
 };
 
 } // namespace

@@ -15,8 +15,10 @@ namespace {
 using namespace internal::buildings;
 using Eigen::Vector2d;
 
-/** \brief Returns the index of the first room met on the way from \p nearest to
- * \p farthest off a wall [m]; nothing if there is no room. */
+/** \brief Returns the index of the first room on the way away from a wall; nothing if
+ * there is no room.
+ * \param[in] away unit vector
+ * \param[in] nearest, farthest distances from \p on_wall between which to search [m] */
 std::optional<std::size_t>
 firstRoom (const std::vector<PlanRoom>& rooms,
            const Vector2d& on_wall,
@@ -26,9 +28,10 @@ firstRoom (const std::vector<PlanRoom>& rooms,
 {
   const long steps = std::lround ((farthest - nearest) / constants.step_to_room);
   for (long step = 1; step <= steps; ++step) {
-    const double off = nearest + static_cast<double> (step) * constants.step_to_room;
+    const double distance =
+        nearest + static_cast<double> (step) * constants.step_to_room;
     for (std::size_t i = 0; i < rooms.size(); ++i)
-      if (isInRoom (rooms[i], on_wall + off * away))
+      if (isInRoom (rooms[i], on_wall + distance * away))
         return i;
   }
   return {};
@@ -39,12 +42,13 @@ firstRoom (const std::vector<PlanRoom>& rooms,
 namespace internal::buildings {
 
 bool
-isInRoom (const PlanRoom& room, const Vector2d& place)
+isInRoom (const PlanRoom& room, const Vector2d& position)
 {
-  return !room.rings.empty() && isWithinRing (room.rings.front(), place) &&
-         std::none_of (room.rings.begin() + 1,
-                       room.rings.end(),
-                       [&] (const auto& hole) { return isWithinRing (hole, place); });
+  return !room.rings.empty() && isWithinRing (room.rings.front(), position) &&
+         std::none_of (
+             room.rings.begin() + 1, room.rings.end(), [&] (const auto& hole) {
+               return isWithinRing (hole, position);
+             });
 }
 
 void
@@ -53,16 +57,17 @@ findRoomsOfOpenings (const std::vector<PlanRoom>& rooms, std::vector<PlanWall>& 
   for (PlanWall& wall : walls) {
     const Vector2d along = (wall.to - wall.from).normalized();
     const Vector2d front (-along.y(), along.x());
-    const double depth = wall.thickness.value_or (0.0);
+    // Behind a wall of unknown thickness the search begins at the wall.
+    const double thickness = wall.thickness.value_or (0.0);
     const double farthest =
-        wall.thickness ? depth + constants.max_to_room : constants.max_thickness;
+        wall.thickness ? thickness + constants.max_to_room : constants.max_thickness;
     for (PlanOpening& opening : wall.openings) {
       const Vector2d middle = 0.5 * (opening.from + opening.to);
-      const auto look = [&] (const Vector2d& away, double from, double to) {
+      const auto room_towards = [&] (const Vector2d& away, double from, double to) {
         return firstRoom (rooms, middle, away, from, to);
       };
-      opening.room_before = look (front, 0.0, constants.max_to_room);
-      opening.room_behind = look (-front, depth, farthest);
+      opening.room_before = room_towards (front, 0.0, constants.max_to_room);
+      opening.room_behind = room_towards (-front, thickness, farthest);
     }
   }
 }

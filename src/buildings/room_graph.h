@@ -8,10 +8,10 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Returns whether a place is inside the outline of a room and outside of its
+/** \brief Returns whether a position is inside the outline of a room and outside of its
  * holes. */
 bool
-isInRoom (const PlanRoom& room, const Eigen::Vector2d& place);
+isInRoom (const PlanRoom& room, const Eigen::Vector2d& position);
 
 /** \brief Sets the indices of the rooms before and behind the wall of each opening. */
 void

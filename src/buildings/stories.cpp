@@ -13,7 +13,7 @@ namespace {
 
 /** \brief Returns the levels that are large enough to make stories. */
 std::vector<Level>
-largeOnes (const std::vector<Level>& levels)
+largeLevels (const std::vector<Level>& levels)
 {
   double largest = 0.0;
   for (const Level& level : levels)
@@ -34,13 +34,14 @@ addUpperLevel (const Level& level, const Level* next, std::vector<Story>& storie
 {
   Story& story = stories.back();
   const bool is_top = next == nullptr;
+  // A floor follows closely above: both are the two sides of one deck.
   const bool is_deck =
       !is_top && !next->faces_down && next->height - level.height <= constants.max_deck;
-  const bool is_overhead = !level.is_below_sensor && (is_top || is_deck);
+  const bool may_be_ceiling = !level.is_below_sensor && (is_top || is_deck);
   if (is_top && !story.ceiling &&
       level.area < constants.min_cover_of_floor * story.area)
     return;
-  if (is_overhead && !story.ceiling)
+  if (may_be_ceiling && !story.ceiling)
     story.ceiling = level.height;
   else
     stories.push_back ({level.height, {}, level.area});
@@ -59,18 +60,18 @@ levelsOf (std::vector<LevelPlane> planes)
   std::vector<Level> levels;
   for (std::size_t first = 0, next = 0; first < planes.size(); first = next) {
     double area = 0.0;
-    double moment = 0.0;
+    double area_times_height = 0.0;
     double area_from_below = 0.0;
     double area_below_sensor = 0.0;
     while (next < planes.size() &&
            planes[next].height - planes[first].height <= constants.same_level) {
       area += planes[next].area;
-      moment += planes[next].area * planes[next].height;
+      area_times_height += planes[next].area * planes[next].height;
       area_from_below += planes[next].faces_down ? planes[next].area : 0.0;
       area_below_sensor += planes[next].is_below_sensor ? planes[next].area : 0.0;
       ++next;
     }
-    const double height = area > 0.0 ? moment / area : planes[first].height;
+    const double height = area > 0.0 ? area_times_height / area : planes[first].height;
     levels.push_back (
         {height, area, area_from_below > 0.5 * area, area_below_sensor > 0.5 * area});
   }
@@ -80,7 +81,7 @@ levelsOf (std::vector<LevelPlane> planes)
 std::vector<Story>
 storiesOf (const std::vector<Level>& levels, double lowest)
 {
-  const std::vector<Level> large = largeOnes (levels);
+  const std::vector<Level> large = largeLevels (levels);
   std::vector<Story> stories = {{lowest}};
   for (std::size_t i = 0; i < large.size(); ++i) {
     const Level& level = large[i];
@@ -88,9 +89,10 @@ storiesOf (const std::vector<Level>& levels, double lowest)
     const double rise = level.height - story.floor;
     // It is the ground even if the foot of a wall or a ditch is deeper.
     const bool is_ground = level.area >= constants.min_ground_area;
-    const bool is_near = rise < (is_ground ? constants.headroom : constants.step) ||
-                         (is_ground && level.is_below_sensor);
-    if (i == 0 && !level.faces_down && is_near)
+    const double max_rise = is_ground ? constants.headroom : constants.step;
+    const bool may_be_first_floor =
+        rise < max_rise || (is_ground && level.is_below_sensor);
+    if (i == 0 && !level.faces_down && may_be_first_floor)
       story = {level.height, {}, level.area};
     else if (rise < constants.headroom)
       continue;
@@ -105,11 +107,11 @@ storiesOf (const std::vector<Level>& levels, double lowest)
 const Story&
 storyAt (const std::vector<Story>& stories, double height)
 {
-  const Story* at = &stories.front();
+  const Story* highest_below = &stories.front();
   for (const Story& story : stories)
     if (story.floor <= height + constants.same_level)
-      at = &story;
-  return *at;
+      highest_below = &story;
+  return *highest_below;
 }
 
 } // namespace pcl_ops::internal::buildings

@@ -11,13 +11,15 @@ namespace pcl_ops::internal::buildings {
  */
 struct LevelPlane {
   double height, area;
+  /** \brief Whether it was seen from below. */
   bool faces_down;
   /** \brief Whether it is known to be seen from above; then it is no ceiling. */
   bool is_below_sensor = false;
 };
 
-/** \brief Level planes within 15 cm of height: their mean height, weighted by area, and
- * total area. The flags are set if they are set for more than half of the area. */
+/** \brief Level planes within same_level of height: their mean height, weighted by
+ * area, and total area. The flags are set if they are set for more than half of the
+ * area. */
 struct Level {
   double height, area;
   bool faces_down;
@@ -32,24 +34,24 @@ struct Story {
   double area = 0.0;
 };
 
-/** \brief Groups level planes within 15 cm of height; returns levels ascending. */
+/** \brief Groups level planes within same_level of height; returns levels ascending. */
 std::vector<Level>
 levelsOf (std::vector<LevelPlane> planes);
 
-/** \brief Returns the stories from the lowest up, at least one. A level smaller than a
- * fifth of the largest level, or than a square meter, is ignored. The lowest other one
- * is the first floor if it was not seen from below and is less than a step above
- * \p lowest. If it is larger than furniture (min_ground_area), it may be up to headroom
- * above \p lowest, or higher if it is below the sensor. A level below the sensor is no
- * ceiling.
+/** \brief Returns the stories from the lowest up, at least one. Levels smaller than
+ * min_level_area or min_level_share are ignored. The lowest other level is the first
+ * floor if it was not seen from below and is less than a step above \p lowest. If it is
+ * larger than furniture (min_ground_area), it may be up to headroom above \p lowest, or
+ * higher if it is below the sensor. A level below the sensor is no ceiling. All names
+ * are those of constants.h.
  * \param[in] levels ascending
- * \param[in] lowest height of the lowest plane, for level planes of their middle [m]:
- * the floor of the first story if no floor was seen */
+ * \param[in] lowest height of the lowest plane [m]: the floor of the first story if no
+ * floor was seen. Of level planes the height of their middle counts */
 std::vector<Story>
 storiesOf (const std::vector<Level>& levels, double lowest);
 
 /** \brief Returns the story that a height belongs to: the highest one whose floor is
- * not above \p height + 15 cm, or else the first. */
+ * not above \p height + same_level, or else the first. */
 const Story&
 storyAt (const std::vector<Story>& stories, double height);
 

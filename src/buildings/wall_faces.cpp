@@ -14,12 +14,12 @@ namespace {
 /** \brief Returns the mean distance between neighboring points of a face [m]: the root
  * of area / points, with the area of the cells of a coarse grid that have points. */
 double
-spacingOf (const std::vector<Eigen::Vector2d>& points)
+spacingOf (const std::vector<FacePoint>& points)
 {
   std::vector<std::pair<long, long>> cells;
-  for (const Eigen::Vector2d& point : points)
-    cells.emplace_back (std::lround (point.x() / constants.edge_of_spacing_cell),
-                        std::lround (point.y() / constants.edge_of_spacing_cell));
+  for (const FacePoint& point : points)
+    cells.emplace_back (std::lround (point.position / constants.edge_of_spacing_cell),
+                        std::lround (point.height / constants.edge_of_spacing_cell));
   std::sort (cells.begin(), cells.end());
   cells.erase (std::unique (cells.begin(), cells.end()), cells.end());
   const double area = constants.edge_of_spacing_cell * constants.edge_of_spacing_cell *
@@ -34,15 +34,22 @@ isParallel (const WallFace& first, const WallFace& second)
   return first.line.along.dot (second.line.along) >= constants.min_cosine_of_parallel;
 }
 
-/** \brief Converts intervals of a face to places on another line. */
+/** \brief Returns intervals of a face as intervals of another line. */
 Intervals
-on (const PlanLine& line, const WallFace& face, const Intervals& intervals)
+onLine (const PlanLine& line, const WallFace& face, const Intervals& intervals)
 {
-  Intervals moved;
+  Intervals converted;
   for (const Interval& interval : intervals)
-    moved.push_back ({line.place (face.line.at (interval.from)),
-                      line.place (face.line.at (interval.to))});
-  return moved;
+    converted.push_back ({line.positionOf (face.line.at (interval.from)),
+                          line.positionOf (face.line.at (interval.to))});
+  return converted;
+}
+
+/** \brief Returns the longest gap of a face that is closed [m]. */
+double
+maxClosedGap (const WallFace& face)
+{
+  return std::max (constants.max_closed_gap, face.longest_spacing);
 }
 
 /** \brief Returns whether a face is parallel to another one and has both ends on its
@@ -58,47 +65,56 @@ continues (const WallFace& part, const WallFace& face)
   return true;
 }
 
+/** \brief Adds a face that continues \p face to it. */
 void
-addTo (WallFace& face, const WallFace& part)
+addPart (WallFace& face, const WallFace& part)
 {
-  const double gap = std::max (constants.max_closed_gap, face.spacing);
-  face.seen = unionOf (face.seen, on (face.line, part, part.seen), gap);
-  face.cut = unionOf (face.cut, on (face.line, part, part.cut), gap);
-  const double moved = face.line.place (part.line.origin);
-  for (const Eigen::Vector2d& point : part.points)
-    face.points.emplace_back (point.x() + moved, point.y());
+  const double gap = maxClosedGap (face);
+  face.seen = unionOf (face.seen, onLine (face.line, part, part.seen), gap);
+  face.cut = unionOf (face.cut, onLine (face.line, part, part.cut), gap);
+  const double shift = face.line.positionOf (part.line.origin);
+  for (const FacePoint& point : part.points)
+    face.points.push_back ({point.position + shift, point.height});
   face.ends_rooms = face.ends_rooms && part.ends_rooms;
   face.planes.insert (face.planes.end(), part.planes.begin(), part.planes.end());
 }
 
+/** \brief A square of a grid on a face: its columns run along the line, its rows up. */
+using FaceSquare = std::pair<long, long>;
+
+/** \brief Returns the squares that have points of a face.
+ * \param[in] shift added to the positions of its points [m] */
+std::set<FaceSquare>
+squaresOf (const WallFace& face, double shift, double edge)
+{
+  std::set<FaceSquare> squares;
+  for (const FacePoint& point : face.points)
+    squares.emplace (std::lround ((point.position + shift) / edge),
+                     std::lround (point.height / edge));
+  return squares;
+}
+
 /** \brief Returns the share of a leaf, without its rim, that has points of the wall in
- * front of it, 0 to 1; 1 if the rim is all. The share is small if the points are of
- * furniture that touches the wall, and large if the leaf is the wall's other side. */
+ * front of it, 0 to 1; 1 if there is only a rim. The share is small if the points are
+ * of furniture that touches the wall, and large if the leaf is the wall's other side.
+ */
 double
 shareBefore (const WallFace& leaf, const WallFace& wall)
 {
-  const double edge =
-      std::max (constants.min_edge_of_leaf_square,
-                std::max (leaf.spacing, wall.spacing) / constants.squares_of_gap);
-  using Square = std::pair<long, long>;
-  const auto squares_of = [edge] (const WallFace& face, double moved) {
-    std::set<Square> squares;
-    for (const Eigen::Vector2d& point : face.points)
-      squares.emplace (std::lround ((point.x() + moved) / edge),
-                       std::lround (point.y() / edge));
-    return squares;
-  };
-  const std::set<Square> of_wall = squares_of (wall, 0.0);
-  const std::set<Square> of_leaf =
-      squares_of (leaf, wall.line.place (leaf.line.origin));
-  const auto is_at_rim = [&of_leaf] (const Square& square) {
+  const double edge = std::max (constants.min_edge_of_leaf_square,
+                                std::max (leaf.longest_spacing, wall.longest_spacing) /
+                                    constants.squares_of_gap);
+  const std::set<FaceSquare> of_wall = squaresOf (wall, 0.0, edge);
+  const std::set<FaceSquare> of_leaf =
+      squaresOf (leaf, wall.line.positionOf (leaf.line.origin), edge);
+  const auto is_at_rim = [&of_leaf] (const FaceSquare& square) {
     const auto [x, y] = square;
     return of_leaf.count ({x - 1, y}) == 0 || of_leaf.count ({x + 1, y}) == 0 ||
            of_leaf.count ({x, y - 1}) == 0 || of_leaf.count ({x, y + 1}) == 0;
   };
   double all = 0.0;
   double common = 0.0;
-  for (const Square& square : of_leaf) {
+  for (const FaceSquare& square : of_leaf) {
     if (is_at_rim (square))
       continue;
     all += 1.0;
@@ -107,8 +123,9 @@ shareBefore (const WallFace& leaf, const WallFace& wall)
   return all > 0.0 ? common / all : 1.0;
 }
 
-/** \brief Shortens intervals by noise_of_ends at both ends, and drops shorter ones.
- * Noise moves the ends of a leaf; points of the wall show better where the gap ends. */
+/** \brief Returns intervals shortened by noise_of_ends at both ends, without those too
+ * short for that. Noise moves the ends of a leaf; points of the wall show better where
+ * the gap ends. */
 Intervals
 insideOf (const Intervals& intervals)
 {
@@ -119,6 +136,8 @@ insideOf (const Intervals& intervals)
   return inside;
 }
 
+/** \brief Returns whether a face is a door leaf or a window pane set back in a gap of a
+ * wall. */
 bool
 isRecessOf (const WallFace& leaf, const WallFace& wall)
 {
@@ -129,20 +148,21 @@ isRecessOf (const WallFace& leaf, const WallFace& wall)
       -wall.line.distance (leaf.line.at (0.5 * (whole.from + whole.to)));
   if (behind < constants.min_recess || behind > constants.max_recess)
     return false;
-  const Interval there{wall.line.place (leaf.line.at (whole.from)),
-                       wall.line.place (leaf.line.at (whole.to))};
-  return there.from >= wall.seen.front().from - constants.max_closed_gap &&
-         there.to <= wall.seen.back().to + constants.max_closed_gap &&
-         shareBefore (leaf, wall) <= constants.max_share_before_leaf;
+  const Interval on_wall{wall.line.positionOf (leaf.line.at (whole.from)),
+                         wall.line.positionOf (leaf.line.at (whole.to))};
+  const bool is_between_ends =
+      on_wall.from >= wall.seen.front().from - constants.max_closed_gap &&
+      on_wall.to <= wall.seen.back().to + constants.max_closed_gap;
+  return is_between_ends && shareBefore (leaf, wall) <= constants.max_share_before_leaf;
 }
 
 /** \brief Returns the height of the highest point [m]. */
 double
 topOf (const WallFace& face)
 {
-  double top = face.points.front().y();
-  for (const Eigen::Vector2d& point : face.points)
-    top = std::max (top, point.y());
+  double top = face.points.front().height;
+  for (const FacePoint& point : face.points)
+    top = std::max (top, point.height);
   return top;
 }
 
@@ -160,14 +180,15 @@ isFrontBefore (const WallFace& front, const WallFace& wall)
   if (before < constants.min_before_wall || before > constants.max_before_wall)
     return false;
   const double low = topOf (front) + constants.same_level;
-  std::vector<double> above;
-  for (const Eigen::Vector2d& point : wall.points)
-    if (point.y() > low)
-      above.push_back (point.x());
-  const Interval there{wall.line.place (front.line.at (whole.from)),
-                       wall.line.place (front.line.at (whole.to))};
-  const double gap = std::max (constants.max_closed_gap, wall.spacing);
-  return 2.0 * lengthWithin (there, intervalsOf (above, gap)) > there.length();
+  std::vector<double> seen_above;
+  for (const FacePoint& point : wall.points)
+    if (point.height > low)
+      seen_above.push_back (point.position);
+  const Interval on_wall{wall.line.positionOf (front.line.at (whole.from)),
+                         wall.line.positionOf (front.line.at (whole.to))};
+  const double covered =
+      lengthWithin (on_wall, intervalsOf (seen_above, maxClosedGap (wall)));
+  return 2.0 * covered > on_wall.length();
 }
 
 } // namespace
@@ -176,7 +197,7 @@ WallFace
 faceOf (const Eigen::Vector3d& normal,
         const PlanPoints& points,
         std::size_t plane,
-        double height)
+        double cut_height)
 {
   WallFace face;
   face.planes = {plane};
@@ -186,21 +207,20 @@ faceOf (const Eigen::Vector3d& normal,
     middle += point.head<2>() / static_cast<double> (points.size());
   face.line = {middle, {front.y(), -front.x()}};
   for (const Eigen::Vector3d& point : points)
-    face.points.emplace_back (face.line.place (point.head<2>()), point.z());
+    face.points.push_back ({face.line.positionOf (point.head<2>()), point.z()});
   const double spacing = spacingOf (face.points);
-  face.spacing = constants.spacings_of_gap * spacing;
-  const double band =
+  face.longest_spacing = constants.spacings_of_gap * spacing;
+  const double half_band =
       std::max (constants.half_band_of_wall, constants.spacings_of_band * spacing);
   std::vector<double> seen;
   std::vector<double> cut;
-  for (const Eigen::Vector2d& point : face.points) {
-    seen.push_back (point.x());
-    if (std::abs (point.y() - height) <= band)
-      cut.push_back (point.x());
+  for (const FacePoint& point : face.points) {
+    seen.push_back (point.position);
+    if (std::abs (point.height - cut_height) <= half_band)
+      cut.push_back (point.position);
   }
-  const double gap = std::max (constants.max_closed_gap, face.spacing);
-  face.seen = intervalsOf (seen, gap);
-  face.cut = intervalsOf (cut, gap);
+  face.seen = intervalsOf (seen, maxClosedGap (face));
+  face.cut = intervalsOf (cut, maxClosedGap (face));
   return face;
 }
 
@@ -222,7 +242,7 @@ joinFaces (std::vector<WallFace> faces)
     if (whole == joined.end())
       joined.push_back (std::move (face));
     else
-      addTo (*whole, face);
+      addPart (*whole, face);
   }
   for (WallFace& face : joined)
     std::sort (face.planes.begin(), face.planes.end());
@@ -260,7 +280,7 @@ withoutRecesses (const std::vector<WallFace>& faces,
   for (WallFace& wall : kept)
     for (const WallFace& leaf : leaves)
       if (!leaf.seen.empty() && isRecessOf (leaf, wall))
-        wall.cut = without (wall.cut, insideOf (on (wall.line, leaf, leaf.cut)));
+        wall.cut = without (wall.cut, insideOf (onLine (wall.line, leaf, leaf.cut)));
   return kept;
 }
 

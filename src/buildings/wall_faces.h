@@ -24,8 +24,9 @@ struct PlanLine {
   {
     return {-along.y(), along.x()};
   }
+  /** \brief Position of a point along the line, from its origin [m]. */
   double
-  place (const Eigen::Vector2d& point) const
+  positionOf (const Eigen::Vector2d& point) const
   {
     return along.dot (point - origin);
   }
@@ -37,10 +38,16 @@ struct PlanLine {
     return normal().dot (point - origin);
   }
   Eigen::Vector2d
-  at (double place) const
+  at (double position) const
   {
-    return origin + place * along;
+    return origin + position * along;
   }
+};
+
+/** \brief A point of a wall: its position along the line of the face, and its height
+ * [m]. */
+struct FacePoint {
+  double position, height;
 };
 
 /** \brief One side of the walls on one line that face the same way. */
@@ -49,10 +56,9 @@ struct WallFace {
   /** \brief Intervals of the line with points at any height, and with points at the
    * height of the cut. */
   Intervals seen, cut;
-  /** \brief Points of the wall, as (place along the line, height) [m]. */
-  std::vector<Eigen::Vector2d> points;
+  std::vector<FacePoint> points;
   /** \brief Longest gap that may be mere distance between neighboring points [m]. */
-  double spacing = 0.0;
+  double longest_spacing = 0.0;
   /** \brief Whether rooms end at the face. Then it is a wall even if furniture hides it
    * at the cut, and not a lintel over an open passage. */
   bool ends_rooms = false;
@@ -64,12 +70,12 @@ struct WallFace {
  * \param[in] normal of the plane, in the frame of the plan; points to the front
  * \param[in] points inliers of the plane, in the frame of the plan
  * \param[in] plane index in the list of planes
- * \param[in] height of the cut [m] */
+ * \param[in] cut_height height of the cut [m] */
 WallFace
 faceOf (const Eigen::Vector3d& normal,
         const PlanPoints& points,
         std::size_t plane,
-        double height);
+        double cut_height);
 
 /** \brief Joins faces that lie on one line and face the same way. The joined face has
  * the line of the face with most points. Faces are returned in order of their planes.

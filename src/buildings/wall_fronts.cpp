@@ -13,23 +13,25 @@ namespace pcl_ops::internal::buildings {
 namespace {
 
 constexpr double edge = constants.edge_of_side_square;
+constexpr double any_height = -std::numeric_limits<double>::infinity();
 
-std::pair<long, long>
-squareAt (const Eigen::Vector2d& place)
+GridSquare
+squareAt (const Eigen::Vector2d& position)
 {
-  return {std::lround (place.x() / edge), std::lround (place.y() / edge)};
+  return {std::lround (position.x() / edge), std::lround (position.y() / edge)};
 }
 
-SquaredPoints
+/** \brief Returns all points sorted by square, then by their coordinates. */
+std::vector<PointInSquare>
 pointsBySquare (const std::vector<const PlanPoints*>& lists)
 {
-  SquaredPoints all;
+  std::vector<PointInSquare> all;
   for (const PlanPoints* const points : lists)
     for (const Eigen::Vector3d& point : *points)
-      all.emplace_back (squareAt (point.head<2>()), point);
+      all.push_back ({squareAt (point.head<2>()), point});
   std::sort (all.begin(), all.end(), [] (const auto& a, const auto& b) {
-    return std::tie (a.first, a.second.x(), a.second.y(), a.second.z()) <
-           std::tie (b.first, b.second.x(), b.second.y(), b.second.z());
+    return std::tie (a.square, a.point.x(), a.point.y(), a.point.z()) <
+           std::tie (b.square, b.point.x(), b.point.y(), b.point.z());
   });
   return all;
 }
@@ -41,60 +43,62 @@ RoomSides::RoomSides (const std::vector<const PlanPoints*>& level)
 {}
 
 bool
-RoomSides::hasPointAt (const Eigen::Vector2d& place, double low) const
+RoomSides::hasPointAt (const Eigen::Vector2d& position, double low) const
 {
   static_assert (constants.reach_beside_wall <= edge, "the squares next to it will do");
-  const auto [x, y] = squareAt (place);
-  for (const long column : {x - 1, x, x + 1}) {
-    auto point = std::lower_bound (
+  const auto [own_column, own_row] = squareAt (position);
+  for (const long column : {own_column - 1, own_column, own_column + 1}) {
+    const GridSquare first (column, own_row - 1);
+    const GridSquare last (column, own_row + 1);
+    auto candidate = std::lower_bound (
         points_.begin(),
         points_.end(),
-        std::make_pair (column, y - 1),
-        [] (const auto& a, const auto& square) { return a.first < square; });
-    for (; point != points_.end() && point->first <= std::make_pair (column, y + 1);
-         ++point)
-      if (point->second.z() > low &&
-          (point->second.head<2>() - place).norm() <= constants.reach_beside_wall)
+        first,
+        [] (const PointInSquare& a, const GridSquare& b) { return a.square < b; });
+    for (; candidate != points_.end() && candidate->square <= last; ++candidate)
+      if (candidate->point.z() > low &&
+          (candidate->point.head<2>() - position).norm() <= constants.reach_beside_wall)
         return true;
   }
   return false;
 }
 
-std::pair<std::size_t, std::size_t>
+RoomSides::SamplesBeside
 RoomSides::countBeside (const Eigen::Vector2d& front,
                         const PlanPoints& wall,
                         double low) const
 {
-  std::pair<std::size_t, std::size_t> beside (0, 0);
-  double offset = 0.0; // mean place of the points of the wall along front [m]
+  SamplesBeside count;
+  double wall_offset = 0.0; // mean position of the wall's points along front [m]
   for (const Eigen::Vector3d& point : wall)
-    offset += front.dot (point.head<2>()) / static_cast<double> (wall.size());
-  SquaredPoints places = pointsBySquare ({&wall});
-  const auto is_same = [] (const auto& a, const auto& b) { return a.first == b.first; };
-  places.erase (std::unique (places.begin(), places.end(), is_same), places.end());
-  for (const auto& [square, point] : places) {
-    const Eigen::Vector2d place =
-        point.head<2>() + (offset - front.dot (point.head<2>())) * front;
-    const Eigen::Vector2d off = constants.beside_wall * front;
-    beside.first += hasPointAt (place + off, low) ? 1 : 0;
-    beside.second += hasPointAt (place - off, low) ? 1 : 0;
+    wall_offset += front.dot (point.head<2>()) / static_cast<double> (wall.size());
+  std::vector<PointInSquare> samples = pointsBySquare ({&wall});
+  const auto is_same_square = [] (const PointInSquare& a, const PointInSquare& b) {
+    return a.square == b.square;
+  };
+  samples.erase (std::unique (samples.begin(), samples.end(), is_same_square),
+                 samples.end());
+  for (const auto& [square, point] : samples) {
+    const Eigen::Vector2d on_wall =
+        point.head<2>() + (wall_offset - front.dot (point.head<2>())) * front;
+    const Eigen::Vector2d to_front = constants.beside_wall * front;
+    count.before += hasPointAt (on_wall + to_front, low) ? 1 : 0;
+    count.behind += hasPointAt (on_wall - to_front, low) ? 1 : 0;
   }
-  return beside;
+  return count;
 }
 
 bool
 RoomSides::areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) const
 {
-  constexpr double at_any_height = -std::numeric_limits<double>::infinity();
-  const auto [before, behind] = countBeside (front, wall, at_any_height);
+  const auto [before, behind] = countBeside (front, wall, any_height);
   return behind > 2 * before + constants.few_side_squares;
 }
 
 bool
 RoomSides::endAt (const Eigen::Vector2d& front, const PlanPoints& wall) const
 {
-  constexpr double at_any_height = -std::numeric_limits<double>::infinity();
-  const auto [before, behind] = countBeside (front, wall, at_any_height);
+  const auto [before, behind] = countBeside (front, wall, any_height);
   return behind <= std::max (constants.few_side_squares, before / 2);
 }
 

@@ -9,8 +9,14 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Points, each with its square in a horizontal grid, sorted by square. */
-using SquaredPoints = std::vector<std::pair<std::pair<long, long>, Eigen::Vector3d>>;
+/** \brief A square of a horizontal grid, by column and row. */
+using GridSquare = std::pair<long, long>;
+
+/** \brief A point and the square that it is in. */
+struct PointInSquare {
+  GridSquare square;
+  Eigen::Vector3d point;
+};
 
 /** \brief Floors and ceilings beside walls. They show which side of a wall is its front
  * if the viewpoint of the cloud is unknown. In all functions \p front is the horizontal
@@ -36,17 +42,23 @@ public:
   endAt (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
 private:
-  /** \brief Returns at how many places along a wall there are points higher than \p low
-   * [m] beside it: in front of the wall, and behind it. */
-  std::pair<std::size_t, std::size_t>
+  /** \brief Numbers of samples along a wall with points beside it: in front of the
+   * wall, and behind it. */
+  struct SamplesBeside {
+    std::size_t before = 0, behind = 0;
+  };
+
+  /** \brief Counts the samples beside which there are points higher than \p low [m]. */
+  SamplesBeside
   countBeside (const Eigen::Vector2d& front, const PlanPoints& wall, double low) const;
 
   /** \brief Returns whether a point higher than \p low [m] lies within
-   * reach_beside_wall of a place. */
+   * reach_beside_wall of a position. */
   bool
-  hasPointAt (const Eigen::Vector2d& place, double low) const;
+  hasPointAt (const Eigen::Vector2d& position, double low) const;
 
-  SquaredPoints points_;
+  /** \brief Points of floors and ceilings, sorted by square. */
+  std::vector<PointInSquare> points_;
 };
 
 } // namespace pcl_ops::internal::buildings

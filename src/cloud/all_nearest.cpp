@@ -14,22 +14,23 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Sort key: the bits of the squared distance above the index of the point. Keys sort by
-// distance, which is never negative, and for equal distances by index.
-std::uint64_t
-keyOf (float squared_distance, std::uint32_t number)
+// A sort key: the bits of the squared distance above the index of the point. Keys sort
+// by distance, which is never negative, and for equal distances by index.
+using Key = std::uint64_t;
+constexpr int bits_of_index = 32;
+
+Key
+keyOf (float squared_distance, std::uint32_t index)
 {
   std::uint32_t bits;
   std::memcpy (&bits, &squared_distance, sizeof bits);
-  constexpr int bits_of_number = 32;
-  return static_cast<std::uint64_t> (bits) << bits_of_number | number;
+  return static_cast<Key> (bits) << bits_of_index | index;
 }
 
 float
-squaredDistanceOf (std::uint64_t key)
+squaredDistanceOf (Key key)
 {
-  constexpr int bits_of_number = 32;
-  const auto bits = static_cast<std::uint32_t> (key >> bits_of_number);
+  const auto bits = static_cast<std::uint32_t> (key >> bits_of_index);
   float squared_distance;
   std::memcpy (&squared_distance, &bits, sizeof bits);
   return squared_distance;
@@ -39,110 +40,131 @@ squaredDistanceOf (std::uint64_t key)
  * points on a surface are nearly uniform, so that few keys share a bucket. */
 class KeySort {
 public:
-  // Sorts keys of squared distances up to bound.
+  // Sorts keys of squared distances up to squared_bound.
   void
-  sort (float bound, std::vector<std::uint64_t>& keys)
+  sort (float squared_bound, std::vector<Key>& keys)
   {
-    const float scale = bound > 0.0F ? last_bin / bound : 0.0F;
-    std::array<std::uint32_t, bins + 1> begin{};
-    bin_.resize (keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      // An infinite squared distance makes the place NaN; it goes to the last bin.
-      const float place = scale * squaredDistanceOf (keys[i]);
-      bin_[i] = place < last_bin ? static_cast<std::uint32_t> (place)
-                                 : static_cast<std::uint32_t> (last_bin);
-      ++begin[bin_[i] + 1];
-    }
-    for (std::size_t b = 0; b < bins; ++b)
-      begin[b + 1] += begin[b];
-    sorted_.resize (keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i)
-      sorted_[begin[bin_[i]]++] = keys[i];
+    sortByBucket (squared_bound, keys);
     for (std::size_t i = 1; i < keys.size(); ++i) {
-      const std::uint64_t key = sorted_[i];
-      std::size_t place = i;
-      for (; place > 0 && sorted_[place - 1] > key; --place)
-        sorted_[place] = sorted_[place - 1];
-      sorted_[place] = key;
+      const Key key = sorted_[i];
+      std::size_t slot = i;
+      for (; slot > 0 && sorted_[slot - 1] > key; --slot)
+        sorted_[slot] = sorted_[slot - 1];
+      sorted_[slot] = key;
     }
     keys.swap (sorted_);
   }
 
 private:
-  static constexpr std::size_t bins = 64;
-  static constexpr float last_bin = bins - 1;
-  std::vector<std::uint32_t> bin_;
-  std::vector<std::uint64_t> sorted_;
+  void
+  sortByBucket (float squared_bound, const std::vector<Key>& keys)
+  {
+    const float scale = squared_bound > 0.0F ? last_bucket / squared_bound : 0.0F;
+    std::array<std::uint32_t, buckets + 1> begin{};
+    bucket_of_key_.resize (keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      // NaN for an infinite squared distance, which goes to the last bucket.
+      const float scaled = scale * squaredDistanceOf (keys[i]);
+      bucket_of_key_[i] = scaled < last_bucket
+                              ? static_cast<std::uint32_t> (scaled)
+                              : static_cast<std::uint32_t> (last_bucket);
+      ++begin[bucket_of_key_[i] + 1];
+    }
+    for (std::size_t b = 0; b < buckets; ++b)
+      begin[b + 1] += begin[b];
+    sorted_.resize (keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      sorted_[begin[bucket_of_key_[i]]++] = keys[i];
+  }
+
+  static constexpr std::size_t buckets = 64;
+  static constexpr float last_bucket = buckets - 1;
+  std::vector<std::uint32_t> bucket_of_key_;
+  std::vector<Key> sorted_;
 };
 
-/** \brief Finds the nearest neighbors of the points of leaves, one leaf at a time. */
+/** \brief Finds the nearest neighbors of the points of leaves, one leaf at a time. The
+ * reach of a point is the distance to its last neighbor. A position is one in
+ * PointTree::order. */
 class LeafSearch {
 public:
-  LeafSearch (const PointTree& tree, std::size_t number, Indices& nearest)
-  : tree_ (tree), number_ (number), nearest_ (nearest)
+  LeafSearch (const PointTree& tree, std::size_t neighbors, Indices& nearest)
+  : tree_ (tree), neighbors_ (neighbors), nearest_ (nearest)
   {}
 
   void
   find (const PointTree::Leaf& leaf)
   {
-    open_.clear();
+    constexpr float growth = 1.5F; // of the reach between two tries
+    unfinished_.clear();
     for (std::uint32_t p = leaf.node->begin; p < leaf.node->end; ++p)
-      open_.push_back (p);
-    // Mean distance to the last neighbor in the previous leaf: right for most points.
-    constexpr float spare = 1.15F;
-    constexpr float growth = 1.5F;
-    float reach = spare * usual_reach_;
-    // The previous leaf had equal points, or points so close that squares underflow.
-    if (!(reach * reach > 0.0F))
-      reach = leaf.reach;
-    reach = std::min (leaf.reach, reach);
-    float sum = 0.0F;
-    for (; !open_.empty(); reach *= growth) {
+      unfinished_.push_back (p);
+    float sum_of_reaches = 0.0F;
+    for (float reach = firstReach (leaf); !unfinished_.empty(); reach *= growth) {
       const std::size_t candidates =
           tree_.findLeavesAround (*leaf.node, reach, maxCandidates(), ranges_);
       if (candidates > maxCandidates())
         return findOneByOne();
       gather (candidates);
       const bool has_all = candidates_.size() == tree_.order().size();
-      const float bound = has_all ? farthest (*leaf.node) : reach * reach;
+      const float squared_bound =
+          has_all ? maxSquaredDistance (*leaf.node) : reach * reach;
       const auto isFound = [&] (std::uint32_t position) {
-        return findNearest (position, bound, sum);
+        return findNearest (position, squared_bound, sum_of_reaches);
       };
-      open_.erase (std::remove_if (open_.begin(), open_.end(), isFound), open_.end());
+      unfinished_.erase (
+          std::remove_if (unfinished_.begin(), unfinished_.end(), isFound),
+          unfinished_.end());
     }
-    usual_reach_ = sum / static_cast<float> (leaf.node->end - leaf.node->begin);
+    mean_reach_ =
+        sum_of_reaches / static_cast<float> (leaf.node->end - leaf.node->begin);
   }
 
 private:
+  // Returns a little more than the mean reach in the previous leaf: enough for most
+  // points.
+  float
+  firstReach (const PointTree::Leaf& leaf) const
+  {
+    constexpr float enlargement = 1.15F;
+    const float reach = enlargement * mean_reach_;
+    // The previous leaf had equal points, or points so close that squares underflow.
+    if (!(reach * reach > 0.0F))
+      return leaf.reach;
+    return std::min (leaf.reach, reach);
+  }
+
   // Largest number of shared candidates of a leaf. A sparse leaf beside a dense region
   // would have more; its points are searched one by one.
   std::size_t
   maxCandidates () const
   {
-    constexpr std::size_t for_each = 32;
-    return for_each * (number_ + 1);
+    constexpr std::size_t per_neighbor = 32;
+    return per_neighbor * (neighbors_ + 1);
   }
 
+  // Searches the tree for each unfinished point.
   void
   findOneByOne ()
   {
-    for (const std::uint32_t position : open_) {
+    for (const std::uint32_t position : unfinished_) {
       const std::uint32_t own = tree_.order()[position];
-      one_.start (number_ + 1);
-      tree_.find (position, one_);
-      std::uint32_t* next = nearest_.data() + own * number_;
-      std::uint32_t* const last = next + number_;
-      for (std::size_t i = 0; i < one_.size() && next != last; ++i)
-        if (one_[i] != own)
-          *next++ = one_[i];
+      nearest_of_one_.start (neighbors_ + 1);
+      tree_.find (position, nearest_of_one_);
+      std::uint32_t* next = nearest_.data() + own * neighbors_;
+      std::uint32_t* const last = next + neighbors_;
+      for (std::size_t i = 0; i < nearest_of_one_.size() && next != last; ++i)
+        if (nearest_of_one_[i] != own)
+          *next++ = nearest_of_one_[i];
     }
   }
 
+  // Copies the points in ranges_ to the candidates.
   void
   gather (std::size_t size)
   {
     candidates_.resize (size);
-    numbers_.resize (size);
+    candidate_indices_.resize (size);
     const Coordinates& sorted = tree_.sorted();
     std::size_t next = 0;
     for (const auto& [begin, end] : ranges_) {
@@ -154,102 +176,105 @@ private:
       copy (sorted.x, candidates_.x);
       copy (sorted.y, candidates_.y);
       copy (sorted.z, candidates_.z);
-      copy (tree_.order(), numbers_);
+      copy (tree_.order(), candidate_indices_);
       next += end - begin;
     }
   }
 
   // Upper bound of the squared distance from any point of a leaf to any candidate.
   float
-  farthest (const PointTree::Node& leaf) const
+  maxSquaredDistance (const PointTree::Node& leaf) const
   {
-    float most = 0.0F;
+    float largest = 0.0F;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      const std::array<float, 3> at{
+      const std::array<float, 3> candidate{
           candidates_.x[i], candidates_.y[i], candidates_.z[i]};
       float sum = 0.0F;
       for (int axis = 0; axis < 3; ++axis) {
-        const float apart =
-            std::max (at[axis] - leaf.low[axis], leaf.high[axis] - at[axis]);
+        const float apart = std::max (candidate[axis] - leaf.low[axis],
+                                      leaf.high[axis] - candidate[axis]);
         sum += apart * apart;
       }
-      most = std::max (most, sum);
+      largest = std::max (largest, sum);
     }
-    return most;
+    return largest;
   }
 
-  // Finds the nearest neighbors of a point among the candidates; false if there are too
-  // few within the squared distance bound.
+  // Finds the nearest neighbors of a point among the candidates, and adds its reach to
+  // the sum. Returns false if there are too few within squared_bound.
   bool
-  findNearest (std::uint32_t position, float bound, float& sum_of_reaches)
+  findNearest (std::uint32_t position, float squared_bound, float& sum_of_reaches)
   {
     const std::uint32_t own = tree_.order()[position];
-    measure (position);
+    computeSquaredDistances (position);
     keys_.resize (candidates_.size());
     std::size_t found = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      keys_[found] = keyOf (squared_[i], numbers_[i]);
-      found += squared_[i] <= bound && numbers_[i] != own ? 1 : 0;
+      keys_[found] = keyOf (squared_distances_[i], candidate_indices_[i]);
+      found += squared_distances_[i] <= squared_bound && candidate_indices_[i] != own
+                   ? 1
+                   : 0;
     }
-    if (found < number_)
+    if (found < neighbors_)
       return false;
     keys_.resize (found);
     // Beside a denser region there may be many more candidates than wanted, all about
     // as far away. Then only the nearest ones are sorted.
-    constexpr std::size_t few = 4;
-    if (found > few * number_) {
-      const auto last = keys_.begin() + static_cast<std::ptrdiff_t> (number_ - 1);
+    constexpr std::size_t max_sorted_per_neighbor = 4;
+    if (found > max_sorted_per_neighbor * neighbors_) {
+      const auto last = keys_.begin() + static_cast<std::ptrdiff_t> (neighbors_ - 1);
       std::nth_element (keys_.begin(), last, keys_.end());
-      bound = squaredDistanceOf (*last);
-      keys_.resize (number_);
+      squared_bound = squaredDistanceOf (*last);
+      keys_.resize (neighbors_);
     }
-    sort_.sort (bound, keys_);
-    for (std::size_t i = 0; i < number_; ++i)
-      nearest_[own * number_ + i] = static_cast<std::uint32_t> (keys_[i]);
-    sum_of_reaches += std::sqrt (squaredDistanceOf (keys_[number_ - 1]));
+    sort_.sort (squared_bound, keys_);
+    for (std::size_t i = 0; i < neighbors_; ++i)
+      nearest_[own * neighbors_ + i] = static_cast<std::uint32_t> (keys_[i]);
+    sum_of_reaches += std::sqrt (squaredDistanceOf (keys_[neighbors_ - 1]));
     return true;
   }
 
   void
-  measure (std::uint32_t position)
+  computeSquaredDistances (std::uint32_t position)
   {
     const float x = tree_.sorted().x[position];
     const float y = tree_.sorted().y[position];
     const float z = tree_.sorted().z[position];
-    squared_.resize (candidates_.size());
-    for (std::size_t i = 0; i < squared_.size(); ++i) {
+    squared_distances_.resize (candidates_.size());
+    for (std::size_t i = 0; i < squared_distances_.size(); ++i) {
       const float dx = candidates_.x[i] - x;
       const float dy = candidates_.y[i] - y;
       const float dz = candidates_.z[i] - z;
-      squared_[i] = dx * dx + dy * dy + dz * dz;
+      squared_distances_[i] = dx * dx + dy * dy + dz * dz;
     }
   }
 
   const PointTree& tree_;
-  const std::size_t number_;
+  const std::size_t neighbors_;
   Indices& nearest_;
-  float usual_reach_ = std::numeric_limits<float>::infinity();
-  Indices open_;
+  float mean_reach_ = std::numeric_limits<float>::infinity(); // in the previous leaf
+  Indices unfinished_; // positions of points of the leaf without neighbors yet
+  // Buffers that are reused.
   PointTree::Ranges ranges_;
-  NearestPoints one_;
+  NearestPoints nearest_of_one_;
   Coordinates candidates_;
-  Indices numbers_;
-  std::vector<float> squared_;
-  std::vector<std::uint64_t> keys_;
+  Indices candidate_indices_;
+  std::vector<float> squared_distances_; // from one point to the candidates
+  std::vector<Key> keys_;
   KeySort sort_;
 };
 
 } // namespace
 
 Indices
-findAllNearest (const PointTree& tree, std::size_t number, unsigned threads)
+findAllNearest (const PointTree& tree, std::size_t neighbors, unsigned threads)
 {
   constexpr std::size_t leaves_at_once = 512;
-  Indices nearest (tree.order().size() * number);
-  const std::vector<PointTree::Leaf> leaves = tree.leaves (number + 1);
+  Indices nearest (tree.order().size() * neighbors);
+  const std::vector<PointTree::Leaf> leaves = tree.leaves (neighbors + 1);
   parallelFor (
       threads, leaves.size(), leaves_at_once, [&] (std::size_t begin, std::size_t end) {
-        LeafSearch search (tree, number, nearest);
+        LeafSearch search (tree, neighbors, nearest);
         for (std::size_t l = begin; l < end; ++l)
           search.find (leaves[l]);
       });

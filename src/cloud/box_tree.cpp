@@ -16,11 +16,12 @@ namespace {
 using Node = BoxTree::Node;
 using Child = BoxTree::Child;
 
-using Distances = Eigen::Array<float, BoxTree::max_children, 1>;
+using SquaredDistances = Eigen::Array<float, BoxTree::max_children, 1>;
 
-// Squared distances to the boxes of the children. The rounding is that of the distances
-// of points, so no point in a box is nearer than the box.
-Distances
+// Returns the squared distances of a position to the boxes of the children. They are
+// computed and rounded like those of points, so no point in a box is nearer than the
+// box.
+SquaredDistances
 squaredDistances (const Node& node, const Eigen::Vector3f& position)
 {
   const auto outside = [&] (Eigen::Index axis) {
@@ -34,6 +35,7 @@ squaredDistances (const Node& node, const Eigen::Vector3f& position)
   return outside (0) + outside (1) + outside (2);
 }
 
+// Offers the points of a leaf to the candidates.
 void
 visitLeaf (const Child& leaf,
            const Coordinates& points,
@@ -41,7 +43,7 @@ visitLeaf (const Child& leaf,
            const Eigen::Vector3f& position,
            NearestCandidates& candidates)
 {
-  std::array<float, BoxTree::max_points_of_leaf> distances;
+  std::array<float, BoxTree::max_points_of_leaf> squared_distances;
   const float x = position.x();
   const float y = position.y();
   const float z = position.z();
@@ -52,65 +54,67 @@ visitLeaf (const Child& leaf,
     const float dx = px[i] - x;
     const float dy = py[i] - y;
     const float dz = pz[i] - z;
-    distances[i] = dx * dx + dy * dy + dz * dz;
+    squared_distances[i] = dx * dx + dy * dy + dz * dz;
   }
-  candidates.add (distances.data(), &index[leaf.first], leaf.size);
+  candidates.add (squared_distances.data(), &index[leaf.first], leaf.size);
 }
 
-/** \brief Stack of children still to be visited, the next one on top. The upper bits
- * are the squared distance, to sort by it; the lower node * max_children + child. */
-struct Postponed {
+/** \brief Stack of children still to be visited, the next one on top. The upper bits of
+ * an entry are those of the squared distance of the child, to sort by it; the lower
+ * bits are the index of its node times max_children plus its index in the node. */
+struct PostponedChildren {
   static constexpr int child_bits = 32;
   // Each division leaves at most 3/4 of the points on a side, so one of 2^32 points is
   // left after 78 divisions. A level of nodes makes three divisions.
   static constexpr std::size_t max_levels = 78 / 3;
 
-  std::array<std::uint64_t, max_levels * BoxTree::max_children> children;
-  std::size_t number = 0;
+  std::array<std::uint64_t, max_levels * BoxTree::max_children> entries;
+  std::size_t size = 0;
 };
 
 // Pushes the children of a node on top of the stack, the nearest one topmost.
 void
 postponeChildren (const std::vector<Node>& nodes,
-                  std::uint32_t number,
+                  std::uint32_t node_index,
                   const Eigen::Vector3f& position,
                   const NearestCandidates& candidates,
-                  Postponed& postponed)
+                  PostponedChildren& postponed)
 {
-  const Node& node = nodes[number];
-  const Distances distances = squaredDistances (node, position);
-  const std::size_t first = postponed.number;
-  for (std::uint32_t i = 0; i < node.number; ++i) {
-    const std::uint64_t distance = NearestCandidates::bitsOf (distances[i]);
-    if (!candidates.mayTake (distance, node.lowest_index[i]))
+  const Node& node = nodes[node_index];
+  const SquaredDistances distances = squaredDistances (node, position);
+  const std::size_t first = postponed.size;
+  for (std::uint32_t i = 0; i < node.child_count; ++i) {
+    const std::uint64_t distance_bits = NearestCandidates::bitsOf (distances[i]);
+    if (!candidates.mayTake (distance_bits, node.lowest_index[i]))
       continue;
-    const std::uint64_t child =
-        distance << Postponed::child_bits | (number * BoxTree::max_children + i);
-    std::size_t place = postponed.number++;
-    for (; place > first && postponed.children[place - 1] < child; --place)
-      postponed.children[place] = postponed.children[place - 1];
-    postponed.children[place] = child;
+    const std::uint64_t entry = distance_bits << PostponedChildren::child_bits |
+                                (node_index * BoxTree::max_children + i);
+    std::size_t slot = postponed.size++;
+    for (; slot > first && postponed.entries[slot - 1] < entry; --slot)
+      postponed.entries[slot] = postponed.entries[slot - 1];
+    postponed.entries[slot] = entry;
   }
 }
 
 /** \brief A point with its index in the cloud. */
-struct Item {
+struct IndexedPoint {
   Eigen::Vector3f position;
   pcl::index_t index;
 };
 
-/** \brief A range of items with its bounding box. */
+/** \brief A range of points with its bounding box. */
 struct Range {
-  Item* begin;
-  Item* end;
+  IndexedPoint* begin;
+  IndexedPoint* end;
   Eigen::AlignedBox3f box;
   pcl::index_t lowest_index = std::numeric_limits<pcl::index_t>::max();
 
-  Range (Item* first, Item* last) : begin (first), end (last)
+  Range (IndexedPoint* range_begin, IndexedPoint* range_end)
+  : begin (range_begin), end (range_end)
   {
-    for (const Item* item = begin; item != end; ++item) {
-      box.extend (item->position);
-      lowest_index = std::min (lowest_index, item->index);
+    for (const IndexedPoint* point = begin; point != end; ++point) {
+      box.extend (point->position);
+      lowest_index = std::min (lowest_index, point->index);
     }
   }
 
@@ -121,44 +125,52 @@ struct Range {
   }
 };
 
-// Divides items at the middle of the longest side of their box, which makes compact
-// boxes; at the median if one side would get less than a quarter of the items.
-Item*
-divide (const Range& items)
+// Divides points at the middle of the longest side of their box, which makes compact
+// boxes; at the median if one side would get less than a quarter of the points.
+// Reorders the points, and returns the first one of the second side.
+IndexedPoint*
+divide (const Range& points)
 {
-  Eigen::Index side = 0;
-  items.box.sizes().maxCoeff (&side);
-  const float center = items.box.center()[side];
-  Item* const middle = std::partition (items.begin, items.end, [=] (const Item& item) {
-    return item.position[side] < center;
-  });
-  const std::ptrdiff_t size = items.end - items.begin;
-  constexpr std::ptrdiff_t min_share = 4;
-  if (min_share * std::min (middle - items.begin, items.end - middle) >= size)
+  Eigen::Index axis = 0;
+  points.box.sizes().maxCoeff (&axis);
+  const float center = points.box.center()[axis];
+  IndexedPoint* const middle =
+      std::partition (points.begin, points.end, [=] (const IndexedPoint& point) {
+        return point.position[axis] < center;
+      });
+  const std::ptrdiff_t size = points.end - points.begin;
+  const std::ptrdiff_t size_of_smaller =
+      std::min (middle - points.begin, points.end - middle);
+  constexpr std::ptrdiff_t least_part = 4; // a quarter
+  if (least_part * size_of_smaller >= size)
     return middle;
   // Equal coordinates are sorted by index: a search among equal points can stop early.
-  Item* const median = items.begin + size / 2;
-  std::nth_element (
-      items.begin, median, items.end, [=] (const Item& first, const Item& second) {
-        const float a = first.position[side];
-        const float b = second.position[side];
-        return a != b ? a < b : first.index < second.index;
-      });
+  IndexedPoint* const median = points.begin + size / 2;
+  std::nth_element (points.begin,
+                    median,
+                    points.end,
+                    [=] (const IndexedPoint& first, const IndexedPoint& second) {
+                      const float a = first.position[axis];
+                      const float b = second.position[axis];
+                      return a != b ? a < b : first.index < second.index;
+                    });
   return median;
 }
 
+// Splits points into the ranges of the children of a node.
 std::vector<Range>
-split (const Range& items)
+split (const Range& points)
 {
-  std::vector<Range> ranges{items};
+  std::vector<Range> ranges{points};
   std::vector<Range> halves;
-  for (std::size_t most = 2; most <= BoxTree::max_children; most *= 2) {
+  for (std::size_t max_ranges = 2; max_ranges <= BoxTree::max_children;
+       max_ranges *= 2) {
     halves.clear();
     for (const Range& range : ranges)
       if (range.isLeaf())
         halves.push_back (range);
       else {
-        Item* const middle = divide (range);
+        IndexedPoint* const middle = divide (range);
         halves.emplace_back (range.begin, middle);
         halves.emplace_back (middle, range.end);
       }
@@ -167,45 +179,45 @@ split (const Range& items)
   return ranges;
 }
 
-// Adds a node over items and the nodes below it; returns its index. Reorders the items
-// leaf by leaf.
+// Adds a node over points and the nodes below it; returns its index. Reorders the
+// points leaf by leaf.
 std::uint32_t
-grow (const Item* first, const Range& items, std::vector<Node>& nodes)
+grow (const IndexedPoint* first, const Range& points, std::vector<Node>& nodes)
 {
-  const auto number = static_cast<std::uint32_t> (nodes.size());
+  const auto node_index = static_cast<std::uint32_t> (nodes.size());
   nodes.emplace_back();
-  for (const Range& range : split (items)) {
+  for (const Range& range : split (points)) {
     const auto begin = static_cast<std::uint32_t> (range.begin - first);
     const auto size = static_cast<std::uint32_t> (range.end - range.begin);
     const Child child =
         range.isLeaf() ? Child{begin, size} : Child{grow (first, range, nodes), 0};
-    Node& node = nodes[number];
-    const std::uint32_t i = node.number++;
+    Node& node = nodes[node_index];
+    const std::uint32_t i = node.child_count++;
     node.children[i] = child;
     node.lowest_index[i] = range.lowest_index;
     node.low.row (i) = range.box.min().transpose();
     node.high.row (i) = range.box.max().transpose();
   }
-  return number;
+  return node_index;
 }
 
 } // namespace
 
 BoxTree::BoxTree (const Points& points, const CloudView& cloud)
 {
-  std::vector<Item> items;
-  items.reserve (points.size());
+  std::vector<IndexedPoint> indexed;
+  indexed.reserve (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const pcl::index_t index = points.indexOf (i);
     const float* const position = cloud[index];
-    items.push_back ({{position[0], position[1], position[2]}, index});
+    indexed.push_back ({{position[0], position[1], position[2]}, index});
   }
-  if (!items.empty())
-    grow (items.data(), {items.data(), items.data() + items.size()}, nodes_);
-  index_.reserve (items.size());
-  for (const Item& item : items) {
-    points_.add (item.position.x(), item.position.y(), item.position.z());
-    index_.push_back (item.index);
+  if (!indexed.empty())
+    grow (indexed.data(), {indexed.data(), indexed.data() + indexed.size()}, nodes_);
+  index_.reserve (indexed.size());
+  for (const IndexedPoint& point : indexed) {
+    points_.add (point.position.x(), point.position.y(), point.position.z());
+    index_.push_back (point.index);
   }
 }
 
@@ -216,17 +228,18 @@ BoxTree::find (const NeighborQuery& query,
 {
   NearestCandidates candidates (std::min (query.max_neighbors, index_.size()),
                                 query.squared_radius);
-  Postponed postponed;
+  PostponedChildren postponed;
   if (!nodes_.empty() && query.max_neighbors > 0)
     postponeChildren (nodes_, 0, query.position, candidates, postponed);
-  while (postponed.number > 0) {
-    const std::uint64_t next = postponed.children[--postponed.number];
-    const auto slot = static_cast<std::uint32_t> (next);
-    const Node& parent = nodes_[slot / max_children];
-    if (!candidates.mayTake (next >> Postponed::child_bits,
-                             parent.lowest_index[slot % max_children]))
+  while (postponed.size > 0) {
+    const std::uint64_t entry = postponed.entries[--postponed.size];
+    const auto node_and_child = static_cast<std::uint32_t> (entry);
+    const Node& node = nodes_[node_and_child / max_children];
+    const std::size_t child_index = node_and_child % max_children;
+    if (!candidates.mayTake (entry >> PostponedChildren::child_bits,
+                             node.lowest_index[child_index]))
       continue;
-    const Child& child = parent.children[slot % max_children];
+    const Child& child = node.children[child_index];
     if (child.size > 0)
       visitLeaf (child, points_, index_, query.position, candidates);
     else

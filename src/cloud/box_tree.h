@@ -26,9 +26,9 @@ public:
 
   /** \brief A child of a node: a leaf or another node. */
   struct Child {
-    /** \brief Leaf: position of its first point. Node: index of the node. */
+    /** \brief Of a leaf: index of its first point in the tree. Of a node: its index. */
     std::uint32_t first = 0;
-    /** \brief Leaf: number of its points. Node: 0. */
+    /** \brief Of a leaf: number of its points. Of a node: 0. */
     std::uint32_t size = 0;
   };
 
@@ -39,8 +39,7 @@ public:
     std::array<Child, max_children> children;
     /** \brief For each child, the lowest index of its points. */
     std::array<pcl::index_t, max_children> lowest_index;
-    /** \brief Number of children. */
-    std::uint32_t number = 0;
+    std::uint32_t child_count = 0;
   };
 
   /** \param[in] points the finite points of \p cloud; only their indices are used
@@ -60,7 +59,7 @@ public:
         std::vector<float>& squared_distances) const;
 
 private:
-  /** \brief The root is first, and each node is before its descendants. */
+  /** \brief The root comes first, and each node before the nodes below it. */
   std::vector<Node> nodes_;
   /** \brief The points, leaf by leaf, in the frame of the cloud. */
   Coordinates points_;

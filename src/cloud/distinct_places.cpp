@@ -12,59 +12,61 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Adds the distinct positions of the points in one cell of the curve.
+// Adds the distinct places of the points in one cell of the space-filling curve.
+// \param[in,out] cell_points their indices; they get sorted by coordinates
 void
-addCell (const Coordinates& positions, Indices& of_cell, DistinctPlaces& places)
+addPlacesOfCell (const Coordinates& points,
+                 Indices& cell_points,
+                 DistinctPlaces& places)
 {
-  const auto place = [&] (std::uint32_t i) {
-    return std::make_tuple (positions.x[i], positions.y[i], positions.z[i]);
+  const auto positionOf = [&] (std::uint32_t i) {
+    return std::make_tuple (points.x[i], points.y[i], points.z[i]);
   };
-  std::sort (of_cell.begin(), of_cell.end(), [&] (auto first, auto second) {
-    return place (first) < place (second);
+  std::sort (cell_points.begin(), cell_points.end(), [&] (auto first, auto second) {
+    return positionOf (first) < positionOf (second);
   });
-  for (std::size_t k = 0; k < of_cell.size(); ++k) {
-    const std::uint32_t i = of_cell[k];
-    if (k == 0 || place (i) != place (of_cell[k - 1]))
-      places.add (positions.x[i], positions.y[i], positions.z[i]);
+  for (std::size_t k = 0; k < cell_points.size(); ++k) {
+    const std::uint32_t i = cell_points[k];
+    if (k == 0 || positionOf (i) != positionOf (cell_points[k - 1]))
+      places.add (points.x[i], points.y[i], points.z[i]);
     places.of_input[i] = static_cast<std::uint32_t> (places.size() - 1);
   }
 }
 
-// Edge of the cells of the Morton order at which no key is clamped; 1 if the edge or
-// its inverse is out of range.
+// Returns an edge of the cells of the curve [m] at which no key is clamped; 1 if that
+// edge or its inverse is out of the range of single precision.
 double
-cellOf (const Coordinates& positions)
+edgeOfCells (const Coordinates& points)
 {
-  constexpr double cells_from_zero = 1 << 17;
-  float reach = 0.0F;
-  for (const std::vector<float>* axis : {&positions.x, &positions.y, &positions.z})
+  constexpr double max_cells_from_zero = key_limit / 2;
+  float largest = 0.0F;
+  for (const std::vector<float>* axis : {&points.x, &points.y, &points.z})
     for (const float coordinate : *axis)
-      reach = std::max (reach, std::abs (coordinate));
-  const double cell = reach / cells_from_zero;
-  return std::isnormal (static_cast<float> (cell)) &&
-                 std::isnormal (static_cast<float> (1.0 / cell))
-             ? cell
-             : 1.0;
+      largest = std::max (largest, std::abs (coordinate));
+  const double edge = largest / max_cells_from_zero;
+  const bool is_in_range = std::isnormal (static_cast<float> (edge)) &&
+                           std::isnormal (static_cast<float> (1.0 / edge));
+  return is_in_range ? edge : 1.0;
 }
 
 } // namespace
 
 DistinctPlaces
-distinctPlaces (const Coordinates& positions, unsigned threads)
+distinctPlaces (const Coordinates& points, unsigned threads)
 {
-  const PointRuns runs = sortedRuns (positions, cellOf (positions), threads);
+  const PointRuns runs = sortedRuns (points, edgeOfCells (points), threads);
   DistinctPlaces places;
-  places.of_input.resize (positions.size());
+  places.of_input.resize (points.size());
   for (std::vector<float>* axis : {&places.x, &places.y, &places.z})
-    axis->reserve (positions.size());
-  Indices of_cell;
+    axis->reserve (points.size());
+  Indices cell_points;
   for (std::size_t r = 0; r < runs.size();) {
     const MortonCode code = runs[r].code();
-    of_cell.clear();
+    cell_points.clear();
     for (; r < runs.size() && runs[r].code() == code; ++r)
       for (std::uint32_t i = runs[r].first(); i < runs[r].end(); ++i)
-        of_cell.push_back (i);
-    addCell (positions, of_cell, places);
+        cell_points.push_back (i);
+    addPlacesOfCell (points, cell_points, places);
   }
   return places;
 }

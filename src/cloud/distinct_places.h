@@ -6,17 +6,17 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The distinct positions of a cloud, sorted along a space-filling curve:
- * successive positions are near each other. The order depends on coordinates alone.
- * Equal points count once: drivers write missing readings as zeros, and data sets
- * repeat points. */
+/** \brief The distinct places of a cloud: the positions of its points, equal ones once.
+ * Drivers write missing readings as zeros, and data sets repeat points. The places are
+ * sorted along a space-filling curve: successive ones are near each other. Their order
+ * depends on coordinates alone. */
 struct DistinctPlaces : Coordinates {
-  /** \brief For each point of the input the index of its position here. */
+  /** \brief For each point of the cloud the index of its place. */
   Indices of_input;
 };
 
-/** \param[in] positions finite points */
+/** \param[in] points finite points */
 DistinctPlaces
-distinctPlaces (const Coordinates& positions, unsigned threads);
+distinctPlaces (const Coordinates& points, unsigned threads);
 
 } // namespace pcl_ops::internal

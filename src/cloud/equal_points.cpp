@@ -14,112 +14,123 @@
 namespace pcl_ops::internal {
 namespace {
 
-constexpr std::size_t at_once = 1024;
-using Hashes = std::array<std::uint32_t, at_once>;
-
 bool
 isFinite (float value)
 {
   return std::abs (value) <= std::numeric_limits<float>::max();
 }
 
+// Hashes points: equal points, also those with zero and minus zero, have equal hashes.
 // Mixes in one coordinate after the other, so that integers and other coordinates with
-// zero low bits spread over all hashes, too. Zero and minus zero are equal.
+// zero low bits spread over all hashes, too.
 PCL_OPS_VECTORIZED void
-hashPlaces (const float* x,
-            const float* y,
-            const float* z,
-            std::size_t number,
-            std::uint32_t* hashes)
+computeHashes (const float* x,
+               const float* y,
+               const float* z,
+               std::size_t count,
+               std::uint32_t* hashes)
 {
   const auto mix = [] (std::uint32_t hash, float value) {
-    const float same = value + 0.0f;
+    const float with_one_zero = value + 0.0f; // turns minus zero into zero
     std::uint32_t bits;
-    std::memcpy (&bits, &same, sizeof bits);
+    std::memcpy (&bits, &with_one_zero, sizeof bits);
     hash = (hash ^ bits) * 0x9e3779b1u;
     hash = (hash ^ hash >> 15) * 0x85ebca6bu;
     return hash ^ hash >> 13;
   };
-  for (std::size_t i = 0; i < number; ++i)
+  for (std::size_t i = 0; i < count; ++i)
     hashes[i] = mix (mix (mix (0x7feb352du, x[i]), y[i]), z[i]);
 }
 
-// Calls visit (i, hash) for all finite points.
+// Calls visit (i, hash) with the index and the hash of each finite point.
 template <typename Visit>
 void
-forHashes (const Coordinates& points, Visit&& visit)
+forFinitePoints (const Coordinates& points, Visit&& visit)
 {
-  Hashes hashes;
+  constexpr std::size_t at_once = 1024;
+  std::array<std::uint32_t, at_once> hashes;
   for (std::size_t begin = 0; begin < points.size(); begin += at_once) {
-    const std::size_t number = std::min (at_once, points.size() - begin);
+    const std::size_t count = std::min (at_once, points.size() - begin);
     const float* x = &points.x[begin];
     const float* y = &points.y[begin];
     const float* z = &points.z[begin];
-    hashPlaces (x, y, z, number, hashes.data());
-    for (std::size_t i = 0; i < number; ++i)
+    computeHashes (x, y, z, count, hashes.data());
+    for (std::size_t i = 0; i < count; ++i)
       if (isFinite (x[i]) && isFinite (y[i]) && isFinite (z[i]))
         visit (begin + i, hashes[i]);
   }
 }
 
 // Estimates the mean over all points of the number of points at their place: 1 if all
-// are distinct, 1 + q if a share q is in pairs. Counts points with equal hash bits. The
-// standard deviation is sqrt (2 / buckets) = 0.022.
+// are distinct, 1 + q if a share q of them is in pairs. It counts the points in buckets
+// of equal hash bits, and subtracts what distinct points give on average. The standard
+// deviation of the estimate is sqrt (2 / buckets) = 0.022.
 double
-estimatedPointsOfAPlace (const Coordinates& points)
+estimatedPointsPerPlace (const Coordinates& points)
 {
   constexpr std::size_t buckets = 4096;
   std::array<std::uint32_t, buckets> counts{};
-  forHashes (points,
-             [&] (std::size_t, std::uint32_t hash) { ++counts[hash % buckets]; });
-  double all = 0.0;
-  double squares = 0.0;
+  forFinitePoints (points,
+                   [&] (std::size_t, std::uint32_t hash) { ++counts[hash % buckets]; });
+  double all_points = 0.0;
+  double squared_counts = 0.0;
   for (const double count : counts) {
-    all += count;
-    squares += count * count;
+    all_points += count;
+    squared_counts += count * count;
   }
-  return all > 0.0 ? squares / all - (all - 1.0) / buckets : 0.0;
+  return all_points > 0.0 ? squared_counts / all_points - (all_points - 1.0) / buckets
+                          : 0.0;
 }
 
-/** \brief Finite points sorted so that equal points follow each other. */
+/** \brief Finite points sorted so that equal points follow each other, by ascending
+ * index. */
 struct SortedByPlace {
-  const Coordinates& points;
-  /** \brief The hash of each point in the upper half, its index in the lower half. */
-  std::vector<std::uint64_t> keys;
+  /** \brief The hash of a point in the upper 32 bits, its index in the lower ones. */
+  using Key = std::uint64_t;
 
-  SortedByPlace (const Coordinates& of, unsigned threads) : points (of)
+  const Coordinates& points;
+  std::vector<Key> keys;
+
+  SortedByPlace (const Coordinates& all_points, unsigned threads) : points (all_points)
   {
     keys.reserve (points.size());
-    forHashes (points, [&] (std::size_t i, std::uint32_t hash) {
-      keys.push_back (static_cast<std::uint64_t> (hash) << 32 | i);
+    forFinitePoints (points, [&] (std::size_t i, std::uint32_t hash) {
+      keys.push_back (static_cast<Key> (hash) << 32 | i);
     });
-    std::vector<std::uint64_t> spare (keys.size());
-    const auto hashOf = [] (std::uint64_t key) { return key >> 32; };
-    const std::uint64_t* const sorted =
-        radixSort (threads, keys.data(), keys.size(), spare.data(), hashOf);
+    std::vector<Key> spare (keys.size());
+    const auto hash_of_key = [] (Key key) { return hashOf (key); };
+    const Key* const sorted =
+        radixSort (threads, keys.data(), keys.size(), spare.data(), hash_of_key);
     if (sorted == spare.data())
       keys.swap (spare);
     sortWithinHashes();
   }
 
-  std::uint32_t
-  number (std::size_t i) const
+  static std::uint64_t
+  hashOf (Key key)
   {
-    return static_cast<std::uint32_t> (keys[i]);
+    return key >> 32;
+  }
+
+  static std::uint32_t
+  indexOf (Key key)
+  {
+    return static_cast<std::uint32_t> (key);
   }
 
   std::tuple<float, float, float>
-  place (std::uint64_t key) const
+  placeOf (Key key) const
   {
-    const auto i = static_cast<std::uint32_t> (key);
+    const std::uint32_t i = indexOf (key);
     return {points.x[i], points.y[i], points.z[i]};
   }
 
+  // Returns the end in keys of the points at the place of the key at begin.
   std::size_t
   endOfPlace (std::size_t begin) const
   {
     std::size_t end = begin + 1;
-    while (end < keys.size() && place (keys[end]) == place (keys[begin]))
+    while (end < keys.size() && placeOf (keys[end]) == placeOf (keys[begin]))
       ++end;
     return end;
   }
@@ -129,13 +140,13 @@ struct SortedByPlace {
   sortWithinHashes ()
   {
     for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
-      const std::uint64_t hash = keys[begin] >> 32;
+      const std::uint64_t hash = hashOf (keys[begin]);
       bool is_one_place = true;
-      for (end = begin; end < keys.size() && keys[end] >> 32 == hash; ++end)
-        is_one_place = is_one_place && place (keys[end]) == place (keys[begin]);
+      for (end = begin; end < keys.size() && hashOf (keys[end]) == hash; ++end)
+        is_one_place = is_one_place && placeOf (keys[end]) == placeOf (keys[begin]);
       if (!is_one_place)
-        std::sort (keys.begin() + begin, keys.begin() + end, [&] (auto a, auto b) {
-          return std::tuple (place (a), a) < std::tuple (place (b), b);
+        std::sort (keys.begin() + begin, keys.begin() + end, [&] (Key a, Key b) {
+          return std::tuple (placeOf (a), a) < std::tuple (placeOf (b), b);
         });
     }
   }
@@ -146,33 +157,36 @@ struct ReadingStatistics {
   FirstAtPlace first;
   double readings = 0.0;
   /** \brief Sum over places of the squared number of readings there. */
-  double squares = 0.0;
+  double squared_counts = 0.0;
 };
 
 ReadingStatistics
-equalityOf (const SortedByPlace& sorted)
+statisticsOf (const SortedByPlace& sorted)
 {
-  // A place has no readings if it has more than max_times the average points of a place
-  // and if their number squared exceeds max_squares times all points.
+  // A place has missing readings if the number of its points is more than max_times the
+  // mean over places, and its square more than max_squared_count times all points.
   constexpr double max_times = 16.0;
-  constexpr double max_squares = 0.25;
+  constexpr double max_squared_count = 0.25;
   const std::size_t size = sorted.keys.size();
   double places = 0.0;
   for (std::size_t begin = 0; begin < size; begin = sorted.endOfPlace (begin))
     ++places;
-  const auto all = static_cast<double> (size);
-  ReadingStatistics equality{FirstAtPlace (sorted.points.size(), no_reading)};
+  const auto all_points = static_cast<double> (size);
+  ReadingStatistics statistics{FirstAtPlace (sorted.points.size(), no_reading)};
   for (std::size_t begin = 0, end = 0; begin < size; begin = end) {
     end = sorted.endOfPlace (begin);
     const auto count = static_cast<double> (end - begin);
-    if (count > max_times * all / places && count * count > max_squares * all)
+    const bool are_missing_readings = count > max_times * all_points / places &&
+                                      count * count > max_squared_count * all_points;
+    if (are_missing_readings)
       continue;
-    equality.readings += count;
-    equality.squares += count * count;
-    for (std::size_t i = begin; i < end; ++i)
-      equality.first[sorted.number (i)] = sorted.number (begin);
+    statistics.readings += count;
+    statistics.squared_counts += count * count;
+    const std::uint32_t first = SortedByPlace::indexOf (sorted.keys[begin]);
+    for (std::size_t k = begin; k < end; ++k)
+      statistics.first[SortedByPlace::indexOf (sorted.keys[k])] = first;
   }
-  return equality;
+  return statistics;
 }
 
 } // namespace
@@ -180,22 +194,23 @@ equalityOf (const SortedByPlace& sorted)
 FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads)
 {
-  // 0.1 above the value for distinct points: more than 4 deviations of the estimate.
-  constexpr double may_be_equal = 1.1;
-  constexpr double are_equal = 1.2;
-  if (estimatedPointsOfAPlace (points) < may_be_equal)
+  // Least means over points of the number of points at their place: 1 if all points are
+  // distinct. The least estimate is more than 4 of its standard deviations above that.
+  constexpr double min_estimate = 1.1;
+  constexpr double min_mean_of_readings = 1.2;
+  if (estimatedPointsPerPlace (points) < min_estimate)
     return {};
   const SortedByPlace sorted (points, threads);
-  ReadingStatistics equality = equalityOf (sorted);
-  if (equality.squares >= are_equal * equality.readings)
-    return equality.first;
-  if (equality.readings == static_cast<double> (sorted.keys.size()))
+  ReadingStatistics statistics = statisticsOf (sorted);
+  if (statistics.squared_counts >= min_mean_of_readings * statistics.readings)
+    return statistics.first;
+  if (statistics.readings == static_cast<double> (sorted.keys.size()))
     return {};
   // Too few readings are equal: each one stays as a point of its own.
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (equality.first[i] != no_reading)
-      equality.first[i] = static_cast<std::uint32_t> (i);
-  return equality.first;
+    if (statistics.first[i] != no_reading)
+      statistics.first[i] = static_cast<std::uint32_t> (i);
+  return statistics.first;
 }
 
 } // namespace pcl_ops::internal

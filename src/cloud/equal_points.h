@@ -23,9 +23,9 @@ constexpr std::uint32_t no_reading = std::numeric_limits<std::uint32_t>::max();
  * very many points are at one place, or if a large share of all points has duplicates.
  *
  * The places found do not depend on the order of the points. If nearly all points are
- * distinct, each is read only once.
- * \return empty if there are too few equal points to matter. If only missing readings
- * matter, each reading has its own index. */
+ * distinct, the function reads each only once.
+ * \return empty if there are too few equal points to matter. If there are missing
+ * readings, but too few other equal points, each reading has its own index. */
 FirstAtPlace
 firstAtPlace (const Coordinates& points, unsigned threads);
 

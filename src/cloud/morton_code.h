@@ -18,24 +18,25 @@ struct VoxelKey {
  * other. The code divided by 8 is that of the enclosing voxel of twice the edge. */
 using MortonCode = std::uint64_t;
 
-/** \brief Largest absolute value of a key [voxels]. */
+/** \brief Largest absolute value of a key: a coordinate of \ref VoxelKey [voxels]. */
 constexpr std::int32_t key_limit = 1 << 18;
 
 /** \brief Added to a key to make it positive. It is a multiple of 16, so that voxels of
  * up to 16 times the edge have a border at coordinate 0, too. Its higher bits
- * alternate: keys near zero share their upper bits, which then need no sorting. */
+ * alternate, so that keys just below and just above 0 share their upper bits: digits
+ * that all codes share need no sorting. */
 constexpr std::int32_t key_offset = 0x55550;
 
 /** \brief Computes keys along one axis: coordinates in voxels, rounded down and clamped
  * to +-\ref key_limit. */
 inline void
 keysOf (const float* coordinates,
-        std::size_t number,
+        std::size_t count,
         float voxels_per_meter,
         std::int32_t* keys)
 {
   constexpr auto limit = static_cast<float> (key_limit);
-  for (std::size_t i = 0; i < number; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     // If voxels_per_meter is infinite, 0 gives NaN; in this order it becomes -limit.
     const float scaled =
         std::min (limit, std::max (-limit, coordinates[i] * voxels_per_meter));
@@ -44,7 +45,8 @@ keysOf (const float* coordinates,
   }
 }
 
-/** \brief Moves bit i to bit 3 i, for the lowest 21 bits; all other bits are zero. */
+/** \brief Moves bit i to bit 3 i, for the lowest 21 bits; all other bits become zero.
+ * Each step halves the groups of bits that are still together. */
 inline MortonCode
 spreadBits (std::uint32_t bits)
 {
@@ -68,6 +70,7 @@ gatherBits (MortonCode code)
   return static_cast<std::uint32_t> ((code | code >> 32) & 0x1fffff);
 }
 
+/** \brief Returns the Morton code of a voxel from its key. */
 inline MortonCode
 mortonCode (std::int32_t x, std::int32_t y, std::int32_t z)
 {
@@ -77,10 +80,11 @@ mortonCode (std::int32_t x, std::int32_t y, std::int32_t z)
   return bits (x) | bits (y) << 1 | bits (z) << 2;
 }
 
-/** \brief Decodes a Morton code into its three positive numbers: key + \ref key_offset.
- * For a voxel of 2^n times the edge this sum is divided by 2^n and rounded down. */
+/** \brief Decodes a Morton code into key + \ref key_offset along each axis, which is
+ * positive. If the code is that of a voxel of 2^n times the edge, this sum is divided
+ * by 2^n and rounded down. */
 inline VoxelKey
-numbersOf (MortonCode code)
+shiftedKeyOf (MortonCode code)
 {
   return {static_cast<std::int32_t> (gatherBits (code)),
           static_cast<std::int32_t> (gatherBits (code >> 1)),

@@ -12,50 +12,53 @@
 namespace pcl_ops::internal {
 
 /** \brief Selects the nearest of the points that are added. It collects more than are
- * wanted and drops the farthest once there are too many. So a point costs constant
- * time, however many are wanted. */
+ * wanted and drops the farthest once there are too many. So adding a point takes
+ * constant time on average, however many are wanted. */
 class NearestCandidates {
 public:
-  /** \brief Bits of a float from 0 on: as integers they sort like the floats. */
+  /** \brief Returns the bits of a float that is not negative: as integers they sort
+   * like the floats. */
   static std::uint32_t
-  bitsOf (float distance)
+  bitsOf (float squared_distance)
   {
     std::uint32_t bits;
-    std::memcpy (&bits, &distance, sizeof (bits));
+    std::memcpy (&bits, &squared_distance, sizeof (bits));
     return bits;
   }
 
-  NearestCandidates (std::size_t most, float squared_radius)
-  : max_ (most)
-  , shrink_at_ (most + std::max (most / 2, min_more))
+  NearestCandidates (std::size_t wanted, float squared_radius)
+  : wanted_ (wanted)
+  , shrink_at_ (wanted + std::max (wanted / 2, min_excess))
   , limit_ (keyOf (bitsOf (squared_radius), 0) + (Key (1) << index_bits))
-  , keys_ (std::min (usual_room, shrink_at_))
+  , keys_ (std::min (initial_room, shrink_at_))
   {}
 
-  /** \brief Whether points at this squared distance, as \ref bitsOf, with this lowest
-   * index may still be among the nearest. Indices alone decide between equal distances,
-   * as of equal points or where squares are beyond single precision. */
+  /** \brief Whether points at a squared distance may still be among the nearest.
+   * Indices decide between equal distances, as of equal points or where squares are
+   * beyond single precision.
+   * \param[in] distance_bits the squared distance by \ref bitsOf
+   * \param[in] lowest_index of these points */
   bool
-  mayTake (std::uint64_t squared_distance, pcl::index_t lowest_index) const
+  mayTake (std::uint64_t distance_bits, pcl::index_t lowest_index) const
   {
-    return keyOf (squared_distance, lowest_index) < limit_;
+    return keyOf (distance_bits, lowest_index) < limit_;
   }
 
   void
-  add (const float* squared_distances, const pcl::index_t* indices, std::size_t number)
+  add (const float* squared_distances, const pcl::index_t* indices, std::size_t added)
   {
-    if (keys_.size() < number_ + number)
-      keys_.resize (std::max (2 * keys_.size(), number_ + number));
-    Key* next = keys_.data() + number_;
+    if (keys_.size() < count_ + added)
+      keys_.resize (std::max (2 * keys_.size(), count_ + added));
+    Key* next = keys_.data() + count_;
     const Key limit = limit_;
-    for (std::size_t i = 0; i < number; ++i) {
+    for (std::size_t i = 0; i < added; ++i) {
       const Key key = keyOf (bitsOf (squared_distances[i]), indices[i]);
       // Always written, but counted only if near: no branch to mispredict.
       *next = key;
       next += key < limit ? 1 : 0;
     }
-    number_ = static_cast<std::size_t> (next - keys_.data());
-    if (number_ >= shrink_at_)
+    count_ = static_cast<std::size_t> (next - keys_.data());
+    if (count_ >= shrink_at_)
       shrink();
   }
 
@@ -63,47 +66,49 @@ public:
   void
   take (bool sorted, pcl::Indices& indices, std::vector<float>& squared_distances)
   {
-    if (number_ > max_)
+    if (count_ > wanted_)
       shrink();
     if (sorted)
-      std::sort (keys_.begin(), keys_.begin() + number_);
-    indices.resize (number_);
-    squared_distances.resize (number_);
-    for (std::size_t i = 0; i < number_; ++i) {
+      std::sort (keys_.begin(), keys_.begin() + count_);
+    indices.resize (count_);
+    squared_distances.resize (count_);
+    for (std::size_t i = 0; i < count_; ++i) {
       indices[i] = static_cast<pcl::index_t> (keys_[i] & ((Key (1) << index_bits) - 1));
-      const auto distance = static_cast<std::uint32_t> (keys_[i] >> index_bits);
-      std::memcpy (&squared_distances[i], &distance, sizeof (distance));
+      const auto distance_bits = static_cast<std::uint32_t> (keys_[i] >> index_bits);
+      std::memcpy (&squared_distances[i], &distance_bits, sizeof (distance_bits));
     }
   }
 
 private:
-  /** \brief Squared distance in the upper bits, index in the lower: sorts by both. */
+  /** \brief Bits of the squared distance above those of the index: sorts by both. */
   using Key = std::uint64_t;
   static constexpr int index_bits = 32;
-  static constexpr std::size_t min_more = 16;
-  static constexpr std::size_t usual_room = 128;
+  static constexpr std::size_t min_excess = 16;
+  static constexpr std::size_t initial_room = 128;
   static_assert (sizeof (pcl::index_t) * 8 <= index_bits, "an index fits into a key");
 
   static Key
-  keyOf (std::uint64_t squared_distance, pcl::index_t index)
+  keyOf (std::uint64_t distance_bits, pcl::index_t index)
   {
-    return squared_distance << index_bits | static_cast<Key> (index);
+    return distance_bits << index_bits | static_cast<Key> (index);
   }
 
+  // Drops all but the wanted points.
   void
   shrink ()
   {
-    const auto farthest = keys_.begin() + max_ - 1;
-    std::nth_element (keys_.begin(), farthest, keys_.begin() + number_);
-    number_ = max_;
+    const auto farthest = keys_.begin() + wanted_ - 1;
+    std::nth_element (keys_.begin(), farthest, keys_.begin() + count_);
+    count_ = wanted_;
     limit_ = *farthest + 1;
   }
 
-  std::size_t max_;
+  std::size_t wanted_;
   std::size_t shrink_at_;
   /** \brief Only points with keys below this limit are collected. */
   Key limit_;
-  std::size_t number_ = 0;
+  /** \brief Number of collected points; \ref keys_ has room for more. */
+  std::size_t count_ = 0;
   std::vector<Key> keys_;
 };
 

@@ -22,44 +22,48 @@ isTooFar (const Eigen::Array2d& low,
           const OctantNeighbors& nearest)
 {
   const Eigen::Array2d outside = low.max (-high).max (0.0);
-  const double squared = outside.square().sum();
-  if (squared == 0.0)
+  const double squared_distance = outside.square().sum();
+  if (squared_distance == 0.0)
     return false;
-  // Seen from outside, a box spans less than half a turn around its center.
+  // Seen from outside, a box spans less than half a turn. So count its octants from
+  // that of its center: from -half_turn to half_turn - 1.
   constexpr int half_turn = octants / 2;
   constexpr int turn = octants;
-  const int middle = static_cast<int> (octantOf (0.5 * (low + high)));
+  const int center = static_cast<int> (octantOf (0.5 * (low + high)));
   int first = 0;
   int last = 0;
   for (const double x : {low.x(), high.x()})
     for (const double y : {low.y(), high.y()}) {
       const int octant = static_cast<int> (octantOf ({x, y}));
-      const int turned = (octant - middle + turn + half_turn) % turn - half_turn;
-      first = std::min (first, turned);
-      last = std::max (last, turned);
+      const int from_center = (octant - center + turn + half_turn) % turn - half_turn;
+      first = std::min (first, from_center);
+      last = std::max (last, from_center);
       // Half a turn away may be on either side.
-      if (turned == -half_turn)
+      if (from_center == -half_turn)
         last = half_turn - 1;
     }
-  for (int turned = first; turned <= last; ++turned)
-    if (squared < nearest.squared_distances[(middle + turned + turn) % turn])
+  for (int from_center = first; from_center <= last; ++from_center) {
+    const int octant = (center + from_center + turn) % turn;
+    if (squared_distance < nearest.squared_distances[octant])
       return false;
+  }
   return true;
 }
 
 /** \brief Takes a point as the neighbor in its octant if it is nearer than the present
  * one, or as near with a lower index.
- * \param[in] step vector from the query position to the point; zero is ignored */
+ * \param[in] offset vector from the query position to the point; zero is ignored
+ * \param[in] point its index */
 void
-offer (const Eigen::Vector2d& step, std::uint32_t point, OctantNeighbors& nearest)
+offer (const Eigen::Vector2d& offset, std::uint32_t point, OctantNeighbors& nearest)
 {
-  const double squared = step.squaredNorm();
-  if (squared == 0.0)
+  const double squared_distance = offset.squaredNorm();
+  if (squared_distance == 0.0)
     return;
-  const std::size_t octant = octantOf (step);
-  auto known = std::tie (nearest.squared_distances[octant], nearest.points[octant]);
-  if (std::tie (squared, point) < known)
-    known = std::tie (squared, point);
+  const std::size_t octant = octantOf (offset);
+  auto present = std::tie (nearest.squared_distances[octant], nearest.points[octant]);
+  if (std::tie (squared_distance, point) < present)
+    present = std::tie (squared_distance, point);
 }
 
 } // namespace
@@ -89,7 +93,7 @@ OctantTree::OctantTree (const PlanarPoints& points)
 void
 OctantTree::build (std::uint32_t begin, std::uint32_t end)
 {
-  const std::size_t position = nodes_.size();
+  const std::size_t node_index = nodes_.size();
   Node node{points_[order_[begin]], points_[order_[begin]], begin, end};
   for (std::uint32_t i = begin; i < end; ++i) {
     node.low = node.low.min (points_[order_[i]].array());
@@ -113,47 +117,50 @@ OctantTree::build (std::uint32_t begin, std::uint32_t end)
                              std::make_tuple (points_[b][wider], points_[b][1 - wider]);
                     });
   build (begin, middle);
-  nodes_[position].second = static_cast<std::uint32_t> (nodes_.size());
+  nodes_[node_index].second_child = static_cast<std::uint32_t> (nodes_.size());
   build (middle, end);
 }
 
 void
-OctantTree::search (std::size_t position,
-                    const Eigen::Vector2d& place,
-                    std::size_t left_out,
+OctantTree::search (std::size_t node_index,
+                    const Eigen::Vector2d& position,
+                    std::size_t skipped_node,
                     OctantNeighbors& nearest) const
 {
-  const Node& node = nodes_[position];
-  if (position == left_out ||
-      isTooFar (node.low - place.array(), node.high - place.array(), nearest))
+  const Node& node = nodes_[node_index];
+  if (node_index == skipped_node ||
+      isTooFar (node.low - position.array(), node.high - position.array(), nearest))
     return;
-  if (node.second == 0) {
+  if (node.second_child == 0) {
     for (std::uint32_t i = node.begin; i < node.end; ++i)
-      offer (points_[order_[i]] - place, order_[i], nearest);
+      offer (points_[order_[i]] - position, order_[i], nearest);
     return;
   }
-  // The half that contains the position comes first. Its points let most of the other
-  // half be skipped.
-  const Node& next = nodes_[node.second];
-  const bool is_in_second = (place.array() >= next.low).all();
-  search (is_in_second ? node.second : position + 1, place, left_out, nearest);
-  search (is_in_second ? position + 1 : node.second, place, left_out, nearest);
+  // The child that contains the position comes first. Its points let most of the other
+  // child be skipped.
+  const std::size_t first_child = node_index + 1;
+  const std::size_t second_child = node.second_child;
+  const bool is_in_second = (position.array() >= nodes_[second_child].low).all();
+  search (is_in_second ? second_child : first_child, position, skipped_node, nearest);
+  search (is_in_second ? first_child : second_child, position, skipped_node, nearest);
 }
 
 OctantNeighbors
-OctantTree::neighborsAt (const Eigen::Vector2d& place, std::size_t left_out) const
+OctantTree::neighborsAt (const Eigen::Vector2d& position,
+                         std::size_t skipped_node) const
 {
   OctantNeighbors nearest;
   nearest.points.fill (no_neighbor);
   nearest.squared_distances.fill (std::numeric_limits<double>::infinity());
-  search (0, place, left_out, nearest);
+  search (0, position, skipped_node, nearest);
   return nearest;
 }
 
 OctantNeighbors
 OctantTree::neighborsOf (std::uint32_t point) const
 {
-  return neighborsAt (points_[point], nodes_.size());
+  const std::size_t no_node = nodes_.size();
+  return neighborsAt (points_[point], no_node);
 }
 
 std::vector<OctantTree::Group>
@@ -161,7 +168,7 @@ OctantTree::groups (unsigned threads) const
 {
   std::vector<std::size_t> leaves;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (nodes_[i].second == 0)
+    if (nodes_[i].second_child == 0)
       leaves.push_back (i);
   std::vector<Group> groups (leaves.size());
   forEach (threads, leaves.size(), [&] (std::size_t i) {

@@ -23,9 +23,9 @@ constexpr std::uint32_t no_neighbor = std::numeric_limits<std::uint32_t>::max();
 std::size_t
 octantOf (const Eigen::Vector2d& direction);
 
-/** \brief The nearest point in each octant around a position, or \ref no_neighbor at an
- * infinite distance. */
+/** \brief The nearest point in each octant around a position. */
 struct OctantNeighbors {
+  /** \brief Indices, or \ref no_neighbor at an infinite distance. */
   std::array<std::uint32_t, octants> points;
   std::array<double, octants> squared_distances;
 };
@@ -59,26 +59,29 @@ public:
 
 private:
   struct Node {
-    Eigen::Array2d low, high;
-    std::uint32_t begin, end;
+    Eigen::Array2d low, high; // corners of the bounding box
+    std::uint32_t begin, end; // of its points in \ref order_
     /** \brief Index of the second child, 0: leaf. The first child is the next node. */
-    std::uint32_t second = 0;
+    std::uint32_t second_child = 0;
   };
 
+  // Adds a node over the points order_[begin] .. order_[end - 1], and those below it.
   void
   build (std::uint32_t begin, std::uint32_t end);
 
-  /** \param[in] left_out index of a node to skip; nodes_.size(): skip no node */
+  /** \brief Searches the points of a node for nearer neighbors.
+   * \param[in] skipped_node index of a node; nodes_.size(): skip no node */
   void
-  search (std::size_t node,
-          const Eigen::Vector2d& place,
-          std::size_t left_out,
+  search (std::size_t node_index,
+          const Eigen::Vector2d& position,
+          std::size_t skipped_node,
           OctantNeighbors& nearest) const;
 
   OctantNeighbors
-  neighborsAt (const Eigen::Vector2d& place, std::size_t left_out) const;
+  neighborsAt (const Eigen::Vector2d& position, std::size_t skipped_node) const;
 
   const PlanarPoints& points_;
+  /** \brief Indices of the points, leaf by leaf. */
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };

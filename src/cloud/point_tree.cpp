@@ -31,12 +31,12 @@ squaredDiagonal (const PointTree::Node& node)
 }
 
 float
-squaredDistanceToBox (const std::array<float, 3>& place, const PointTree::Node& node)
+squaredDistanceToBox (const std::array<float, 3>& point, const PointTree::Node& node)
 {
   float sum = 0.0F;
   for (int axis = 0; axis < 3; ++axis) {
     const float outside =
-        std::max ({node.low[axis] - place[axis], place[axis] - node.high[axis], 0.0F});
+        std::max ({node.low[axis] - point[axis], point[axis] - node.high[axis], 0.0F});
     sum += outside * outside;
   }
   return sum;
@@ -55,27 +55,32 @@ squaredDistanceOfBoxes (const PointTree::Node& first, const PointTree::Node& sec
   return sum;
 }
 
-// Number of nodes of a tree. Nodes at the same depth have the same number of points, or
-// differ by one.
+// Returns the number of nodes of a tree. The numbers of points of nodes at the same
+// depth are equal, or differ by one.
 std::uint32_t
-nodesOf (std::uint32_t points)
+countNodes (std::uint32_t points)
 {
   if (points <= max_points_of_tree_leaf)
     return 1;
   // Number of nodes at the last depth at which all or some nodes are divided.
-  std::uint32_t deepest = 1;
-  while (points > 2 * deepest * max_points_of_tree_leaf)
-    deepest *= 2;
-  const bool are_all = points / deepest > max_points_of_tree_leaf;
-  const std::uint32_t divided = are_all ? deepest : points % deepest;
-  return 2 * deepest - 1 + 2 * divided;
+  std::uint32_t at_last_depth = 1;
+  while (points > 2 * at_last_depth * max_points_of_tree_leaf)
+    at_last_depth *= 2;
+  const bool are_all_divided = points / at_last_depth > max_points_of_tree_leaf;
+  const std::uint32_t divided =
+      are_all_divided ? at_last_depth : points % at_last_depth;
+  const std::uint32_t down_to_last_depth = 2 * at_last_depth - 1;
+  return down_to_last_depth + 2 * divided;
 }
 
 } // namespace
 
 PointTree::PointTree (const Coordinates& points, unsigned threads)
-: nodes_ (nodesOf (static_cast<std::uint32_t> (points.size()))), order_ (points.size())
+: nodes_ (countNodes (static_cast<std::uint32_t> (points.size())))
+, order_ (points.size())
 {
+  // Divides the nodes at the top until they are the roots of this many subtrees. Then
+  // divides the subtrees in parallel.
   constexpr std::size_t subtrees = 16;
   std::iota (order_.begin(), order_.end(), 0U);
   std::vector<std::uint32_t> roots;
@@ -84,7 +89,7 @@ PointTree::PointTree (const Coordinates& points, unsigned threads)
     roots.push_back (0);
   }
   while (!roots.empty() && roots.size() < subtrees) {
-    std::vector<std::uint32_t> halves (2 * roots.size(), 0);
+    std::vector<std::uint32_t> halves (2 * roots.size(), 0); // 0: no node
     parallelFor (threads, roots.size(), 1, [&] (std::size_t i, std::size_t) {
       if (divide (points, roots[i])) {
         halves[2 * i] = roots[i] + 1;
@@ -101,18 +106,18 @@ PointTree::PointTree (const Coordinates& points, unsigned threads)
 }
 
 void
-PointTree::divideAll (const Coordinates& points, std::uint32_t number)
+PointTree::divideAll (const Coordinates& points, std::uint32_t node_index)
 {
-  if (!divide (points, number))
+  if (!divide (points, node_index))
     return;
-  divideAll (points, number + 1);
-  divideAll (points, nodes_[number].second_child);
+  divideAll (points, node_index + 1);
+  divideAll (points, nodes_[node_index].second_child);
 }
 
 bool
-PointTree::divide (const Coordinates& points, std::uint32_t number)
+PointTree::divide (const Coordinates& points, std::uint32_t node_index)
 {
-  Node& node = nodes_[number];
+  Node& node = nodes_[node_index];
   int longest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<float>& values = axisOf (points, axis);
@@ -139,8 +144,8 @@ PointTree::divide (const Coordinates& points, std::uint32_t number)
                                  ? values[first] < values[second]
                                  : first < second;
                     });
-  node.second_child = number + 1 + nodesOf (middle - node.begin);
-  nodes_[number + 1] = {{}, {}, node.begin, middle, 0};
+  node.second_child = node_index + 1 + countNodes (middle - node.begin);
+  nodes_[node_index + 1] = {{}, {}, node.begin, middle, 0};
   nodes_[node.second_child] = {{}, {}, middle, node.end, 0};
   return true;
 }
@@ -157,35 +162,37 @@ PointTree::squaredDistance (std::size_t first, std::size_t second) const
 void
 PointTree::find (std::size_t position, NearestPoints& nearest) const
 {
-  constexpr std::size_t max_depth = 64;
-  struct Open {
+  // A stack of nodes to visit. It holds one node for each depth of the tree, and one
+  // more: 64 suffice for 2^32 points.
+  constexpr std::size_t max_open = 64;
+  struct OpenNode {
     float squared_distance;
-    std::uint32_t node;
+    std::uint32_t node_index;
   };
   const std::array<float, 3> query{
       sorted_.x[position], sorted_.y[position], sorted_.z[position]};
-  const auto opened = [&] (std::uint32_t number) {
-    return Open{squaredDistanceToBox (query, nodes_[number]), number};
+  const auto openNode = [&] (std::uint32_t node_index) {
+    return OpenNode{squaredDistanceToBox (query, nodes_[node_index]), node_index};
   };
-  std::array<Open, max_depth> open;
-  std::size_t number_open = 0;
-  open[number_open++] = {0.0F, 0};
-  while (number_open > 0) {
-    const Open next = open[--number_open];
-    if (next.squared_distance > nearest.bound())
+  std::array<OpenNode, max_open> open;
+  std::size_t open_count = 0;
+  open[open_count++] = {0.0F, 0};
+  while (open_count > 0) {
+    const OpenNode next = open[--open_count];
+    if (next.squared_distance > nearest.squaredBound())
       continue;
-    const Node& node = nodes_[next.node];
+    const Node& node = nodes_[next.node_index];
     if (node.second_child == 0) {
       for (std::uint32_t i = node.begin; i < node.end; ++i)
         nearest.offer (squaredDistance (i, position), order_[i]);
       continue;
     }
-    Open near = opened (next.node + 1);
-    Open far = opened (node.second_child);
+    OpenNode near = openNode (next.node_index + 1);
+    OpenNode far = openNode (node.second_child);
     if (far.squared_distance < near.squared_distance)
       std::swap (near, far);
-    open[number_open++] = far;
-    open[number_open++] = near;
+    open[open_count++] = far;
+    open[open_count++] = near;
   }
 }
 
@@ -193,23 +200,28 @@ std::vector<PointTree::Leaf>
 PointTree::leaves (std::size_t wanted) const
 {
   // Enlarges the reach so that rounding errors exclude no neighbor.
-  constexpr float rounding = 1.0F + 1e-5F;
+  constexpr float enlargement = 1.0F + 1e-5F;
+  struct OpenNode {
+    std::uint32_t node_index;
+    float reach; // of its parent
+  };
   std::vector<Leaf> leaves;
-  std::vector<std::pair<std::uint32_t, float>> open;
+  std::vector<OpenNode> open;
   if (!nodes_.empty())
-    open.emplace_back (0, std::numeric_limits<float>::infinity());
+    open.push_back ({0, std::numeric_limits<float>::infinity()});
   while (!open.empty()) {
-    auto [number, reach] = open.back();
+    const OpenNode next = open.back();
     open.pop_back();
-    const Node& node = nodes_[number];
-    if (node.end - node.begin >= wanted)
-      reach = std::sqrt (squaredDiagonal (node)) * rounding;
+    const Node& node = nodes_[next.node_index];
+    const bool has_wanted = node.end - node.begin >= wanted;
+    const float reach =
+        has_wanted ? std::sqrt (squaredDiagonal (node)) * enlargement : next.reach;
     if (node.second_child == 0) {
       leaves.push_back ({&node, reach});
       continue;
     }
-    open.emplace_back (node.second_child, reach);
-    open.emplace_back (number + 1, reach);
+    open.push_back ({node.second_child, reach});
+    open.push_back ({next.node_index + 1, reach});
   }
   return leaves;
 }
@@ -220,27 +232,27 @@ PointTree::findLeavesAround (const Node& node,
                              std::size_t max_points,
                              Ranges& ranges) const
 {
-  constexpr std::size_t max_depth = 64;
-  std::array<std::uint32_t, max_depth> open;
-  std::size_t number_open = 0;
+  constexpr std::size_t max_open = 64; // as in find
+  std::array<std::uint32_t, max_open> open;
+  std::size_t open_count = 0;
   std::size_t points = 0;
   ranges.clear();
-  open[number_open++] = 0;
-  while (number_open > 0 && points <= max_points) {
-    const std::uint32_t number = open[--number_open];
-    const Node& next = nodes_[number];
+  open[open_count++] = 0;
+  while (open_count > 0 && points <= max_points) {
+    const std::uint32_t node_index = open[--open_count];
+    const Node& next = nodes_[node_index];
     if (squaredDistanceOfBoxes (node, next) > distance * distance)
       continue;
     if (next.second_child != 0) {
-      open[number_open++] = next.second_child;
-      open[number_open++] = number + 1;
+      open[open_count++] = next.second_child;
+      open[open_count++] = node_index + 1;
       continue;
     }
     points += next.end - next.begin;
-    if (!ranges.empty() && ranges.back().second == next.begin)
-      ranges.back().second = next.end;
+    if (!ranges.empty() && ranges.back().end == next.begin)
+      ranges.back().end = next.end;
     else
-      ranges.emplace_back (next.begin, next.end);
+      ranges.push_back ({next.begin, next.end});
   }
   return points;
 }

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -25,31 +24,31 @@ public:
   {
     wanted_ = wanted;
     size_ = 0;
-    bound_ = std::numeric_limits<float>::infinity();
+    squared_bound_ = std::numeric_limits<float>::infinity();
   }
 
   void
-  offer (float squared_distance, std::uint32_t number)
+  offer (float squared_distance, std::uint32_t index)
   {
-    if (squared_distance > bound_ ||
-        (size_ == wanted_ && !isLess (squared_distance, number, size_ - 1)))
+    if (squared_distance > squared_bound_ ||
+        (size_ == wanted_ && !isNearer (squared_distance, index, size_ - 1)))
       return;
-    std::size_t place = size_ < wanted_ ? size_++ : size_ - 1;
-    for (; place > 0 && isLess (squared_distance, number, place - 1); --place) {
-      distances_[place] = distances_[place - 1];
-      numbers_[place] = numbers_[place - 1];
+    std::size_t slot = size_ < wanted_ ? size_++ : size_ - 1;
+    for (; slot > 0 && isNearer (squared_distance, index, slot - 1); --slot) {
+      squared_distances_[slot] = squared_distances_[slot - 1];
+      indices_[slot] = indices_[slot - 1];
     }
-    distances_[place] = squared_distance;
-    numbers_[place] = number;
+    squared_distances_[slot] = squared_distance;
+    indices_[slot] = index;
     if (size_ == wanted_)
-      bound_ = distances_[size_ - 1];
+      squared_bound_ = squared_distances_[size_ - 1];
   }
 
   /** \brief Squared distance beyond which no point is taken any more [m^2]. */
   float
-  bound () const
+  squaredBound () const
   {
-    return bound_;
+    return squared_bound_;
   }
 
   std::size_t
@@ -58,25 +57,27 @@ public:
     return size_;
   }
 
+  /** \brief Index of the i-th nearest point, from 0 on. */
   std::uint32_t
   operator[] (std::size_t i) const
   {
-    return numbers_[i];
+    return indices_[i];
   }
 
 private:
+  // Whether a point comes before the one in a slot.
   bool
-  isLess (float squared_distance, std::uint32_t number, std::size_t than) const
+  isNearer (float squared_distance, std::uint32_t index, std::size_t slot) const
   {
-    return squared_distance < distances_[than] ||
-           (squared_distance == distances_[than] && number < numbers_[than]);
+    return squared_distance < squared_distances_[slot] ||
+           (squared_distance == squared_distances_[slot] && index < indices_[slot]);
   }
 
-  std::array<float, max_size> distances_;
-  std::array<std::uint32_t, max_size> numbers_;
+  std::array<float, max_size> squared_distances_;
+  std::array<std::uint32_t, max_size> indices_;
   std::size_t wanted_ = 0;
   std::size_t size_ = 0;
-  float bound_ = 0.0F;
+  float squared_bound_ = 0.0F;
 };
 
 /** \brief A k-d tree that finds the nearest neighbors of its own points. */
@@ -95,7 +96,8 @@ public:
 
   /** \brief Searches the nearest neighbors of one of the points.
    * \param[in] position of the query point in \ref order
-   * \param[in,out] nearest started; receives indices, also of the query point itself */
+   * \param[in,out] nearest after NearestPoints::start; receives the neighbors and the
+   * query point itself */
   void
   find (std::size_t position, NearestPoints& nearest) const;
 
@@ -106,10 +108,9 @@ public:
     return sorted_;
   }
 
-  /** \brief A node of the tree: a range of positions in \ref order. */
   struct Node {
     std::array<float, 3> low, high; // bounding box
-    std::uint32_t begin, end;
+    std::uint32_t begin, end;       // its positions in \ref order
     std::uint32_t second_child; // node index, 0: leaf; the first child is the next node
   };
 
@@ -125,8 +126,12 @@ public:
   std::vector<Leaf>
   leaves (std::size_t wanted) const;
 
-  /** \brief Ranges of positions as pairs of begin and end, ascending. */
-  using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  /** \brief Positions from begin to end - 1. */
+  struct Range {
+    std::uint32_t begin, end;
+  };
+  /** \brief Disjoint ranges, ascending. */
+  using Ranges = std::vector<Range>;
 
   /** \brief Finds the leaves whose bounding boxes are within \p distance [m] of the box
    * of \p node. Stops once they have more than \p max_points points.
@@ -139,16 +144,18 @@ public:
                     Ranges& ranges) const;
 
 private:
+  // Between the points at two positions.
   float
   squaredDistance (std::size_t first, std::size_t second) const;
 
   // Sets the bounding box of a node. Makes two children and returns true if the node
   // has too many points for a leaf.
   bool
-  divide (const Coordinates& points, std::uint32_t number);
+  divide (const Coordinates& points, std::uint32_t node_index);
 
+  // Divides a node and all nodes below it.
   void
-  divideAll (const Coordinates& points, std::uint32_t number);
+  divideAll (const Coordinates& points, std::uint32_t node_index);
 
   std::vector<Node> nodes_;
   Indices order_;

@@ -14,13 +14,14 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace pcl_ops::internal {
 namespace {
 
 /** \brief The points of a cloud at the indices, or all points if indices is null. */
-struct Chosen {
+struct ChosenPoints {
   const CloudView& cloud;
   const pcl::Indices* indices;
 
@@ -52,6 +53,7 @@ allOf (const CloudView& cloud)
   return all;
 }
 
+// Whether a point is finite.
 bool
 isFinite (float x, float y, float z)
 {
@@ -72,116 +74,123 @@ areFinite (const Coordinates& points, std::size_t begin, std::size_t end)
   return all != 0;
 }
 
-// Bits of a coordinate to hash: all, or its sign and the upper 12 bits of its mantissa,
-// 1 mm at 4 m. The latter omit the exponent, so units that differ by a power of two
-// give the same hash, and the last digits, so rounding seldom matters.
+// Bits of a coordinate to hash: all of them, or the leading bits: its sign and the
+// upper 12 bits of its mantissa, 1 mm at 4 m. Leading bits leave out the exponent, so
+// that units that differ by a power of two give the same hash, and the last digits, so
+// that rounding seldom changes the hash.
 constexpr std::uint32_t all_bits = 0xffffffff;
 constexpr std::uint32_t leading_bits = 0x807ff800;
 
-// Pseudorandom numbers that depend on the coordinates of a point, not on its index.
+// Hashes points: pseudorandom numbers that depend on the coordinates of a point, not on
+// its index.
 PCL_OPS_VECTORIZED void
-hashAll (const float* x,
-         const float* y,
-         const float* z,
-         std::size_t number,
-         std::uint32_t used_bits,
-         std::uint32_t* hashes)
+computeHashes (const float* x,
+               const float* y,
+               const float* z,
+               std::size_t count,
+               std::uint32_t used_bits,
+               std::uint32_t* hashes)
 {
-  const auto bits = [used_bits] (float value) {
-    std::uint32_t same;
-    std::memcpy (&same, &value, sizeof same);
-    return same & used_bits;
+  const auto bitsOf = [used_bits] (float value) {
+    std::uint32_t bits;
+    std::memcpy (&bits, &value, sizeof bits);
+    return bits & used_bits;
   };
-  for (std::size_t i = 0; i < number; ++i) {
-    std::uint32_t hash = bits (x[i]) * 0x9e3779b1u ^ bits (y[i]) * 0x85ebca6bu ^
-                         bits (z[i]) * 0xc2b2ae35u;
+  // Odd factors and shifts that mix all bits of the coordinates into those of the hash.
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t hash = bitsOf (x[i]) * 0x9e3779b1u ^ bitsOf (y[i]) * 0x85ebca6bu ^
+                         bitsOf (z[i]) * 0xc2b2ae35u;
     hash = (hash ^ hash >> 16) * 0x7feb352du;
     hashes[i] = hash ^ hash >> 15;
   }
 }
 
-// Indices of at most about as many of the finite points as wanted.
+// Returns the indices of about as many of the finite points as wanted: those with the
+// smallest hashes.
 Indices
-numbersByHash (const Coordinates& positions,
-               std::size_t wanted,
-               std::uint32_t used_bits)
+indicesByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_bits)
 {
   constexpr std::size_t at_once = 1024;
-  const auto share = static_cast<std::uint32_t> (positions.size() / wanted + 1);
-  const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
+  // One point of so many is taken.
+  const auto points_per_taken = static_cast<std::uint32_t> (points.size() / wanted + 1);
+  const std::uint32_t largest_taken =
+      std::numeric_limits<std::uint32_t>::max() / points_per_taken;
   std::array<std::uint32_t, at_once> hashes;
-  Indices some;
-  for (std::size_t begin = 0; begin < positions.size(); begin += at_once) {
-    const std::size_t number = std::min (at_once, positions.size() - begin);
-    const float* x = &positions.x[begin];
-    const float* y = &positions.y[begin];
-    const float* z = &positions.z[begin];
-    hashAll (x, y, z, number, used_bits, hashes.data());
-    for (std::size_t i = 0; i < number; ++i)
-      if (hashes[i] <= last_taken && isFinite (x[i], y[i], z[i]))
-        some.push_back (static_cast<std::uint32_t> (begin + i));
+  Indices taken;
+  for (std::size_t begin = 0; begin < points.size(); begin += at_once) {
+    const std::size_t count = std::min (at_once, points.size() - begin);
+    const float* x = &points.x[begin];
+    const float* y = &points.y[begin];
+    const float* z = &points.z[begin];
+    computeHashes (x, y, z, count, used_bits, hashes.data());
+    for (std::size_t i = 0; i < count; ++i)
+      if (hashes[i] <= largest_taken && isFinite (x[i], y[i], z[i]))
+        taken.push_back (static_cast<std::uint32_t> (begin + i));
   }
-  return some;
+  return taken;
 }
 
 Coordinates
-sampleByHash (const Coordinates& positions, std::size_t wanted, std::uint32_t used_bits)
+sampleByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_bits)
 {
-  return selected (positions, numbersByHash (positions, wanted, used_bits));
+  return selected (points, indicesByHash (points, wanted, used_bits));
 }
 
-// Rounds the median to a multiple of many times the median absolute deviation. So other
-// points of the same surroundings nearly always give the same result.
+// Returns the median along each axis, rounded to a multiple of many times the median
+// absolute deviation. So other points of the same surroundings nearly always give the
+// same result.
 Eigen::Vector3d
 roundedMedian (Coordinates points)
 {
-  constexpr double deviations = 16.0;
+  constexpr double deviations_of_step = 16.0;
   Eigen::Vector3d median;
-  double deviation = 0.0;
+  double largest_deviation = 0.0;
   Eigen::Index axis = 0;
-  for (std::vector<float>* along : {&points.x, &points.y, &points.z}) {
-    const double middle = medianOf (*along);
-    median[axis] = middle;
+  for (std::vector<float>* values : {&points.x, &points.y, &points.z}) {
+    const double median_of_axis = medianOf (*values);
+    median[axis] = median_of_axis;
     ++axis;
-    for (float& value : *along)
-      value = std::abs (value - static_cast<float> (middle));
-    deviation = std::max (deviation, medianOf (*along));
+    std::vector<float>& deviations = *values; // overwrites the values
+    for (float& value : deviations)
+      value = std::abs (value - static_cast<float> (median_of_axis));
+    largest_deviation = std::max (largest_deviation, medianOf (deviations));
   }
-  if (!(deviation > 0.0 && std::isfinite (deviation)))
+  if (!(largest_deviation > 0.0 && std::isfinite (largest_deviation)))
     return median;
-  const double step = std::exp2 (std::ceil (std::log2 (deviations * deviation)));
+  const double step =
+      std::exp2 (std::ceil (std::log2 (deviations_of_step * largest_deviation)));
   return (median / step).array().round() * step;
 }
 
 Coordinates
-withoutCopies (const Coordinates& points)
+withoutDuplicates (const Coordinates& points)
 {
-  std::vector<std::array<float, 3>> places (points.size());
+  std::vector<std::array<float, 3>> positions (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    places[i] = {points.x[i], points.y[i], points.z[i]};
-  std::sort (places.begin(), places.end());
-  places.erase (std::unique (places.begin(), places.end()), places.end());
+    positions[i] = {points.x[i], points.y[i], points.z[i]};
+  std::sort (positions.begin(), positions.end());
+  positions.erase (std::unique (positions.begin(), positions.end()), positions.end());
   Coordinates distinct;
-  for (const auto& [x, y, z] : places)
+  for (const auto& [x, y, z] : positions)
     distinct.add (x, y, z);
   return distinct;
 }
 
-// Position near the median of a sample: near most points in spite of outliers, in any
-// order of the points; zero without finite points.
+// Returns a position near the median of a sample: near most points in spite of
+// outliers, the same in any order of the points; zero without finite points.
 Eigen::Vector3d
-localOrigin (const Coordinates& points)
+medianOfSample (const Coordinates& points)
 {
-  constexpr std::size_t looked_at = 100;
-  Coordinates some = sampleByHash (points, looked_at, all_bits);
-  // The sample may be empty: of equal points the hash takes none or all.
-  if (some.size() == 0)
-    some = sampleByHash (points, points.size() + 1, all_bits);
-  return roundedMedian (withoutCopies (some));
+  constexpr std::size_t wanted = 100;
+  Coordinates sample = sampleByHash (points, wanted, all_bits);
+  // The sample may be empty: of equal points the hash takes none or all. Then take all.
+  if (sample.size() == 0)
+    sample = sampleByHash (points, points.size() + 1, all_bits);
+  return roundedMedian (withoutDuplicates (sample));
 }
 
 void
-copyPoints (const Chosen& chosen, unsigned threads, Points& points)
+copyPoints (const ChosenPoints& chosen, unsigned threads, Points& points)
 {
   points.resize (chosen.size());
   forEach (threads, chosen.size(), [&] (std::size_t i) {
@@ -192,7 +201,7 @@ copyPoints (const Chosen& chosen, unsigned threads, Points& points)
   });
 }
 
-// Moves points into the frame of their origin; returns whether all are finite.
+// Moves points into the frame of their origin. Returns whether all are finite there.
 bool
 moveToOrigin (unsigned threads, Points& points)
 {
@@ -212,67 +221,78 @@ moveToOrigin (unsigned threads, Points& points)
   return all_finite;
 }
 
+// Removes the points that are not finite. points.index must be filled in.
 void
 keepFinite (Points& points)
 {
-  std::size_t left = 0;
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const float x = points.x[i];
     const float y = points.y[i];
     const float z = points.z[i];
     // Always written, but counted only if finite: no branch to mispredict.
-    points.x[left] = x;
-    points.y[left] = y;
-    points.z[left] = z;
-    points.index[left] = points.index[i];
-    left += isFinite (x, y, z);
+    points.x[kept] = x;
+    points.y[kept] = y;
+    points.z[kept] = z;
+    points.index[kept] = points.index[i];
+    kept += isFinite (x, y, z);
   }
-  points.resize (left);
-  points.index.resize (left);
+  points.resize (kept);
+  points.index.resize (kept);
 }
 
-/** \brief Indices in the cloud: of the first point at a place, and of a duplicate. */
-using IndexPair = std::pair<pcl::index_t, pcl::index_t>;
+/** \brief Two equal points, by their indices in the input cloud. */
+struct EqualPoints {
+  pcl::index_t first; // at their place
+  pcl::index_t duplicate;
 
-// Keeps the first point at each place and returns the others. Sets points that are no
-// readings to NaN.
-std::vector<IndexPair>
-takeCopies (Points& points, const FirstAtPlace& first)
+  bool
+  operator<(const EqualPoints& other) const
+  {
+    return std::tie (first, duplicate) < std::tie (other.first, other.duplicate);
+  }
+};
+
+// Keeps the first point at each place, and removes and returns the others. Sets points
+// that are no readings to NaN. points.index must be filled in.
+std::vector<EqualPoints>
+removeDuplicates (Points& points, const FirstAtPlace& first)
 {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  std::vector<IndexPair> copies;
+  std::vector<EqualPoints> removed;
   const pcl::Indices index = points.index;
-  std::size_t left = 0;
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_reading = first[i] != no_reading;
     if (is_reading && first[i] != i) {
-      copies.emplace_back (index[first[i]], index[i]);
+      removed.push_back ({index[first[i]], index[i]});
       continue;
     }
-    points.x[left] = is_reading ? points.x[i] : nan;
-    points.y[left] = is_reading ? points.y[i] : nan;
-    points.z[left] = is_reading ? points.z[i] : nan;
-    points.index[left] = index[i];
-    ++left;
+    points.x[kept] = is_reading ? points.x[i] : nan;
+    points.y[kept] = is_reading ? points.y[i] : nan;
+    points.z[kept] = is_reading ? points.z[i] : nan;
+    points.index[kept] = index[i];
+    ++kept;
   }
-  points.resize (left);
-  points.index.resize (left);
-  return copies;
+  points.resize (kept);
+  points.index.resize (kept);
+  return removed;
 }
 
-// Looks up the position of each first point in index, which is ascending.
+// Makes Points::copies: looks up each first point in Points::index, which is ascending.
 std::vector<Copy>
-copiesOf (const pcl::Indices& index, std::vector<IndexPair> pairs)
+copiesOf (const pcl::Indices& index, std::vector<EqualPoints> pairs)
 {
   std::sort (pairs.begin(), pairs.end());
   std::vector<Copy> copies;
   copies.reserve (pairs.size());
-  auto place = index.begin();
-  for (const auto& [first, copy] : pairs) {
-    place = std::lower_bound (place, index.end(), first);
+  auto found = index.begin();
+  for (const EqualPoints& pair : pairs) {
+    found = std::lower_bound (found, index.end(), pair.first);
     // A first point is missing if its local coordinates overflowed to infinity.
-    if (place != index.end() && *place == first)
-      copies.push_back ({copy, static_cast<std::uint32_t> (place - index.begin())});
+    if (found != index.end() && *found == pair.first)
+      copies.push_back (
+          {pair.duplicate, static_cast<std::uint32_t> (found - index.begin())});
   }
   std::sort (copies.begin(), copies.end(), [] (const Copy& one, const Copy& other) {
     return one.index < other.index;
@@ -280,77 +300,82 @@ copiesOf (const pcl::Indices& index, std::vector<IndexPair> pairs)
   return copies;
 }
 
-// Origin near most points, exact in single precision, in which points are moved.
+// Returns the origin of the local frame, near most points. It is exact in single
+// precision, in which points are moved there.
 Eigen::Vector3d
 originOf (const Coordinates& points, double step)
 {
-  const Eigen::Vector3d origin = localOrigin (points);
+  const Eigen::Vector3d origin = medianOfSample (points);
   if (!(step > 0.0))
     return origin;
   return ((origin / step).array().round() * step).matrix().cast<float>().cast<double>();
 }
 
-// Implements finitePoints and, with takes_copies, distinctPoints.
+enum class EqualPointsAre { Kept, RemovedIfMany };
+
+// Implements finitePoints and distinctPoints.
 Points
 readPoints (const CloudView& cloud,
             unsigned threads,
             const pcl::Indices* indices,
             double step,
-            bool takes_copies)
+            EqualPointsAre equal_points_are)
 {
   if (indices && !areAscending (*indices)) {
     pcl::Indices sorted = *indices;
     std::sort (sorted.begin(), sorted.end());
     sorted.erase (std::unique (sorted.begin(), sorted.end()), sorted.end());
-    return readPoints (cloud, threads, &sorted, step, takes_copies);
+    return readPoints (cloud, threads, &sorted, step, equal_points_are);
   }
   const auto chosenIndices = [&] { return indices ? *indices : allOf (cloud); };
   Points points;
   copyPoints ({cloud, indices}, threads, points);
-  std::vector<IndexPair> copies;
-  const FirstAtPlace first =
-      takes_copies ? firstAtPlace (points, threads) : FirstAtPlace();
+  std::vector<EqualPoints> duplicates;
+  const FirstAtPlace first = equal_points_are == EqualPointsAre::RemovedIfMany
+                                 ? firstAtPlace (points, threads)
+                                 : FirstAtPlace();
   if (!first.empty()) {
     points.index = chosenIndices();
-    copies = takeCopies (points, first);
+    duplicates = removeDuplicates (points, first);
   }
   points.origin = originOf (points, step);
   const bool are_finite = moveToOrigin (threads, points);
-  if (are_finite && points.size() == cloud.size)
+  const bool are_whole_cloud = are_finite && points.size() == cloud.size;
+  if (are_whole_cloud)
     return points;
   if (points.index.empty())
     points.index = chosenIndices();
   if (!are_finite)
     keepFinite (points);
-  points.copies = copiesOf (points.index, std::move (copies));
+  points.copies = copiesOf (points.index, std::move (duplicates));
   return points;
 }
 
 } // namespace
 
 Coordinates
-selected (const Coordinates& points, const Indices& numbers)
+selected (const Coordinates& points, const Indices& indices)
 {
   Coordinates some;
-  some.resize (numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    some.x[i] = points.x[numbers[i]];
-    some.y[i] = points.y[numbers[i]];
-    some.z[i] = points.z[numbers[i]];
+  some.resize (indices.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    some.x[i] = points.x[indices[i]];
+    some.y[i] = points.y[indices[i]];
+    some.z[i] = points.z[indices[i]];
   }
   return some;
 }
 
 Coordinates
-samplePoints (const Coordinates& positions, std::size_t wanted)
+samplePoints (const Coordinates& points, std::size_t wanted)
 {
-  return sampleByHash (positions, wanted, leading_bits);
+  return sampleByHash (points, wanted, leading_bits);
 }
 
 Indices
-sampleNumbers (const Coordinates& positions, std::size_t wanted)
+sampleIndices (const Coordinates& points, std::size_t wanted)
 {
-  return numbersByHash (positions, wanted, all_bits);
+  return indicesByHash (points, wanted, all_bits);
 }
 
 double
@@ -369,7 +394,7 @@ finitePoints (const CloudView& cloud,
               const pcl::Indices* indices,
               double step)
 {
-  return readPoints (cloud, threads, indices, step, false);
+  return readPoints (cloud, threads, indices, step, EqualPointsAre::Kept);
 }
 
 Points
@@ -378,7 +403,7 @@ distinctPoints (const CloudView& cloud,
                 const pcl::Indices* indices,
                 double step)
 {
-  return readPoints (cloud, threads, indices, step, true);
+  return readPoints (cloud, threads, indices, step, EqualPointsAre::RemovedIfMany);
 }
 
 } // namespace pcl_ops::internal

@@ -57,7 +57,7 @@ struct Coordinates {
 struct Copy {
   /** \brief Index of the duplicate in the input cloud. */
   pcl::index_t index;
-  /** \brief Position in \ref Points of the point that represents it. */
+  /** \brief Index in \ref Points of the point that represents it. */
   std::uint32_t point;
 };
 
@@ -85,17 +85,18 @@ using Indices = std::vector<std::uint32_t>;
 
 /** \brief Returns the points with the given indices, in the order of the indices. */
 Coordinates
-selected (const Coordinates& points, const Indices& numbers);
+selected (const Coordinates& points, const Indices& indices);
 
-/** \brief Returns at most about \p wanted of the finite points, the same ones in any
- * order of the input. */
+/** \brief Returns up to about \p wanted of the finite points, or all if there are
+ * fewer. It returns the same points for any order of the input, and mostly the same
+ * ones if coordinates are rounded or multiplied by a power of two. */
 Coordinates
-samplePoints (const Coordinates& positions, std::size_t wanted);
+samplePoints (const Coordinates& points, std::size_t wanted);
 
-/** \brief Returns the indices of at most about \p wanted of the finite points,
- * ascending; the same points in any order of the input. */
+/** \brief Returns the ascending indices of up to about \p wanted of the finite points,
+ * or of all if there are fewer. It takes the same points for any order of the input. */
 Indices
-sampleNumbers (const Coordinates& positions, std::size_t wanted);
+sampleIndices (const Coordinates& points, std::size_t wanted);
 
 /** \brief Returns the median, or the upper one of two middle values; 0 for no values.
  * Reorders \p values. */
@@ -105,8 +106,8 @@ medianOf (std::vector<float>& values);
 /** \brief Drops points with a NaN or infinite coordinate, once for all stages. is_dense
  * is ignored: some clouds set it wrongly.
  * \param[in] indices of the points to use, in any order, repeated or not; null: all
- * \param[in] step the origin is a multiple of it along each axis, rounded to single
- * precision [m]; 0: the function chooses the step
+ * \param[in] step [m]: each coordinate of the origin is a multiple of it, rounded to
+ * single precision; 0: the function chooses the step
  * \return the finite points, each once; their origin is near most of them */
 Points
 finitePoints (const CloudView& cloud,
@@ -115,9 +116,9 @@ finitePoints (const CloudView& cloud,
               double step = 0.0);
 
 /** \brief Like \ref finitePoints, but removes equal points that would dominate. The
- * engines of voxels and of the paper count points, not places: many equal points would
- * determine the sizes derived from point density, the origin of the local frame and the
- * bounds of the cloud.
+ * engines of voxels and of the paper count points, not distinct places: many equal
+ * points would determine the sizes derived from point density, the origin of the local
+ * frame and the bounds of the cloud.
  *
  * If a large share of all points has duplicates, the first point at a place represents
  * the others, \ref Points::copies. If so many points are at a place that it must be a

@@ -14,28 +14,31 @@ namespace pcl_ops::internal {
 
 namespace {
 
-constexpr std::size_t batch = 512;
+// Number of points whose codes are computed at once.
+constexpr std::size_t points_of_batch = 512;
 
+// Computes the Morton codes of the voxels of up to points_of_batch points.
 PCL_OPS_VECTORIZED void
-codesOf (const float* x,
-         const float* y,
-         const float* z,
-         std::size_t number,
-         float voxels_per_meter,
-         MortonCode* codes)
+computeCodes (const float* x,
+              const float* y,
+              const float* z,
+              std::size_t count,
+              float voxels_per_meter,
+              MortonCode* codes)
 {
-  std::array<std::int32_t, batch> key_x;
-  std::array<std::int32_t, batch> key_y;
-  std::array<std::int32_t, batch> key_z;
-  keysOf (x, number, voxels_per_meter, key_x.data());
-  keysOf (y, number, voxels_per_meter, key_y.data());
-  keysOf (z, number, voxels_per_meter, key_z.data());
-  for (std::size_t i = 0; i < number; ++i)
+  std::array<std::int32_t, points_of_batch> key_x;
+  std::array<std::int32_t, points_of_batch> key_y;
+  std::array<std::int32_t, points_of_batch> key_z;
+  keysOf (x, count, voxels_per_meter, key_x.data());
+  keysOf (y, count, voxels_per_meter, key_y.data());
+  keysOf (z, count, voxels_per_meter, key_z.data());
+  for (std::size_t i = 0; i < count; ++i)
     codes[i] = mortonCode (key_x[i], key_y[i], key_z[i]);
 }
 
-// Writes the runs of the points begin .. end - 1 and returns their number. Finds the
-// ends of runs without a branch.
+// Writes the runs of the points begin .. end - 1 and returns how many they are. There
+// is no branch to mispredict: each point writes the run up to itself, over that of the
+// point before unless it begins a new run.
 std::size_t
 findRuns (const Coordinates& positions,
           float voxels_per_meter,
@@ -43,27 +46,27 @@ findRuns (const Coordinates& positions,
           std::size_t end,
           PointRun* runs)
 {
-  std::array<MortonCode, batch> codes;
-  std::size_t all = 0;
+  std::array<MortonCode, points_of_batch> codes;
+  std::size_t runs_so_far = 0;
   std::uint32_t run_begin = 0;
-  for (std::size_t first = begin; first < end; first += batch) {
-    const std::size_t number = std::min (batch, end - first);
-    codesOf (&positions.x[first],
-             &positions.y[first],
-             &positions.z[first],
-             number,
-             voxels_per_meter,
-             codes.data());
-    for (std::size_t i = 0; i < number; ++i) {
+  for (std::size_t first = begin; first < end; first += points_of_batch) {
+    const std::size_t count = std::min (points_of_batch, end - first);
+    computeCodes (&positions.x[first],
+                  &positions.y[first],
+                  &positions.z[first],
+                  count,
+                  voxels_per_meter,
+                  codes.data());
+    for (std::size_t i = 0; i < count; ++i) {
       const auto point = static_cast<std::uint32_t> (first + i);
-      const bool is_new =
+      const bool begins_run =
           i == 0 || codes[i] != codes[i - 1] || point - run_begin == PointRun::max_size;
-      all += is_new ? 1 : 0;
-      run_begin = is_new ? point : run_begin;
-      runs[all - 1] = PointRun (codes[i], run_begin, point - run_begin + 1);
+      runs_so_far += begins_run ? 1 : 0;
+      run_begin = begins_run ? point : run_begin;
+      runs[runs_so_far - 1] = PointRun (codes[i], run_begin, point - run_begin + 1);
     }
   }
-  return all;
+  return runs_so_far;
 }
 
 } // namespace
@@ -71,18 +74,23 @@ findRuns (const Coordinates& positions,
 PointRuns
 sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
 {
-  constexpr std::size_t points_per_piece = 32 * batch;
+  constexpr std::size_t points_per_piece = 32 * points_of_batch;
   const auto voxels_per_meter = static_cast<float> (1.0 / voxel_size);
-  // Each piece writes its runs from its first point's position on; then gaps close.
+  // Each piece writes its runs from the index of its first point on. Then the runs of
+  // all pieces are moved together.
   PointRuns runs (positions.size(), boost::container::default_init);
-  const std::vector<std::size_t> pieces = parallelChunks (
-      threads, positions.size(), points_per_piece, [&] (auto begin, auto end) {
-        return findRuns (positions, voxels_per_meter, begin, end, runs.data() + begin);
+  const std::vector<std::size_t> runs_of_piece = parallelChunks (
+      threads,
+      positions.size(),
+      points_per_piece,
+      [&] (std::size_t begin, std::size_t end) {
+        return findRuns (positions, voxels_per_meter, begin, end, &runs[begin]);
       });
-  PointRun* last = runs.data();
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-    last = std::copy_n (runs.data() + p * points_per_piece, pieces[p], last);
-  runs.resize (static_cast<std::size_t> (last - runs.data()));
+  PointRun* end_of_runs = runs.data();
+  for (std::size_t p = 0; p < runs_of_piece.size(); ++p)
+    end_of_runs =
+        std::copy_n (runs.data() + p * points_per_piece, runs_of_piece[p], end_of_runs);
+  runs.resize (static_cast<std::size_t> (end_of_runs - runs.data()));
   PointRuns spare (runs.size(), boost::container::default_init);
   const auto codeOf = [] (const PointRun& run) { return run.code(); };
   const PointRun* const sorted =

@@ -12,8 +12,9 @@
 namespace pcl_ops::internal {
 
 /** \brief Successive points of a cloud in the same voxel, at most 16. An unordered
- * cloud has about as many runs as points, and they are most of the memory of a
- * detection: three 32-bit words each, the size in bits that no Morton code needs. */
+ * cloud has about as many runs as points, and the runs take most of the memory of a
+ * detection. So a run has only three words of 32 bits: the 60 bits of the Morton code
+ * together with 4 bits for the size, and the first point. */
 class PointRun {
 public:
   static constexpr std::uint32_t max_size = 16;
@@ -21,21 +22,22 @@ public:
   PointRun() = default;
 
   PointRun (MortonCode code, std::uint32_t first, std::uint32_t size)
-  : low_ (static_cast<std::uint32_t> (code << 4) | (size - 1))
-  , high_ (static_cast<std::uint32_t> (code >> 28))
+  : low_code_and_size_ (static_cast<std::uint32_t> (code << bits_of_size) | (size - 1))
+  , high_code_ (static_cast<std::uint32_t> (code >> bits_of_low_code))
   , first_ (first)
   {}
 
   MortonCode
   code () const
   {
-    return static_cast<MortonCode> (high_) << 28 | low_ >> 4;
+    return static_cast<MortonCode> (high_code_) << bits_of_low_code |
+           low_code_and_size_ >> bits_of_size;
   }
 
   std::uint32_t
   size () const
   {
-    return low_ % 16 + 1;
+    return low_code_and_size_ % max_size + 1;
   }
 
   /** \brief Index of the first point; \ref end is the index after the last one. */
@@ -52,7 +54,10 @@ public:
   }
 
 private:
-  std::uint32_t low_, high_, first_;
+  static constexpr int bits_of_size = 4;
+  static constexpr int bits_of_low_code = 32 - bits_of_size;
+
+  std::uint32_t low_code_and_size_, high_code_, first_;
 };
 
 /** \brief A Boost vector can be sized without writing to its elements. So room for the
@@ -60,8 +65,8 @@ private:
 using PointRuns = boost::container::vector<PointRun>;
 
 /** \brief Returns the points as runs, sorted by the Morton code of their voxel. Runs of
- * a voxel keep the order of the cloud. For points in the order of a scan, this sorts
- * several times fewer runs than points.
+ * a voxel keep the order of the cloud. Points in the order of a scan have several times
+ * fewer runs than points, so that sorting takes less time.
  * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero are
  * clamped to the outermost voxels
  * \param[in] voxel_size edge of a voxel [m] */

@@ -12,12 +12,13 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Returns the moments of the points of some runs and writes the points' indices.
+// Returns the moments of the points of the runs begin .. end - 1 and writes the indices
+// of these points to order.
 Moments
-addUp (const Coordinates& positions,
-       const PointRun* begin,
-       const PointRun* end,
-       std::uint32_t* order)
+momentsOfRuns (const Coordinates& positions,
+               const PointRun* begin,
+               const PointRun* end,
+               std::uint32_t* order)
 {
   Moments moments;
   for (const PointRun* run = begin; run != end; ++run)
@@ -28,10 +29,11 @@ addUp (const Coordinates& positions,
   return moments;
 }
 
-/** \brief Sets codes and first points of the grid. Returns the first run of each voxel,
- * and the number of runs. */
+/** \brief Makes a voxel of the runs with the same code: sets VoxelGrid::codes and
+ * first_point. Returns the index of the first run of each voxel, and the number of runs
+ * behind these. */
 Indices
-divide (const PointRuns& runs, VoxelGrid& grid)
+addVoxels (const PointRuns& runs, VoxelGrid& grid)
 {
   Indices first_run;
   std::uint32_t points = 0;
@@ -55,14 +57,14 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
   const PointRuns runs = sortedRuns (positions, voxel_size, threads);
   VoxelGrid grid;
   grid.voxel_size = voxel_size;
-  const Indices first_run = divide (runs, grid);
+  const Indices first_run = addVoxels (runs, grid);
   grid.moments.resize (grid.size());
   const auto order = std::make_shared<Indices> (positions.size());
   forEach (threads, grid.size(), [&] (std::size_t voxel) {
-    grid.moments[voxel] = addUp (positions,
-                                 runs.data() + first_run[voxel],
-                                 runs.data() + first_run[voxel + 1],
-                                 order->data() + grid.first_point[voxel]);
+    grid.moments[voxel] = momentsOfRuns (positions,
+                                         runs.data() + first_run[voxel],
+                                         runs.data() + first_run[voxel + 1],
+                                         order->data() + grid.first_point[voxel]);
   });
   grid.order = order;
   return grid;
@@ -71,9 +73,9 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
 void
 connect (VoxelGrid& grid, unsigned threads)
 {
-  ConnectedVoxels voxels = connected (grid.codes, threads);
-  grid.neighbors = std::move (voxels.neighbors);
-  grid.larger = std::move (voxels.larger);
+  ConnectedVoxels connected_voxels = connected (grid.codes, threads);
+  grid.neighbors = std::move (connected_voxels.neighbors);
+  grid.larger = std::move (connected_voxels.larger);
 }
 
 std::vector<Moments>
@@ -99,18 +101,20 @@ VoxelLevels
 coarsen (VoxelGrid finest)
 {
   LargerVoxels larger = largerVoxels (finest.codes);
-  VoxelLevels voxels;
-  VoxelGrid& coarse = voxels.coarse;
+  VoxelLevels levels;
+  VoxelGrid& coarse = levels.coarse;
   coarse.voxel_size = 2.0 * finest.voxel_size;
   coarse.order = finest.order;
   coarse.moments = momentsOf (finest.moments, larger);
-  for (std::size_t i = 0; i < finest.size(); ++i)
-    if (larger.holding[i] == coarse.first_point.size())
+  for (std::size_t i = 0; i < finest.size(); ++i) {
+    const bool is_first_of_coarse = larger.holding[i] == coarse.first_point.size();
+    if (is_first_of_coarse)
       coarse.first_point.push_back (finest.first_point[i]);
+  }
   coarse.codes = std::move (larger.codes);
-  voxels.coarse_of_finest = std::move (larger.holding);
-  voxels.finest = std::move (finest);
-  return voxels;
+  levels.coarse_of_finest = std::move (larger.holding);
+  levels.finest = std::move (finest);
+  return levels;
 }
 
 } // namespace pcl_ops::internal

@@ -24,9 +24,10 @@ struct VoxelGrid {
   Indices first_point;
   /** \brief Moments of each voxel's points about the origin of their frame. */
   std::vector<Moments> moments;
-  /** \brief Neighbors of each voxel. Empty until \ref connect, as \ref larger is. */
+  /** \brief Neighbors of each voxel; empty until \ref connect is called. */
   VoxelNeighbors neighbors;
-  /** \brief Octree levels above these voxels, from twice the edge up. */
+  /** \brief Octree levels above these voxels, from twice the edge up; empty until
+   * \ref connect is called. */
   std::vector<LargerVoxels> larger;
 
   std::size_t
@@ -56,7 +57,9 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 void
 connect (VoxelGrid& grid, unsigned threads);
 
-/** \brief Returns the sum of the moments at the indices \p voxels. */
+/** \brief Returns the sum of the moments of some voxels.
+ * \param[in] moments of all voxels
+ * \param[in] voxels indices of those to add up */
 template <typename Voxels>
 Moments
 momentsOf (const std::vector<Moments>& moments, const Voxels& voxels)
@@ -67,13 +70,13 @@ momentsOf (const std::vector<Moments>& moments, const Voxels& voxels)
   return sum;
 }
 
-/** \brief Returns the moments of larger voxels.
+/** \brief Returns the moments of each larger voxel.
  * \param[in] moments of the smaller voxels inside them
  * \param[in] larger voxels of twice the edge */
 std::vector<Moments>
 momentsOf (const std::vector<Moments>& moments, const LargerVoxels& larger);
 
-/** \brief Returns the index of the voxel of each point. */
+/** \brief Returns for each point the index of its voxel. */
 Indices
 voxelsOfPoints (const VoxelGrid& grid);
 
@@ -85,7 +88,7 @@ struct VoxelLevels {
   Indices coarse_of_finest;
 };
 
-/** \brief Joins voxels to coarse ones. The coarse grid has no neighbors. */
+/** \brief Makes a coarse grid of the finest one. The coarse grid has no neighbors. */
 VoxelLevels
 coarsen (VoxelGrid finest);
 

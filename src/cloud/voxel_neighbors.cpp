@@ -17,11 +17,15 @@ namespace {
 using Indices = std::vector<std::uint32_t>;
 
 constexpr std::size_t parents_per_piece = 256;
-constexpr std::uint64_t three = 0x7;
-constexpr std::uint64_t three_by_three = three | three << 4 | three << 8;
-constexpr std::uint64_t all_around =
-    three_by_three | three_by_three << 16 | three_by_three << 32;
-constexpr std::uint64_t middle = 1 << 21;
+
+// Bit sets of blocks of voxels, as VoxelNeighbors::occupied: bit x + 4 y + 16 z.
+constexpr std::uint64_t row_of_block = 0x7;
+constexpr std::uint64_t layer_of_block =
+    row_of_block | row_of_block << 4 | row_of_block << 8;
+constexpr std::uint64_t whole_block =
+    layer_of_block | layer_of_block << 16 | layer_of_block << 32;
+constexpr std::uint64_t middle_of_block = 1 << 21; // (1, 1, 1)
+constexpr int bits_of_block = 43;                  // the last bit is that of (2, 2, 2)
 
 // Position of the lowest bit that is set.
 unsigned
@@ -30,44 +34,70 @@ lowestBit (std::uint64_t bits)
   return static_cast<unsigned> (__builtin_ctzll (bits));
 }
 
+std::uint64_t
+withoutLowestBit (std::uint64_t bits)
+{
+  return bits & (bits - 1);
+}
+
 /** \brief The 2 x 2 x 2 children of a voxel and the voxels around them: a block of
- * 4 x 4 x 4 places, x fastest. */
+ * 4 x 4 x 4 cells. Cell (x, y, z) has the index x + 4 y + 16 z. */
 struct ChildrenAround {
-  /** \brief One bit for each occupied place. */
-  std::uint64_t places = 0;
-  /** \brief Index of the voxel at each place; the last one takes voxels outside. */
-  std::array<std::uint32_t, 65> voxels;
+  static constexpr int cells = 64;
+  /** \brief Index of the cell for all voxels outside of the block. */
+  static constexpr std::uint8_t outside = 64;
+
+  /** \brief One bit for each cell that holds an occupied voxel. */
+  std::uint64_t occupied = 0;
+  /** \brief Index of the voxel in each cell, and in \ref outside. */
+  std::array<std::uint32_t, cells + 1> voxels;
 };
 
-constexpr std::uint8_t far_away = 64;
+// The lowest three bits of a code: which of the children of its parent a voxel is, with
+// one bit for the upper half along x, y and z.
+constexpr int max_children = 8;
 
-// The place of a child in \ref ChildrenAround, or far_away. First index: place of its
-// parent, as in \ref VoxelNeighbors::places. Second index: octant of the child.
-constexpr std::array<std::array<std::uint8_t, 8>, 43>
-placesOfChildren ()
+unsigned
+octantInParent (MortonCode code)
 {
-  std::array<std::array<std::uint8_t, 8>, 43> places{};
-  for (int parent = 0; parent < 43; ++parent)
-    for (int octant = 0; octant < 8; ++octant) {
+  return code & (max_children - 1);
+}
+
+/** \brief First index: bit of the parent of a child in \ref VoxelNeighbors::occupied.
+ * Second index: octant of the child. Value: cell of the child in \ref ChildrenAround.
+ */
+using CellsOfChildren =
+    std::array<std::array<std::uint8_t, max_children>, bits_of_block>;
+
+constexpr CellsOfChildren
+cellsOfChildren ()
+{
+  CellsOfChildren cells{};
+  for (int parent = 0; parent < bits_of_block; ++parent)
+    for (int octant = 0; octant < max_children; ++octant) {
       const int x = parent % 4 * 2 + (octant & 1) - 1;
       const int y = parent / 4 % 4 * 2 + (octant >> 1 & 1) - 1;
       const int z = parent / 16 * 2 + (octant >> 2) - 1;
-      const bool is_near = x >= 0 && x < 4 && y >= 0 && y < 4 && z >= 0 && z < 4;
-      places[parent][octant] =
-          is_near ? static_cast<std::uint8_t> ((z * 4 + y) * 4 + x) : far_away;
+      const bool is_inside = x >= 0 && x < 4 && y >= 0 && y < 4 && z >= 0 && z < 4;
+      cells[parent][octant] = is_inside
+                                  ? static_cast<std::uint8_t> ((z * 4 + y) * 4 + x)
+                                  : ChildrenAround::outside;
     }
-  return places;
+  return cells;
 }
 
-// For each octant the first place of the 3 x 3 x 3 block around the child there.
-constexpr std::array<std::uint8_t, 8> first_around{0, 1, 4, 5, 16, 17, 20, 21};
+// For each octant the first cell of the 3 x 3 x 3 block around the child there.
+constexpr std::array<std::uint8_t, max_children> first_around{
+    0, 1, 4, 5, 16, 17, 20, 21};
 
-// For each parent the index of its first child, and the number of children.
+// Returns for each parent the index of its first child, and behind these the number of
+// children.
+// \param[in] parent_of_child ascending
 Indices
-firstChildren (const Indices& parents, std::size_t number)
+firstChildren (const Indices& parent_of_child, std::size_t parents)
 {
-  Indices first (number + 1, 0);
-  for (const std::uint32_t parent : parents)
+  Indices first (parents + 1, 0);
+  for (const std::uint32_t parent : parent_of_child)
     ++first[parent + 1];
   std::partial_sum (first.begin(), first.end(), first.begin());
   return first;
@@ -80,50 +110,54 @@ childrenAround (const std::vector<MortonCode>& codes,
                 const VoxelNeighbors& around_parents,
                 std::size_t parent)
 {
-  static constexpr auto places_of_children = placesOfChildren();
+  static constexpr CellsOfChildren cells_of_children = cellsOfChildren();
   ChildrenAround children;
-  std::uint64_t places = around_parents.places[parent];
+  std::uint64_t bits_left = around_parents.occupied[parent];
   for (const std::uint32_t neighbor : around_parents[parent]) {
-    const auto& places_here = places_of_children[lowestBit (places)];
-    places &= places - 1;
+    const auto& cell_of_octant = cells_of_children[lowestBit (bits_left)];
+    bits_left = withoutLowestBit (bits_left);
     for (std::uint32_t child = first_child[neighbor]; child < first_child[neighbor + 1];
          ++child) {
-      const unsigned place = places_here[codes[child] & 7];
-      children.voxels[place] = child;
-      children.places |= place == far_away ? 0 : std::uint64_t (1) << place;
+      const unsigned cell = cell_of_octant[octantInParent (codes[child])];
+      children.voxels[cell] = child;
+      children.occupied |=
+          cell == ChildrenAround::outside ? 0 : std::uint64_t (1) << cell;
     }
   }
   return children;
 }
 
 // Finds the neighbors of voxels among the children of their parents' neighbors.
+// \param[in] above the parents, with their neighbors
 VoxelNeighbors
 neighborsBelow (const std::vector<MortonCode>& codes,
                 const LargerVoxels& above,
                 unsigned threads)
 {
-  constexpr std::size_t most = 27;
+  constexpr std::size_t max_neighbors = 27;
   const std::size_t parents = above.codes.size();
   const Indices first_child = firstChildren (above.holding, parents);
   VoxelNeighbors around;
-  around.places.resize (codes.size());
+  around.occupied.resize (codes.size());
   around.begin.resize (codes.size() + 1);
   const auto pieces = parallelChunks (
       threads, parents, parents_per_piece, [&] (std::size_t begin, std::size_t end) {
         // A vector would first write zeros, which takes longer than the results.
         std::unique_ptr<std::uint32_t[]> found (
-            new std::uint32_t[most * (first_child[end] - first_child[begin])]);
+            new std::uint32_t[max_neighbors * (first_child[end] - first_child[begin])]);
         std::uint32_t* next = found.get();
         for (std::size_t p = begin; p < end; ++p) {
           const ChildrenAround children =
               childrenAround (codes, first_child, above.neighbors, p);
           for (std::uint32_t i = first_child[p]; i < first_child[p + 1]; ++i) {
-            const unsigned first = first_around[codes[i] & 7];
-            const std::uint32_t* const own = next;
-            around.places[i] = children.places >> first & all_around;
-            for (std::uint64_t left = around.places[i]; left != 0; left &= left - 1)
-              *next++ = children.voxels[first + lowestBit (left)];
-            around.begin[i + 1] = static_cast<std::uint32_t> (next - own);
+            const unsigned first_cell = first_around[octantInParent (codes[i])];
+            const std::uint32_t* const own_begin = next;
+            around.occupied[i] = children.occupied >> first_cell & whole_block;
+            for (std::uint64_t bits_left = around.occupied[i]; bits_left != 0;
+                 bits_left = withoutLowestBit (bits_left))
+              *next++ = children.voxels[first_cell + lowestBit (bits_left)];
+            // The number of neighbors; the sums below make it the position.
+            around.begin[i + 1] = static_cast<std::uint32_t> (next - own_begin);
           }
         }
         return found;
@@ -148,8 +182,9 @@ largerVoxels (const std::vector<MortonCode>& codes)
   LargerVoxels larger;
   larger.holding.reserve (codes.size());
   for (const MortonCode code : codes) {
-    if (larger.codes.empty() || larger.codes.back() != code >> 3)
-      larger.codes.push_back (code >> 3);
+    const MortonCode larger_code = code / max_children;
+    if (larger.codes.empty() || larger.codes.back() != larger_code)
+      larger.codes.push_back (larger_code);
     larger.holding.push_back (static_cast<std::uint32_t> (larger.codes.size() - 1));
   }
   return larger;
@@ -166,7 +201,7 @@ connected (const std::vector<MortonCode>& codes, unsigned threads)
   while (codesBelow (larger.size()).size() > 1)
     larger.push_back (largerVoxels (codesBelow (larger.size())));
   if (!codes.empty())
-    voxels.neighbors = {{0}, {0, 1}, {middle}};
+    voxels.neighbors = {{0}, {0, 1}, {middle_of_block}}; // of the root: itself
   for (std::size_t level = larger.size(); level-- > 0;) {
     larger[level].neighbors = std::move (voxels.neighbors);
     voxels.neighbors = neighborsBelow (codesBelow (level), larger[level], threads);

@@ -15,17 +15,19 @@ namespace pcl_ops::internal {
 /** \brief A range of indices of voxels or points in contiguous memory. */
 using IndexRange = boost::iterator_range<const std::uint32_t*>;
 
-/** \brief For each voxel the occupied voxels of the 3 x 3 x 3 block around it, itself
- * included. Most voxels of a block are empty if the points are on surfaces. */
+/** \brief For each voxel its neighbors: the occupied voxels of the 3 x 3 x 3 block
+ * around it, itself included. Most voxels of a block are empty if the points are on
+ * surfaces. */
 struct VoxelNeighbors {
-  /** \brief Indices of the neighbors, voxel by voxel, then by bit in \ref places. */
+  /** \brief Indices of the neighbors, voxel by voxel, then by bit in \ref occupied. */
   std::vector<std::uint32_t> neighbors;
   /** \brief For each voxel the position in \ref neighbors where its neighbors begin,
-   * and the end of the last voxel's. */
+   * and behind these the size of \ref neighbors. */
   std::vector<std::uint32_t> begin = {0};
-  /** \brief For each voxel a bit set of its neighbors: bit x + 4 y + 16 z for the place
-   * (x, y, z) in the block, each coordinate 0 to 2; (1, 1, 1) is the middle. */
-  std::vector<std::uint64_t> places;
+  /** \brief For each voxel a bit set: bit x + 4 y + 16 z is set if there is a neighbor
+   * at (x, y, z) in the block, each coordinate 0 to 2; (1, 1, 1) is the voxel itself.
+   */
+  std::vector<std::uint64_t> occupied;
 
   IndexRange
   operator[] (std::size_t voxel) const
@@ -34,8 +36,8 @@ struct VoxelNeighbors {
   }
 };
 
-/** \brief The next octree level: voxels of twice the edge, with 2 x 2 x 2 others each.
- */
+/** \brief The next octree level: voxels of twice the edge, each with up to 2 x 2 x 2 of
+ * the smaller ones. */
 struct LargerVoxels {
   std::vector<MortonCode> codes;
   /** \brief For each smaller voxel the index of the larger voxel that contains it. */

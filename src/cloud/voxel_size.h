@@ -10,19 +10,19 @@ namespace pcl_ops::internal {
  * of ten.
  *
  * An estimated size changes a little if the same cloud is given in other units or with
- * other rounding. Without this function the voxel borders would move, too. */
+ * other rounding. Without this function the borders of voxels would move, too. */
 double
 roundNumber (double size);
 
 /** \brief Estimates the voxel edge at which the points occupy about \p wanted_voxels
  * voxels.
  *
- * Counts the occupied voxels of a sample of a few thousand points, with voxels large
- * enough to miss hardly any. Extrapolates to small voxels as for surfaces, where the
- * number of occupied voxels is proportional to 1 / edge^2.
+ * Counts the voxels that a sample of a few thousand points occupies, with voxels so
+ * large that hardly any is missed. Extrapolates to small voxels as for surfaces, where
+ * the number of occupied voxels is proportional to 1 / edge^2.
  * \return the edge [m], rounded by \ref roundNumber; 0 if fewer than two different
  * points are left without outliers */
 double
-voxelSizeFor (const Coordinates& positions, double wanted_voxels);
+voxelSizeFor (const Coordinates& points, double wanted_voxels);
 
 } // namespace pcl_ops::internal

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# How the library is found once installed: by CMake, by pkg-config, by ROS. Components,
-# here and in pcl_ops_targets.cmake, are those of the Debian packages: library for what
-# programs need to run, dev for what they need to be built, tools for our own.
+# Installs the library so that CMake, pkg-config and ROS find it. Components, here and in
+# pcl_ops_targets.cmake, are those of the Debian packages: "library" has what programs need
+# to run, "dev" what they need to be built, and "tools" the programs of the project.
 include(CMakePackageConfigHelpers)
 
-# A library of the project, its shared part in a component of its own, and the export
-# set it belongs to.
+# Installs a library of the project as part of an export set: a shared library in the given
+# component, a static one and the link to the shared one in dev.
 function(pcl_ops_install_library target component export)
   install(TARGETS ${target} EXPORT ${export}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -26,7 +26,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
 set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
 install(EXPORT pcl_ops-targets NAMESPACE pcl_ops::
   DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
-# Exported apart, as the packages of Debian may be missing.
+# Parts of their own, each with an export set: their Debian packages may be missing.
 foreach(part surface buildings)
   if(TARGET pcl_ops_${part})
     pcl_ops_install_library(pcl_ops_${part} ${part} pcl_ops-${part}-targets)
@@ -52,7 +52,7 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config-version.cmake
   DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
 
-# PCL's own .pc files carried its version in their names up to 1.12.
+# Up to 1.12 the names of PCL's .pc files have its version.
 set(pcl_pc_suffix "")
 if(PCL_VERSION VERSION_LESS 1.13)
   set(pcl_pc_suffix "-${PCL_VERSION_MAJOR}.${PCL_VERSION_MINOR}")
@@ -74,7 +74,7 @@ endif()
 install(FILES ${pcl_ops_pc_files}
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
-# REP 136 and the ament resource index: package.xml and an empty marker.
+# ROS finds the package by package.xml (REP 136) and an empty file in the index of ament.
 install(FILES ${PROJECT_SOURCE_DIR}/package.xml
   DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_ops COMPONENT dev)
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/ament_marker "")

@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Manual pages, made from --help where help2man is installed.
+# Manual pages, made from --help if help2man is installed.
 find_program(PCL_OPS_HELP2MAN help2man)
 find_program(PCL_OPS_GZIP gzip)
 mark_as_advanced(PCL_OPS_HELP2MAN PCL_OPS_GZIP)
 set(pcl_ops_manual_dir ${CMAKE_CURRENT_LIST_DIR}/manual)
 
-# The page of a program or, as pcl_ops_evaluate-run(1), of one of its commands; all pages:
-# cmake --build build --target man
+# Adds the page of a program or, if the words of a command follow, of this command, as
+# pcl_ops_evaluate-run(1). The target man makes all pages.
 function(pcl_ops_add_manual_page program summary component)
-  # A program with sanitizers is slow to answer, one for another machine cannot.
+  # The program has to run: it would be slow with sanitizers, and cannot on another machine.
   if(NOT PCL_OPS_HELP2MAN OR NOT PCL_OPS_GZIP OR PCL_OPS_SANITIZE OR CMAKE_CROSSCOMPILING)
     return()
   endif()

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Debian packages by cpack; scripts/package makes and checks them. Included before the
-# folders of the install are chosen; pcl_ops_make_packages is called after all targets.
+# Debian packages by cpack; scripts/package makes and checks them. This file is included
+# before GNUInstallDirs; pcl_ops_make_packages is called after all targets.
 option(PCL_OPS_DEBIAN_PACKAGES "Build for Debian packages, which cpack then makes" OFF)
 if(PCL_OPS_DEBIAN_PACKAGES)
-  # Prefix /usr gives GNUInstallDirs Debian's library folder, which the loader knows
-  # without run paths. CGAL's GPL parts would change the packages' licence.
+  # With the prefix /usr GNUInstallDirs chooses Debian's library folder, which the loader
+  # searches without run paths. CGAL's GPL parts would change the license of the packages.
   set(CMAKE_INSTALL_PREFIX /usr CACHE PATH "Install prefix" FORCE)
   set(CMAKE_SKIP_INSTALL_RPATH ON)
   set(PCL_OPS_WITH_CGAL OFF)
@@ -14,17 +14,17 @@ if(PCL_OPS_DEBIAN_PACKAGES)
   find_program(PCL_OPS_HELP2MAN help2man REQUIRED)
 endif()
 set(pcl_ops_soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-# A revision of Debian's own, from 1 on, replaces packages made here.
+# Lower than 1, the first revision of a package by Debian, which then replaces these.
 set(pcl_ops_debian_version ${PROJECT_VERSION}-0upstream1)
 set(pcl_ops_debian_dir ${CMAKE_CURRENT_LIST_DIR}/debian)
 
-# The name of the package that holds a shared library, by Debian's policy 8.1.
+# Sets result to the name of the package of a shared library, by Debian's policy 8.1.
 function(pcl_ops_library_package library result)
   string(REPLACE "_" "-" name "lib${library}${pcl_ops_soversion}")
   set(${result} ${name} PARENT_SCOPE)
 endfunction()
 
-# A file for a package's documentation folder, compressed as Debian asks for.
+# Installs a file in a package's documentation folder, compressed as Debian's policy asks.
 function(pcl_ops_install_compressed source name package component)
   set(compressed ${CMAKE_CURRENT_BINARY_DIR}/debian/${name}.gz)
   execute_process(COMMAND ${PCL_OPS_GZIP} -9nc ${source} OUTPUT_FILE ${compressed}
@@ -33,7 +33,10 @@ function(pcl_ops_install_compressed source name package component)
     COMPONENT ${component})
 endfunction()
 
+# Writes the copyright and the changelog of the packages.
 function(pcl_ops_write_debian_texts)
+  # The text of the license, without title and authors, in the syntax of control files: a
+  # space before each line, and a dot in each empty line.
   file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
   string(REGEX REPLACE "^.*authors\n\n" "" license "${license}")
   string(REGEX REPLACE "\n+$" "" license "${license}")
@@ -47,7 +50,7 @@ endfunction()
 
 # Makes one component a package of its own:
 # pcl_ops_add_package(component NAME name SECTION section SUMMARY line DESCRIPTION text
-#   DEPENDS packages COMPONENTS those of ours it needs)
+#   DEPENDS packages of Debian  COMPONENTS components of the project that it needs)
 macro(pcl_ops_add_package component)
   cmake_parse_arguments(ARG "" "NAME;SECTION;SUMMARY;DESCRIPTION;DEPENDS" "COMPONENTS" ${ARGN})
   string(TOUPPER ${component} key)
@@ -66,7 +69,7 @@ macro(pcl_ops_add_package component)
     changelog ${ARG_NAME} ${component})
 endmacro()
 
-# The package of a shared library, component and target in one.
+# Makes the component of a shared library a package, named after the library.
 macro(pcl_ops_add_library_package target component)
   pcl_ops_library_package(${target} package)
   string(TOUPPER ${component} upper)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The Python a module is built for: the first on the PATH that has NumPy, else that of the
-# system, which is not the first where others manage versions of Python.
+# Sets PCL_OPS_PYTHON, the Python that the module is built for: the first on the PATH if it
+# has NumPy, else that of the system. With pyenv and the like these two are different.
 function(pcl_ops_choose_python)
   if(PCL_OPS_PYTHON)
     return()
@@ -24,28 +24,29 @@ function(pcl_ops_choose_python)
   endforeach()
 endfunction()
 
-# Where that Python looks for packages below the install prefix.
+# Sets PCL_OPS_PYTHON_INSTALL_DIR, where that Python looks for packages below the prefix.
 function(pcl_ops_choose_python_install_dir)
   execute_process(COMMAND ${Python3_EXECUTABLE} -c
       "import os, sysconfig; print(os.path.basename(sysconfig.get_path('platlib')))"
     OUTPUT_VARIABLE packages OUTPUT_STRIP_TRAILING_WHITESPACE)
   set(version ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})
-  # Debian's folder is one of these prefixes only; colcon and venv have the usual one.
+  # Debian's Python has the folder dist-packages below /usr and /usr/local only; below other
+  # prefixes, as of colcon and venv, it is site-packages.
   if(packages STREQUAL "dist-packages" AND NOT CMAKE_INSTALL_PREFIX MATCHES "^/usr(/local)?/?$")
     set(packages site-packages)
   endif()
-  # Debian's packages are those of all its versions of Python 3.
+  # Below /usr all versions of Python 3 of Debian share one folder.
   if(CMAKE_INSTALL_PREFIX STREQUAL "/usr" AND packages STREQUAL "dist-packages")
     set(version ${Python3_VERSION_MAJOR})
   endif()
-  # For the Debian package, which is of this version only.
+  # The Debian package is for this version only.
   set(PCL_OPS_PYTHON_VERSION ${Python3_VERSION} CACHE INTERNAL "")
   set(PCL_OPS_PYTHON_INSTALL_DIR lib/python${version}/${packages} CACHE STRING
     "Where the Python module is installed, below the prefix")
 endfunction()
 
-# Finds Python and pybind11; what keeps the module from being built is in result, if
-# anything does.
+# Finds Python and pybind11. Sets result to the reason why the module cannot be built; empty
+# if it can.
 macro(pcl_ops_find_python result)
   set(${result} "")
   if(NOT PCL_OPS_BUILD_PYTHON)
@@ -57,7 +58,7 @@ macro(pcl_ops_find_python result)
     set(Python3_EXECUTABLE ${PCL_OPS_PYTHON})
     if(PCL_OPS_PYTHON)
       find_package(Python3 3.9 QUIET COMPONENTS Interpreter Development.Module)
-      # Where pip has installed it.
+      # The folder of a pybind11 that pip has installed.
       execute_process(COMMAND ${PCL_OPS_PYTHON} -m pybind11 --cmakedir
         OUTPUT_VARIABLE pips_pybind11 OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     endif()

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What every target of the project is compiled with.
+# Sets how a target of the project is compiled and linked.
 function(pcl_ops_target_defaults target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Wall -Wextra -Wpedantic>)
-  # Clang 19 warns of what std::stable_sort of libstdc++ 12 calls itself; g++ of our own use.
+  # Clang 19 warns of a call within std::stable_sort of libstdc++ 12. Deprecated calls of the
+  # project itself are found by g++.
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-deprecated-declarations>)
   # MPL of Boost 1.74 casts to values that an enumeration lacks.
@@ -19,12 +20,12 @@ function(pcl_ops_target_defaults target)
       $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Werror>)
   endif()
   if(CMAKE_UNITY_BUILD)
-    # An unnamed namespace of a source looks like one of a header there.
+    # In a unity build an unnamed namespace of a source looks like one of a header.
     target_compile_options(${target} PRIVATE
       $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
-  # Of the libraries on the command line only those that are called: PCL's targets bring
-  # many more, and loading them takes longer than the detection.
+  # Links only the libraries that are called: PCL's targets bring many more, and loading them
+  # takes longer than the detection.
   if(UNIX AND NOT APPLE)
     target_link_options(${target} PRIVATE LINKER:--as-needed)
   endif()
@@ -38,14 +39,14 @@ function(pcl_ops_target_defaults target)
   endif()
 endfunction()
 
-# Rounds each product and each sum: where processors can fuse the two, one compiler does so
-# and another does not, and points at the edge of a plane change sides.
+# Turns off fused multiplications and additions: some compilers use them and others do not,
+# and with the other rounding points at the edge of a plane would change sides.
 function(pcl_ops_round_alike target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)
 endfunction()
 
-# A program of the project and its manual page, installed as part of a component:
+# Adds a program of the project and its manual page, installed as part of a component:
 # pcl_ops_add_program(name sources... SUMMARY line LINK libraries... [COMPONENT tools])
 function(pcl_ops_add_program name)
   cmake_parse_arguments(ARG "" "SUMMARY;COMPONENT" "LINK" ${ARGN})
@@ -67,11 +68,12 @@ function(pcl_ops_add_program name)
   pcl_ops_add_manual_page(${name} "${ARG_SUMMARY}" ${ARG_COMPONENT})
 endfunction()
 
-# Tests are compiled more often than they are run: half the time for half the optimization.
+# Compiles a test with less optimization, in half the time, as tests are compiled more often
+# than they are run.
 function(pcl_ops_compile_quickly target)
   set(is_known "$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>")
   target_compile_options(${target} PRIVATE "$<$<AND:$<CONFIG:Release>,${is_known}>:-O1>")
-  # At -O1 GCC guesses, and wrongly of Boost's templates.
+  # At -O1 GCC gives this warning falsely for Boost's templates.
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized>)
 endfunction()

@@ -44,14 +44,14 @@ namespace {
 std::string
 validate (const MergingParameters& merging)
 {
-  const auto isSize = [] (double number) {
+  const auto isFiniteAndNotNegative = [] (double number) {
     return number >= 0.0 && std::isfinite (number);
   };
   if (!(merging.angle_threshold >= 0.0 && merging.angle_threshold <= right_angle))
     return "the merging angle must be between 0 and pi/2 (radians)";
-  if (!isSize (merging.distance_threshold.value_or (0.0)))
+  if (!isFiniteAndNotNegative (merging.distance_threshold.value_or (0.0)))
     return "the merging distance must be a length, or not be given";
-  if (!isSize (merging.noise_factor.value_or (0.0)))
+  if (!isFiniteAndNotNegative (merging.noise_factor.value_or (0.0)))
     return "the merging noise factor must be 0 or more, or not be given";
   return {};
 }
@@ -61,7 +61,8 @@ validate (const MergingParameters& merging)
 std::string
 validate (const PlaneDetectorParameters& parameters)
 {
-  const double theta_h = parameters.distance_threshold.value_or (1.0);
+  constexpr double any_valid = 1.0; // if no threshold is given
+  const double theta_h = parameters.distance_threshold.value_or (any_valid);
   if (!(theta_h > 0.0 && std::isfinite (theta_h)))
     return "the distance threshold must be a length above 0";
   if (!parameters.up_axis.allFinite() || parameters.up_axis.isZero (0.0f))

@@ -9,7 +9,8 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Makes a segment in the local frame. Its inliers have their number, but no values yet.
+// Makes a segment in the local frame. Its list of inliers has the right size, but is
+// not filled in yet.
 PlaneSegment
 toSegment (const Moments& moments,
            const PlaneFit& fit,
@@ -25,15 +26,15 @@ toSegment (const Moments& moments,
           noise};
 }
 
-// Writes the indices of the points of each label to its segment, whose inliers have the
-// right size. Successive points mostly share a plane, so the inner loop keeps the write
-// position in a register.
+// Writes the indices of the points of each label to its segment, whose list of inliers
+// has the right size. Successive points mostly share a plane, so the inner loop keeps
+// the write position in a register.
 void
-addInliers (const Points& points,
-            const Labels& labels,
-            std::vector<PlaneSegment>& segments)
+fillInInliers (const Points& points,
+               const Labels& labels,
+               std::vector<PlaneSegment>& segments)
 {
-  std::vector<pcl::index_t*> next;
+  std::vector<pcl::index_t*> next; // where to write the next inlier of each segment
   for (PlaneSegment& segment : segments)
     next.push_back (segment.inliers.data());
   for (std::size_t i = 0; i < labels.size();) {
@@ -66,20 +67,21 @@ sortByFallingCount (LabelledPlanes& found)
     return planes.moments[a].count > planes.moments[b].count;
   });
   MergedPlanes sorted;
-  std::vector<std::optional<double>> noises;
-  Labels new_number (order.size());
+  std::vector<std::optional<double>> sorted_noises;
+  Labels new_label (order.size());
   for (const std::size_t p : order) {
-    new_number[p] = static_cast<std::int32_t> (sorted.moments.size());
+    new_label[p] = static_cast<std::int32_t> (sorted.moments.size());
     sorted.moments.push_back (planes.moments[p]);
     sorted.fits.push_back (planes.fits[p]);
     if (!found.noises.empty())
-      noises.push_back (found.noises[p]);
+      sorted_noises.push_back (found.noises[p]);
   }
-  relabel (found.labels, new_number, 1);
-  relabel (planes.merged_into, new_number, 1);
+  constexpr unsigned one_thread = 1;
+  relabel (found.labels, new_label, one_thread);
+  relabel (planes.merged_into, new_label, one_thread);
   sorted.merged_into = std::move (planes.merged_into);
   planes = std::move (sorted);
-  found.noises = std::move (noises);
+  found.noises = std::move (sorted_noises);
 }
 
 } // namespace
@@ -103,8 +105,8 @@ addCopies (const Points& points, LabelledPlanes& found)
   for (const Copy& copy : points.copies)
     if (const std::int32_t label = found.labels[copy.point]; label != no_plane) {
       Moments& moments = planes.moments[label];
-      const Eigen::Vector3d place = points[copy.point] - moments.origin;
-      moments.add (place.x(), place.y(), place.z());
+      const Eigen::Vector3d offset = points[copy.point] - moments.origin;
+      moments.add (offset.x(), offset.y(), offset.z());
     }
   for (std::size_t p = 0; p < planes.fits.size(); ++p) {
     // The centroid of all points, copies included, moved onto the plane.
@@ -127,7 +129,7 @@ toSegments (const Points& points,
                    found.planes.fits[p],
                    found.noises.empty() ? std::nullopt : found.noises[p],
                    viewpoint - points.origin));
-  addInliers (points, found.labels, segments);
+  fillInInliers (points, found.labels, segments);
   for (PlaneSegment& segment : segments)
     segment.moveBy (points.origin);
   return segments;

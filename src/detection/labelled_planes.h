@@ -16,7 +16,7 @@ namespace pcl_ops::internal {
 
 /** \brief Planes that a detector found, in the local frame of its points. */
 struct LabelledPlanes {
-  /** \brief For each point the position of its plane in \ref planes, or no_plane. */
+  /** \brief For each point the index of its plane in \ref planes, or no_plane. */
   Labels labels;
   MergedPlanes planes;
   std::size_t planes_before_merging = 0;
@@ -47,8 +47,8 @@ mergePlanesOf (AssignedPoints assigned,
                unsigned threads);
 
 /** \brief Adds the duplicates of points to the moments of their planes, and sorts the
- * planes again by descending number of points. Plane equations do not change: in them
- * each place counts once. */
+ * planes again by descending number of points. Plane equations do not change: equal
+ * points count once in them. */
 void
 addCopies (const Points& points, LabelledPlanes& found);
 

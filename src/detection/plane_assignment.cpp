@@ -17,9 +17,9 @@ namespace {
 // block is skipped. Blocks are small enough for compact boxes, if successive points are
 // neighbors in space, and large enough that the boxes cost little.
 constexpr std::size_t block_size = 256;
-constexpr std::size_t points_of_a_task = 64 * block_size;
+constexpr std::size_t points_per_task = 64 * block_size;
 // Number of planes compared with a block between checks whether all points are done.
-constexpr std::size_t planes_between_looks = 32;
+constexpr std::size_t planes_between_checks = 32;
 
 struct Box {
   Eigen::Vector3d center, half_size;
@@ -52,9 +52,9 @@ reaches (const Plane& plane, const Box& box, double threshold)
   return std::abs (plane.distance (box.center)) <= threshold + reach + rounding;
 }
 
-// Assigns points begin .. end - 1, at most block_size. A point goes to a plane nearer
-// than its best distance: at first the threshold, then the distance to its plane, or 0
-// by rule First.
+// Assigns points begin .. end - 1, at most block_size. A point goes to a plane if it is
+// nearer to it than the point's limit: at first the threshold, then the distance to its
+// plane, or 0 by rule First.
 void
 assignBlock (const Coordinates& points,
              std::size_t begin,
@@ -65,28 +65,30 @@ assignBlock (const Coordinates& points,
              Labels& labels)
 {
   const Box box = boxOf (points, begin, end);
-  std::array<float, block_size> best;
-  best.fill (threshold);
-  std::size_t compared = 0;
+  std::array<float, block_size> limits;
+  limits.fill (threshold);
+  std::size_t compared_planes = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (!reaches (planes[p], box, threshold))
       continue;
-    // By rule First the block is done once all points have a plane, so best 0. With
-    // thousands of planes, the first few hundred often take all points.
-    const float* const last = best.data() + (end - begin);
-    if (rule == AssignmentRule::First && ++compared % planes_between_looks == 0 &&
-        std::count (std::as_const (best).data(), last, 0.0f) == last - best.data())
+    // By rule First the block is done once all points have a plane, and so a limit of
+    // 0. With thousands of planes, the first few hundred often take all points.
+    const float* const limits_end = limits.data() + (end - begin);
+    if (rule == AssignmentRule::First &&
+        ++compared_planes % planes_between_checks == 0 &&
+        std::count (std::as_const (limits).data(), limits_end, 0.0f) ==
+            limits_end - limits.data())
       return;
     const auto label = static_cast<std::int32_t> (p);
     std::int32_t* const label_of = labels.data();
-    // By rule First best becomes 0: no distance is below it, so the plane stays. A
+    // By rule First the limit becomes 0: no distance is below it, so the plane stays. A
     // factor instead of a branch lets the loop be vectorized.
     const float factor = rule == AssignmentRule::First ? 0.0f : 1.0f;
-    const auto assign = [=, &best] (std::size_t i, float distance) {
-      float& nearest = best[i - begin];
-      const bool closer = distance < nearest;
-      label_of[i] = closer ? label : label_of[i];
-      nearest = closer ? factor * distance : nearest;
+    const auto assign = [=, &limits] (std::size_t i, float distance) {
+      float& limit = limits[i - begin];
+      const bool is_nearer = distance < limit;
+      label_of[i] = is_nearer ? label : label_of[i];
+      limit = is_nearer ? factor * distance : limit;
     };
     forDistances (FloatPlane (planes[p]), points, begin, end, assign);
   }
@@ -109,34 +111,35 @@ assignPoints (const Coordinates& points,
       assignBlock (points, i, last, planes, threshold, rule, labels);
     }
   };
-  parallelFor (threads, points.size(), points_of_a_task, assign);
+  parallelFor (threads, points.size(), points_per_task, assign);
   return labels;
 }
 
 std::vector<Moments>
 momentsOfLabels (const Coordinates& points,
                  const Labels& labels,
-                 std::size_t number,
+                 std::size_t planes,
                  unsigned threads)
 {
   // A piece has at least this many points per plane. Otherwise, with thousands of
   // planes, its sums would take more memory than its points.
   constexpr std::size_t points_per_plane = 8;
-  // Sums per piece are added in order: the same digits for any number of threads.
-  const auto sum = [&] (std::size_t begin, std::size_t end) {
-    std::vector<Moments> moments (number);
+  const auto momentsOfPiece = [&] (std::size_t begin, std::size_t end) {
+    std::vector<Moments> moments (planes);
     for (std::size_t i = begin; i < end; ++i)
       // no_plane is negative, so the cast makes it larger than any label
-      if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
+      if (const auto label = static_cast<std::size_t> (labels[i]); label < planes)
         moments[label].add (points.x[i], points.y[i], points.z[i]);
     return moments;
   };
-  const std::size_t grain = std::max (points_of_a_task, points_per_plane * number);
-  const auto partial = parallelChunks (threads, points.size(), grain, sum);
-  std::vector<Moments> moments (number);
-  for (const std::vector<Moments>& piece : partial)
-    for (std::size_t p = 0; p < number; ++p)
-      moments[p] += piece[p];
+  const std::size_t grain = std::max (points_per_task, points_per_plane * planes);
+  const std::vector<std::vector<Moments>> moments_of_pieces =
+      parallelChunks (threads, points.size(), grain, momentsOfPiece);
+  // The pieces are added in order: the same digits for any number of threads.
+  std::vector<Moments> moments (planes);
+  for (const std::vector<Moments>& of_piece : moments_of_pieces)
+    for (std::size_t p = 0; p < planes; ++p)
+      moments[p] += of_piece[p];
   return moments;
 }
 

@@ -19,7 +19,7 @@ struct AssignedPoints {
 /** \brief Assigns points to planes nearer than \p distance_threshold, theta_h [m].
  * \param[in] planes unbounded planes in the frame of the points
  * \param[in] rule selects the plane if several are near enough
- * \return for each point the position of its plane in \p planes, or no_plane */
+ * \return for each point the index of its plane in \p planes, or no_plane */
 Labels
 assignPoints (const Coordinates& points,
               const std::vector<Plane>& planes,
@@ -27,12 +27,12 @@ assignPoints (const Coordinates& points,
               AssignmentRule rule,
               unsigned threads);
 
-/** \brief Returns the moments of the points of each label from 0 to number - 1, about
+/** \brief Returns the moments of the points of each label from 0 to planes - 1, about
  * the origin of their frame. Points with other labels, as no_plane, are left out. */
 std::vector<Moments>
 momentsOfLabels (const Coordinates& points,
                  const Labels& labels,
-                 std::size_t number,
+                 std::size_t planes,
                  unsigned threads);
 
 /** \brief Calls \ref assignPoints and adds the moments of the points of each plane. */
@@ -43,7 +43,7 @@ assignToUnboundedPlanes (const Coordinates& points,
                          AssignmentRule rule,
                          unsigned threads);
 
-/** \brief Replaces each label by the plane that its plane was merged into. no_plane
+/** \brief Replaces each label by the label that its plane was merged into. no_plane
  * stays. */
 void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads);

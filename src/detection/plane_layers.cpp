@@ -12,11 +12,14 @@ namespace pcl_ops::internal {
 namespace {
 
 // Returns the signed distance [m] that separates two layers, or nothing for one layer.
+// \param[in,out] distances signed distances of points; they get sorted
+// \param[in] min_apart least distance between two layers [m]
 std::optional<double>
-thresholdOf (std::vector<double>& distances, double min_apart)
+thresholdBetweenLayers (std::vector<double>& distances, double min_apart)
 {
   constexpr std::size_t min_distances = 50;
-  constexpr double min_explained = 0.88; // more than for distributions of one layer
+  // Of the variance. A layer with normal noise has .64, an even one .75 (TwoGroups).
+  constexpr double min_explained = 0.88;
   if (distances.size() < min_distances)
     return std::nullopt;
   std::sort (distances.begin(), distances.end());
@@ -26,7 +29,7 @@ thresholdOf (std::vector<double>& distances, double min_apart)
   return 0.5 * (distances[layers.first_above - 1] + distances[layers.first_above]);
 }
 
-// Number of points of each plane.
+// Returns the number of points of each plane.
 std::vector<std::size_t>
 countLabels (const Labels& labels, std::size_t planes)
 {
@@ -37,8 +40,8 @@ countLabels (const Labels& labels, std::size_t planes)
   return counts;
 }
 
-// Signed distances [m] of 250 to 500 points to their plane, for each plane. The points
-// are evenly spaced in their order; a plane with fewer than 500 points gives all.
+// Returns for each plane the signed distances [m] of 250 to 500 of its points, evenly
+// spaced in their order; of all its points if they are fewer than 500.
 std::vector<std::vector<double>>
 sampleDistances (const Coordinates& points,
                  const std::vector<Plane>& planes,
@@ -52,7 +55,8 @@ sampleDistances (const Coordinates& points,
     const std::int32_t plane = labels[i];
     if (plane == no_plane)
       continue;
-    if (seen[plane] % (counts[plane] / wanted + 1) == 0)
+    const std::size_t every = counts[plane] / wanted + 1;
+    if (seen[plane] % every == 0)
       distances[plane].push_back (planes[plane].distance (points[i]));
     ++seen[plane];
   }
@@ -75,7 +79,7 @@ splitLayers (const Coordinates& points,
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (is_kept[p] == 0)
       continue;
-    thresholds[p] = thresholdOf (distances[p], min_apart[p]);
+    thresholds[p] = thresholdBetweenLayers (distances[p], min_apart[p]);
     if (!thresholds[p])
       continue;
     upper_layer[p] = static_cast<std::int32_t> (is_kept.size());

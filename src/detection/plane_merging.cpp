@@ -28,7 +28,8 @@ sortByFallingCount (std::vector<Group>& groups)
       });
 }
 
-// Makes a group of each plane whose points span one, by descending number of points.
+// Makes a group of each plane whose points are not all on a line or equal, by
+// descending number of points.
 std::vector<Group>
 groupsWithAPlane (const std::vector<Moments>& planes)
 {
@@ -80,22 +81,22 @@ absorb (Group& larger, const Group& smaller)
   return true;
 }
 
-// Smallest cosine between the normals of planes to merge. Thousands of planes have
-// millions of pairs: this cheap test rejects most of them first.
+// Returns the smallest cosine between the normals of planes to merge. Thousands of
+// planes have millions of pairs: this cheap test rejects most of them first.
 double
 minCosineWithin (double angle_threshold)
 {
   constexpr double rounding = 1e-9;
-  const double right_angle = std::acos (0.0);
-  return std::cos (std::min (angle_threshold, right_angle)) - rounding;
+  const double largest_angle = std::acos (0.0); // pi/2, without signs of the normals
+  return std::cos (std::min (angle_threshold, largest_angle)) - rounding;
 }
 
-// Makes one sweep over all pairs of groups. Returns true if any pair was merged.
+// Merges groups in one pass over all pairs. Returns true if any pair was merged.
 bool
-mergeOnce (std::vector<Group>& groups,
-           double angle_threshold,
-           double distance_threshold,
-           double noise_factor)
+mergeInOnePass (std::vector<Group>& groups,
+                double angle_threshold,
+                double distance_threshold,
+                double noise_factor)
 {
   const double min_cosine = minCosineWithin (angle_threshold);
   std::vector<Eigen::Vector3d> normals;
@@ -145,12 +146,12 @@ MergedPlanes
 mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parameters)
 {
   std::vector<Group> groups = groupsWithAPlane (planes);
-  constexpr double usual_theta_h = 0.05; // [m]
+  constexpr double default_theta_h = 0.05; // [m], as documented
   while (parameters.enabled &&
-         mergeOnce (groups,
-                    parameters.angle_threshold,
-                    parameters.distance_threshold.value_or (usual_theta_h),
-                    parameters.noise_factor.value_or (0.0))) {
+         mergeInOnePass (groups,
+                         parameters.angle_threshold,
+                         parameters.distance_threshold.value_or (default_theta_h),
+                         parameters.noise_factor.value_or (0.0))) {
   }
   MergedPlanes merged;
   merged.merged_into.assign (planes.size(), no_plane);

@@ -4,7 +4,8 @@
 #include <pcl/point_types.h>
 
 #include <pcl_ops/impl/sac_model_oriented_point.hpp>
-// PCL then does not instantiate its plane model for point types with normals.
+// With only its core point types PCL does not instantiate its plane model for point
+// types with normals.
 #ifdef PCL_ONLY_CORE_POINT_TYPES
 #include <pcl/sample_consensus/impl/sac_model_plane.hpp>
 #endif

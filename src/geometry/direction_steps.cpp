@@ -22,10 +22,12 @@ struct Direction {
   Vector3f unit;
 };
 
-// Cells have 0.4 degrees, a few angular steps of a sensor.
+// The faces of the cube are divided into cells of 0.4 degrees, a few angular steps of a
+// sensor. A face has room for cells_of_side x cells_of_side cells.
 constexpr double cells_per_radian = 150.0;
-constexpr std::uint32_t face_cells = 512;
+constexpr std::uint32_t cells_of_side = 512;
 
+// Returns the index of the cell that an offset from the center of the cube points to.
 std::uint32_t
 cellOf (const Vector3d& offset)
 {
@@ -38,7 +40,7 @@ cellOf (const Vector3d& offset)
   };
   const auto face =
       2 * static_cast<std::uint32_t> (axis) + (offset[axis] < 0.0 ? 1u : 0u);
-  return (face * face_cells + along (axis + 1)) * face_cells + along (axis + 2);
+  return (face * cells_of_side + along (axis + 1)) * cells_of_side + along (axis + 2);
 }
 
 bool
@@ -53,10 +55,10 @@ isBefore (const Direction& a, const Direction& b)
 std::uint32_t
 partOf (const Vector3d& offset)
 {
-  constexpr double parts_of_a_side = 16.0;
+  constexpr double parts_per_half_side = 16.0;
   Eigen::Index axis = 0;
   const double depth = offset.cwiseAbs().maxCoeff (&axis);
-  const Vector3d part = (offset / depth * parts_of_a_side).array().round();
+  const Vector3d part = (offset / depth * parts_per_half_side).array().round();
   const auto number = static_cast<std::uint32_t> (
       static_cast<std::int32_t> (part.x() + 100.0 * part.y() + 10000.0 * part.z()));
   return number * 2654435761u >> 16;
@@ -65,29 +67,35 @@ partOf (const Vector3d& offset)
 /** \brief Returns the different unit directions to the points in a sample of parts of
  * the view, sorted by cell; empty if more than three quarters repeat others. */
 std::vector<Direction>
-directionsOf (const Coordinates& points, const Vector3d& place)
+directionsOf (const Coordinates& points, const Vector3d& position)
 {
-  constexpr float same = 1e-5f; // [rad]
+  constexpr float same_direction = 1e-5f; // largest angle [rad]
   constexpr std::size_t wanted = 30000;
-  const auto parts = static_cast<std::uint32_t> (points.size() / wanted + 1);
+  // One part of so many is looked at.
+  const auto parts_per_taken = static_cast<std::uint32_t> (points.size() / wanted + 1);
   std::vector<Direction> directions;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector3d offset = points[i] - place;
-    if (offset.isZero (0.0) || (parts > 1 && partOf (offset) % parts != 0))
+    const Vector3d offset = points[i] - position;
+    if (offset.isZero (0.0))
+      continue;
+    const bool is_taken =
+        parts_per_taken == 1 || partOf (offset) % parts_per_taken == 0;
+    if (!is_taken)
       continue;
     directions.push_back ({cellOf (offset), offset.normalized().cast<float>()});
   }
   std::sort (directions.begin(), directions.end(), isBefore);
   const auto are_same = [] (const Direction& a, const Direction& b) {
-    return a.cell == b.cell && (a.unit - b.unit).squaredNorm() < same * same;
+    return a.cell == b.cell &&
+           (a.unit - b.unit).squaredNorm() < same_direction * same_direction;
   };
-  // Many equal directions: coordinates were rounded to steps of a map, which are even
-  // without a sensor.
-  constexpr std::size_t max_points_at_place = 4;
+  // If many directions are equal, coordinates were rounded to the steps of a map: their
+  // steps are even without a sensor.
+  constexpr std::size_t max_points_per_direction = 4;
   const std::size_t all = directions.size();
   directions.erase (std::unique (directions.begin(), directions.end(), are_same),
                     directions.end());
-  if (max_points_at_place * directions.size() < all)
+  if (max_points_per_direction * directions.size() < all)
     directions.clear();
   return directions;
 }
@@ -99,95 +107,106 @@ std::optional<float>
 stepAt (const std::vector<Direction>& directions, const Direction& from)
 {
   constexpr std::ptrdiff_t max_in_three_cells = 1200;
-  float nearest = std::numeric_limits<float>::infinity();
-  for (const std::uint32_t row :
-       {from.cell - face_cells, from.cell, from.cell + face_cells}) {
+  float least_square = std::numeric_limits<float>::infinity();
+  for (const std::uint32_t middle_cell :
+       {from.cell - cells_of_side, from.cell, from.cell + cells_of_side}) {
     const auto first = std::lower_bound (
-        directions.begin(), directions.end(), row - 1, [] (const auto& d, auto cell) {
-          return d.cell < cell;
-        });
-    for (auto other = first; other != directions.end() && other->cell <= row + 1;
+        directions.begin(),
+        directions.end(),
+        middle_cell - 1,
+        [] (const Direction& direction, auto cell) { return direction.cell < cell; });
+    for (auto other = first;
+         other != directions.end() && other->cell <= middle_cell + 1;
          ++other) {
       if (other - first > max_in_three_cells)
         return std::nullopt;
       if (const float square = (other->unit - from.unit).squaredNorm(); square > 0.0f)
-        nearest = std::min (nearest, square);
+        least_square = std::min (least_square, square);
     }
   }
-  return std::isfinite (nearest) ? std::optional<float> (std::sqrt (nearest))
-                                 : std::nullopt;
+  return std::isfinite (least_square) ? std::optional<float> (std::sqrt (least_square))
+                                      : std::nullopt;
 }
 
+/** \brief Successive steps in a sorted list. */
+struct StepGroup {
+  std::size_t first = 0, size = 0;
+};
+
 /** \brief Returns the largest group of sorted steps that exceed its first one by up to
- * 12 %: the position of its first step, and its size. */
-std::pair<std::size_t, std::size_t>
-commonest (const std::vector<float>& steps)
+ * 12 %. */
+StepGroup
+commonestOf (const std::vector<float>& steps)
 {
-  constexpr float widest = 1.12f;
-  std::pair<std::size_t, std::size_t> best{0, 0};
-  std::size_t last = 0;
+  constexpr float max_ratio = 1.12f;
+  StepGroup largest;
+  std::size_t end = 0;
   for (std::size_t first = 0; first < steps.size(); ++first) {
-    while (last < steps.size() && steps[last] <= widest * steps[first])
-      ++last;
-    if (last - first > best.second)
-      best = {first, last - first};
+    while (end < steps.size() && steps[end] <= max_ratio * steps[first])
+      ++end;
+    if (end - first > largest.size)
+      largest = {first, end - first};
   }
-  return best;
+  return largest;
 }
 
 } // namespace
 
 double
-shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& place)
+shareOfCommonSteps (const Coordinates& points, const Eigen::Vector3d& position)
 {
-  constexpr std::size_t looked_at = 4000;
-  constexpr std::size_t fewest = 100;
-  const std::vector<Direction> directions = directionsOf (points, place);
-  const std::size_t every = directions.size() / looked_at + 1;
+  constexpr std::size_t max_sampled = 4000;
+  constexpr std::size_t min_steps = 100;
+  const std::vector<Direction> directions = directionsOf (points, position);
+  const std::size_t every = directions.size() / max_sampled + 1;
   std::vector<float> steps;
   for (std::size_t i = 0; i < directions.size(); i += every)
     if (const std::optional<float> step = stepAt (directions, directions[i]))
       steps.push_back (*step);
-  const std::size_t asked = (directions.size() + every - 1) / every;
-  if (steps.size() < std::max (fewest, asked / 2))
+  const std::size_t sampled = (directions.size() + every - 1) / every;
+  if (steps.size() < std::max (min_steps, sampled / 2))
     return 0.0;
   const auto all = static_cast<double> (steps.size());
   std::sort (steps.begin(), steps.end());
-  const auto [first, number] = commonest (steps);
-  const auto begin = steps.begin() + static_cast<std::ptrdiff_t> (first);
-  steps.erase (begin, begin + static_cast<std::ptrdiff_t> (number));
-  return static_cast<double> (number + commonest (steps).second) / all;
+  const StepGroup commonest = commonestOf (steps);
+  const auto begin = steps.begin() + static_cast<std::ptrdiff_t> (commonest.first);
+  steps.erase (begin, begin + static_cast<std::ptrdiff_t> (commonest.size));
+  const StepGroup second_commonest = commonestOf (steps);
+  return static_cast<double> (commonest.size + second_commonest.size) / all;
 }
 
 StepsSay
-seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& place)
+seenByItsSteps (const Coordinates& points, const Eigen::Vector3d& position)
 {
   // At the sensor 13 of 15 lidar scans have a share of .7 to 1. The others, whose scan
-  // lines cross, have a smaller share at all six places nearby. Seen from elsewhere the
-  // share is larger at a place nearer to the sensor.
-  constexpr double high = 0.7;
-  constexpr double low = 0.17;
-  constexpr double highest_of_sensor = 0.85;
-  constexpr double lowest_of_others = 1.06;
-  constexpr double nearby = 0.15; // of the median range of the points
-  const double here = shareOfCommonSteps (points, place);
-  if (here >= high)
+  // lines cross, have a smaller share at all six positions nearby. Seen from elsewhere
+  // the share is larger at a position nearer to the sensor.
+  constexpr double sure_share = 0.7;
+  constexpr double min_share = 0.17;
+  // Largest share nearby over the share here: at most this at the sensor, and at least
+  // this elsewhere.
+  constexpr double max_ratio_at_sensor = 0.85;
+  constexpr double min_ratio_elsewhere = 1.06;
+  constexpr double nearby = 0.15; // in units of the median range of the points
+  const double share = shareOfCommonSteps (points, position);
+  if (share >= sure_share)
     return StepsSay::Yes;
-  if (here < low)
+  if (share < min_share)
     return StepsSay::CannotTell;
   std::vector<float> ranges;
   for (std::size_t i = 0; i < points.size(); ++i)
-    ranges.push_back (static_cast<float> ((points[i] - place).norm()));
+    ranges.push_back (static_cast<float> ((points[i] - position).norm()));
   const double move = nearby * medianOf (ranges);
-  double around = 0.0;
+  double share_nearby = 0.0; // the largest one
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) {
-      const Vector3d there = place + sign * move * Vector3d::Unit (axis);
-      around = std::max (around, shareOfCommonSteps (points, there));
+      const Vector3d moved = position + sign * move * Vector3d::Unit (axis);
+      share_nearby = std::max (share_nearby, shareOfCommonSteps (points, moved));
     }
-  if (around < highest_of_sensor * here)
+  if (share_nearby < max_ratio_at_sensor * share)
     return StepsSay::Yes;
-  return around > lowest_of_others * here ? StepsSay::No : StepsSay::CannotTell;
+  return share_nearby > min_ratio_elsewhere * share ? StepsSay::No
+                                                    : StepsSay::CannotTell;
 }
 
 } // namespace pcl_ops::internal

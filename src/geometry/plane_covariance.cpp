@@ -14,13 +14,17 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/** \brief For each square block of the plane the sum of (s, t, 1) h over its inliers,
- * with coordinates s and t in the plane and the height h over it. */
+/** \brief For each square block of the plane, by its indices along both axes, the sum
+ * of (s, t, 1) h over its inliers, with coordinates s and t in the plane and the height
+ * h over it. */
 using Blocks = std::map<std::pair<int, int>, Vector3d>;
 
 /** \brief The side of a block is the root of the plane's area over this number. So
  * there are some 64 blocks, far larger than the range of correlated sensor errors. */
 constexpr double blocks_per_side = 8.0;
+
+// Number of errors that a plane fit estimates: two tilts and an offset.
+constexpr double fitted_errors = 3.0;
 
 Blocks
 blocksOf (const CloudView& cloud,
@@ -34,11 +38,11 @@ blocksOf (const CloudView& cloud,
     const Vector3d offset = Vector3d (point[0], point[1], point[2]) - plane.centroid;
     if (!offset.allFinite())
       continue;
-    const Eigen::Vector2d place = axes.transpose() * offset;
-    const Eigen::Array2i block = (place / side).array().floor().cast<int>();
+    const Eigen::Vector2d s_and_t = axes.transpose() * offset;
+    const Eigen::Array2i block = (s_and_t / side).array().floor().cast<int>();
     Vector3d& sum =
         blocks.try_emplace ({block.x(), block.y()}, Vector3d::Zero()).first->second;
-    sum += plane.normal.dot (offset) * Vector3d (place.x(), place.y(), 1.0);
+    sum += plane.normal.dot (offset) * Vector3d (s_and_t.x(), s_and_t.y(), 1.0);
   }
   return blocks;
 }
@@ -49,7 +53,7 @@ std::optional<PlaneCovariance>
 independentPlaneCovariance (const PlaneSegment& plane)
 {
   const double n = plane.moments.count;
-  if (n < 4.0 || !fitPlane (plane.moments))
+  if (n < fitted_errors + 1.0 || !fitPlane (plane.moments))
     return std::nullopt;
   PlaneCovariance covariance;
   covariance.axes = internal::planeAxes (plane.normal);
@@ -57,7 +61,7 @@ independentPlaneCovariance (const PlaneSegment& plane)
   const Eigen::Matrix2d spread =
       covariance.axes.transpose() * plane.moments.covariance() * covariance.axes;
   const double rms = plane.rms();
-  const double residual_variance = rms * rms * n / (n - 3.0);
+  const double residual_variance = rms * rms * n / (n - fitted_errors);
   covariance.matrix.setZero();
   covariance.matrix.topLeftCorner<2, 2>() = residual_variance / n * spread.inverse();
   covariance.matrix (2, 2) = residual_variance / n;
@@ -80,18 +84,19 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
     return std::nullopt;
   const Blocks blocks =
       blocksOf (cloud, plane, covariance->axes, std::sqrt (area) / blocks_per_side);
-  const auto number = static_cast<double> (blocks.size());
-  if (number < 4.0)
+  const auto block_count = static_cast<double> (blocks.size());
+  if (block_count < fitted_errors + 1.0)
     return std::nullopt;
   Matrix3d scatter = Matrix3d::Zero();
-  for (const auto& [place, sum] : blocks)
+  for (const auto& [block, sum] : blocks)
     scatter += sum * sum.transpose();
+  // (A^T A)^-1 of the documentation.
   Matrix3d inverse = Matrix3d::Identity() / n;
   inverse.topLeftCorner<2, 2>() = spread.inverse() / n;
   // Measured on planes of depth images that were matched by exact poses.
   constexpr double measured_factor = 1.7;
-  covariance->matrix = measured_factor * measured_factor * number / (number - 3.0) *
-                       inverse * scatter * inverse;
+  covariance->matrix = measured_factor * measured_factor * block_count /
+                       (block_count - fitted_errors) * inverse * scatter * inverse;
   return covariance;
 }
 

@@ -23,20 +23,22 @@ struct Axes {
   Lanes x, y, z, smallest, middle, largest;
 };
 
-// The smallest of three eigenvalues whose sum, the trace, is 1 is at most this.
-constexpr double largest_smallest = 1.0 / 3.0;
+// Eigenvalues are computed of matrices scaled to a trace of 1. Then their sum is 1, and
+// the smallest one is at most this.
+constexpr double max_smallest_root = 1.0 / 3.0;
 
-// Returns the start of Newton's method. Without its cubic term the polynomial has a
-// root just above the smallest one: for flat sets of points it is a good start.
-// Otherwise start at zero, which is below all roots but may be far away.
+// Returns the start of Newton's method for x^3 - x^2 + minors x - determinant. Without
+// its cubic term the polynomial has a root just above the smallest one: for flat sets
+// of points it is a good start. Otherwise start at zero, which is below all roots but
+// may be far away.
 inline double
 startOfRoot (double minors, double determinant)
 {
   const double discriminant = std::max (0.0, minors * minors - 4.0 * determinant);
   const double start = 2.0 * determinant / (minors + std::sqrt (discriminant));
   const double slope = (3.0 * start - 2.0) * start + minors;
-  const bool is_below = start <= largest_smallest && slope > 0.25 * minors;
-  return is_below ? start : 0.0;
+  const bool is_near_root = start <= max_smallest_root && slope > 0.25 * minors;
+  return is_near_root ? start : 0.0;
 }
 
 // Returns the smallest roots of x^3 - x^2 + minors x - determinant.
@@ -50,20 +52,20 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
   Lanes root;
   for (std::size_t i = 0; i < lanes; ++i)
     root[i] = startOfRoot (minors[i], determinant[i]);
-  double farthest = 1.0;
-  for (int n = 0; n < max_steps && farthest > precision; ++n) {
-    farthest = 0.0;
+  double largest_step = 1.0;
+  for (int n = 0; n < max_steps && largest_step > precision; ++n) {
+    largest_step = 0.0;
     for (std::size_t i = 0; i < lanes; ++i) {
       const double value =
           ((root[i] - 1.0) * root[i] + minors[i]) * root[i] - determinant[i];
       const double slope = (3.0 * root[i] - 2.0) * root[i] + minors[i];
       const double step = slope > min_slope ? value / slope : 0.0;
       root[i] -= step;
-      farthest = std::max (farthest, std::abs (step));
+      largest_step = std::max (largest_step, std::abs (step));
     }
   }
   for (std::size_t i = 0; i < lanes; ++i)
-    root[i] = std::min (std::max (0.0, root[i]), largest_smallest);
+    root[i] = std::min (std::max (0.0, root[i]), max_smallest_root);
   return root;
 }
 
@@ -111,6 +113,7 @@ findNormals (const SymmetricMatrices& m, Axes& axes)
   }
 }
 
+// \param[in,out] m overwritten
 PCL_OPS_VECTORIZED
 void
 findAxes (SymmetricMatrices& m, Axes& axes)

@@ -18,7 +18,7 @@ struct PrincipalAxes {
   Eigen::Vector3d values = Eigen::Vector3d::Zero();
 };
 
-/** \brief Computes the principal axes of many matrices, several at a time.
+/** \brief Computes the principal axes of \p count matrices, several at a time.
  *
  * The smallest eigenvalue comes from Newton's method, the rest is in closed form.
  * Newton's method starts near the smallest root of the characteristic polynomial, which
@@ -27,9 +27,7 @@ struct PrincipalAxes {
  * \param[out] axes one for each matrix; all zero for a matrix without a positive trace
  */
 void
-principalAxes (const Eigen::Matrix3d* matrices,
-               std::size_t number,
-               PrincipalAxes* axes);
+principalAxes (const Eigen::Matrix3d* matrices, std::size_t count, PrincipalAxes* axes);
 
 PrincipalAxes
 principalAxes (const Eigen::Matrix3d& matrix);

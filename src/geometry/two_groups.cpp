@@ -10,15 +10,15 @@ TwoGroups
 bestTwoGroups (const std::vector<double>& sorted, std::size_t min_of_group)
 {
   double sum = 0.0;
-  double squares = 0.0;
+  double sum_of_squares = 0.0;
   for (const double value : sorted) {
     sum += value;
-    squares += value * value;
+    sum_of_squares += value * value;
   }
   const auto all = static_cast<double> (sorted.size());
   std::size_t first_above = 0;
   double apart = 0.0;
-  double explained = 0.0;
+  double largest_between = 0.0; // sum of squares between the groups
   double sum_below = 0.0;
   for (std::size_t i = 1; i + min_of_group <= sorted.size(); ++i) {
     sum_below += sorted[i - 1];
@@ -26,17 +26,17 @@ bestTwoGroups (const std::vector<double>& sorted, std::size_t min_of_group)
       continue;
     const auto below = static_cast<double> (i);
     const double means_apart = sum_below / below - (sum - sum_below) / (all - below);
-    const double by_these = below * (all - below) / all * means_apart * means_apart;
-    if (by_these > explained) {
-      explained = by_these;
+    const double between = below * (all - below) / all * means_apart * means_apart;
+    if (between > largest_between) {
+      largest_between = between;
       first_above = i;
       apart = std::abs (means_apart);
     }
   }
-  const double squares_about_mean = squares - sum * sum / all;
+  const double squares_about_mean = sum_of_squares - sum * sum / all;
   return squares_about_mean > 0.0
-             ? TwoGroups{first_above, apart, explained / squares_about_mean}
-             : TwoGroups{}; // equal but for rounding
+             ? TwoGroups{first_above, apart, largest_between / squares_about_mean}
+             : TwoGroups{}; // the values are equal but for rounding
 }
 
 } // namespace pcl_ops::internal

@@ -9,7 +9,7 @@ namespace pcl_ops::internal {
 
 /** \brief A division of sorted values into a lower and an upper group. */
 struct TwoGroups {
-  /** \brief Position of the first value of the upper group. */
+  /** \brief Index of the first value of the upper group. */
   std::size_t first_above = 0;
   double apart = 0.0; // distance between the means of both groups
   /** \brief Between-group sum of squares over the total sum of squares: 1 if the values

@@ -13,13 +13,14 @@ using Index = Eigen::Index;
 constexpr Index none = -1;
 
 /** The assigned pairs of the rows added so far, and prices (dual variables) that prove
- * them optimal: the reduced cost is zero for each pair and never negative. */
+ * them optimal: costs are negative benefits, and the cost reduced by both prices is
+ * zero for each pair and never negative. */
 struct Assignment {
   explicit Assignment (const Eigen::MatrixXd& all_benefits)
   : benefit (all_benefits)
   , row_price (Eigen::VectorXd::Zero (all_benefits.rows()))
   , column_price (Eigen::VectorXd::Zero (all_benefits.cols()))
-  , row_of (std::size_t (all_benefits.cols()), none)
+  , row_of_column (std::size_t (all_benefits.cols()), none)
   {}
 
   double
@@ -33,8 +34,8 @@ struct Assignment {
   {
     double sum = 0.0;
     for (Index column = 0; column < benefit.cols(); ++column)
-      if (row_of[column] != none)
-        sum += benefit (row_of[column], column);
+      if (row_of_column[column] != none)
+        sum += benefit (row_of_column[column], column);
     return sum;
   }
 
@@ -42,7 +43,7 @@ struct Assignment {
   Eigen::VectorXd row_price;
   Eigen::VectorXd column_price;
   /** For each column the row assigned to it, or none. */
-  std::vector<Index> row_of;
+  std::vector<Index> row_of_column;
 };
 
 /** Shortest alternating paths from an unassigned row to all columns (Dijkstra). */
@@ -54,8 +55,9 @@ struct PathTree {
   , is_settled (std::size_t (columns), false)
   {}
 
+  /** Returns the column with the shortest path of those that are not settled. */
   Index
-  nearestOpenColumn () const
+  nearestUnsettledColumn () const
   {
     Index nearest = none;
     for (Index column = 0; column < length.size(); ++column)
@@ -64,6 +66,7 @@ struct PathTree {
     return nearest;
   }
 
+  /** For each column the length of its path so far: a sum of reduced costs. */
   Eigen::VectorXd length;
   /** For each column the column before it on its path; none for the first column. */
   std::vector<Index> previous;
@@ -97,13 +100,16 @@ Index
 findFreeColumn (const Assignment& assignment, Index start_row, PathTree& tree)
 {
   relaxColumns (assignment, start_row, none, 0.0, tree);
-  Index column = tree.nearestOpenColumn();
-  while (assignment.row_of[column] != none) {
+  Index column = tree.nearestUnsettledColumn();
+  while (assignment.row_of_column[column] != none) {
     tree.is_settled[column] = true;
     tree.settled.push_back (column);
-    relaxColumns (
-        assignment, assignment.row_of[column], column, tree.length[column], tree);
-    column = tree.nearestOpenColumn();
+    relaxColumns (assignment,
+                  assignment.row_of_column[column],
+                  column,
+                  tree.length[column],
+                  tree);
+    column = tree.nearestUnsettledColumn();
   }
   return column;
 }
@@ -116,12 +122,14 @@ shiftPairs (Assignment& assignment, const PathTree& tree, Index end, Index new_r
   Index column = end;
   while (tree.previous[column] != none) {
     const Index previous = tree.previous[column];
-    assignment.row_of[column] = assignment.row_of[previous];
+    assignment.row_of_column[column] = assignment.row_of_column[previous];
     column = previous;
   }
-  assignment.row_of[column] = new_row;
+  assignment.row_of_column[column] = new_row;
 }
 
+/** Assigns one more row, and changes prices so that they prove the new pairs optimal.
+ */
 void
 addRow (Assignment& assignment, Index row)
 {
@@ -131,7 +139,7 @@ addRow (Assignment& assignment, Index row)
   assignment.row_price[row] += path_length;
   for (const Index column : tree.settled) {
     const double slack = path_length - tree.length[column];
-    assignment.row_price[assignment.row_of[column]] += slack;
+    assignment.row_price[assignment.row_of_column[column]] += slack;
     assignment.column_price[column] -= slack;
   }
   shiftPairs (assignment, tree, free_column, row);

@@ -18,11 +18,11 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** part / whole, or \p of_nothing where the whole is 0. */
+/** Returns part / whole, or \p share_of_none where the whole is 0. */
 double
-fraction (std::size_t part, std::size_t whole, double of_nothing)
+shareOf (std::size_t part, std::size_t whole, double share_of_none)
 {
-  return whole == 0 ? of_nothing : double (part) / double (whole);
+  return whole == 0 ? share_of_none : double (part) / double (whole);
 }
 
 /** Returns the number of common points under the one-to-one assignment of planes that
@@ -30,7 +30,8 @@ fraction (std::size_t part, std::size_t whole, double of_nothing)
 std::size_t
 pointsOfAssignment (const Confusion& confusion)
 {
-  // A matrix of 0.8 GB. Only a wrong label field has so many labels, no real cloud.
+  // More would be a matrix of over 0.8 GB. No real cloud has so many labels, only a
+  // field that is no labels.
   constexpr std::size_t max_plane_pairs = 100'000'000;
   const std::size_t rows = confusion.truth.size();
   const std::size_t columns = confusion.result.size();
@@ -41,6 +42,7 @@ pointsOfAssignment (const Confusion& confusion)
   Eigen::MatrixXd common = Eigen::MatrixXd::Zero (rows, columns);
   for (const Overlap& overlap : confusion.overlaps)
     common (overlap.truth, overlap.result) = double (overlap.points);
+  // maximumAssignment takes no more rows than columns.
   return std::size_t (maximumAssignment (
       rows > columns ? Eigen::MatrixXd (common.transpose()) : common));
 }
@@ -61,11 +63,12 @@ classificationAccuracy (const Confusion& confusion,
     if (classOf (truth, confusion.truth.of_point[i]) ==
         classOf (result, confusion.result.of_point[i]))
       ++right;
-  return fraction (right, points, 1.0);
+  return shareOf (right, points, 1.0);
 }
 
 /** Marks for each plane of one side, truth or result. */
 struct Verdicts {
+  /** \param[in] id_in_overlap &Overlap::truth or &Overlap::result */
   Verdicts (const PlaneIds& planes_of_side, std::uint32_t Overlap::*id_in_overlap)
   : planes (planes_of_side)
   , id (id_in_overlap)
@@ -74,8 +77,9 @@ struct Verdicts {
   , part (planes_of_side.size(), false)
   {}
 
+  /** Returns the number of planes without any mark. */
   std::size_t
-  unexplained () const
+  countUnmarked () const
   {
     std::size_t count = 0;
     for (std::size_t i = 0; i < matched.size(); ++i)
@@ -94,7 +98,8 @@ struct Verdicts {
 };
 
 /** Marks a plane of \p wholes as split if at least two planes of the other side lie on
- * it and together cover it. Both mean at least a share \p threshold of the points. */
+ * it and together cover it. A plane lies on another one if it has at least a share
+ * \p threshold of its points there, and covered is at least this share of points. */
 void
 markSplits (const Confusion& confusion,
             double threshold,
@@ -120,14 +125,15 @@ markSplits (const Confusion& confusion,
       others.part[overlap.*others.id] = true;
 }
 
+/** The marks of both sides, and the sum of the IoU of all matches. */
 struct Matching {
   Verdicts truth;
   Verdicts result;
   double iou_sum = 0.0;
 };
 
-/** Matches planes one to one with an IoU of at least \p threshold, the largest IoU
- * first. With an IoU above one half no plane has two candidates. */
+/** Matches planes one to one with an intersection over union (IoU) of at least
+ * \p threshold, the largest first. Above one half no plane has two candidates. */
 Matching
 matchPlanes (const Confusion& confusion, double threshold)
 {
@@ -171,25 +177,26 @@ instanceMetrics (const Matching& matching)
   const std::size_t result_planes = result.planes.size();
   const std::size_t matches = countOf (truth.matched);
   const std::size_t all = truth_planes + result_planes;
-  const double both_empty = all == 0 ? 1.0 : 0.0;
-  const double f_score = fraction (2 * matches, all, both_empty);
+  // Without planes on both sides the result is perfect.
+  const double without_matches = all == 0 ? 1.0 : 0.0;
+  const double f_score = shareOf (2 * matches, all, without_matches);
   const double mean_iou =
-      matches == 0 ? both_empty : matching.iou_sum / double (matches);
-  return {{"precision", fraction (matches, result_planes, both_empty)},
-          {"recall", fraction (matches, truth_planes, both_empty)},
+      matches == 0 ? without_matches : matching.iou_sum / double (matches);
+  return {{"precision", shareOf (matches, result_planes, without_matches)},
+          {"recall", shareOf (matches, truth_planes, without_matches)},
           {"f_score", f_score},
           {"mean_iou", mean_iou},
           {"panoptic_quality", mean_iou * f_score},
-          {"over_segmentation", fraction (countOf (truth.split), truth_planes, 0)},
-          {"under_segmentation", fraction (countOf (result.split), result_planes, 0)},
-          {"noise", fraction (result.unexplained(), result_planes, 0)},
-          {"missed", fraction (truth.unexplained(), truth_planes, 0)}};
+          {"over_segmentation", shareOf (countOf (truth.split), truth_planes, 0)},
+          {"under_segmentation", shareOf (countOf (result.split), result_planes, 0)},
+          {"noise", shareOf (result.countUnmarked(), result_planes, 0)},
+          {"missed", shareOf (truth.countUnmarked(), truth_planes, 0)}};
 }
 
 // An array has no destructor to run: Python threads may still compare at program exit.
 using ClassLimits = std::array<double, 5>;
-constexpr ClassLimits point_limits{200, 500, 1000, 3000, 10'000};
-constexpr ClassLimits width_limits{0.03, 0.06, 0.12, 0.25, 1.0}; // [m]
+constexpr ClassLimits point_limits{200, 500, 1000, 3000, 10'000}; // [points]
+constexpr ClassLimits width_limits{0.03, 0.06, 0.12, 0.25, 1.0};  // [m]
 
 /** Returns empty classes: below the first limit, between limits and above the last. */
 SizeClasses
@@ -203,6 +210,8 @@ emptyClasses (const ClassLimits& limits)
   return classes;
 }
 
+/** Counts true planes by size.
+ * \param[in] sizes of the true planes, in the unit of \p limits */
 SizeClasses
 classesOf (const Matching& at_50,
            const Matching& at_75,
@@ -223,6 +232,7 @@ classesOf (const Matching& at_50,
   return classes;
 }
 
+/** Returns the points whose truth is known. */
 pcl::Indices
 knownOf (const pcl::Indices& points, const std::vector<char>& is_ignored)
 {
@@ -233,12 +243,14 @@ knownOf (const pcl::Indices& points, const std::vector<char>& is_ignored)
   return known;
 }
 
-/** Removes found planes if the truth is known for less than half of their points. */
+/** Returns the result without planes for less than half of whose points the truth is
+ * known. */
 PlaneLabels
-planesKnown (PlaneLabels result, const std::vector<char>& is_ignored)
+withoutUnknownPlanes (PlaneLabels result, const std::vector<char>& is_ignored)
 {
   if (is_ignored.empty())
     return result;
+  // Numbers of points by label.
   std::map<std::uint32_t, std::size_t> points;
   std::map<std::uint32_t, std::size_t> ignored;
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -263,6 +275,50 @@ widthsOf (const std::vector<PlaneSegment>& planes)
                           : 0.0);
   }
   return widths;
+}
+
+void
+checkSizes (std::size_t points,
+            const PlaneLabels& truth,
+            const PlaneLabels& result,
+            const std::vector<char>& is_ignored)
+{
+  const bool fits = truth.size() == points && result.size() == points &&
+                    (is_ignored.empty() || is_ignored.size() == points);
+  if (!fits)
+    throw std::invalid_argument (std::to_string (points) + " points, " +
+                                 std::to_string (truth.size()) + " true labels and " +
+                                 std::to_string (result.size()) +
+                                 " found ones do not belong together");
+}
+
+/** Returns Metrics::named. */
+NamedValues
+namedMetrics (const Confusion& confusion,
+              const Matching& at_50,
+              const Matching& at_75,
+              const std::vector<PlaneSegment>& truth_planes,
+              const std::vector<PlaneSegment>& result_planes)
+{
+  const std::size_t all = confusion.truth.of_point.size();
+  const std::size_t assigned = pointsOfAssignment (confusion);
+  const std::size_t off_planes = confusion.points_off_planes;
+  const std::size_t off_in_both = confusion.points_on_no_plane_in_both;
+  NamedValues named = {
+      {"classification_accuracy",
+       classificationAccuracy (confusion, truth_planes, result_planes)},
+      {"segmentation_accuracy",
+       shareOf (assigned, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
+      {"segmentation_accuracy_all", shareOf (assigned + off_in_both, all, 1.0)}};
+  for (const auto& [name, value] : instanceMetrics (at_50))
+    named.emplace_back (name, value);
+  for (const auto& [name, value] : instanceMetrics (at_75))
+    named.emplace_back (name + "_75", value);
+  named.emplace_back ("points_off_planes_called_planes",
+                      shareOf (off_planes - off_in_both, off_planes, 0.0));
+  for (const auto& [name, value] : partitionMetrics (confusion))
+    named.emplace_back (name, value);
+  return named;
 }
 
 } // namespace
@@ -378,46 +434,24 @@ compareLabels (const XyzCloud& cloud,
                const ClassParameters& parameters,
                const std::vector<char>& is_ignored)
 {
-  if (truth.size() != cloud.size() || result.size() != cloud.size() ||
-      !(is_ignored.empty() || is_ignored.size() == cloud.size()))
-    throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
-                                 std::to_string (truth.size()) + " true labels and " +
-                                 std::to_string (result.size()) +
-                                 " found ones do not belong together");
+  checkSizes (cloud.size(), truth, result, is_ignored);
   const pcl::Indices known = knownOf (finitePointsOf (cloud), is_ignored);
   const XyzCloud points (cloud, known);
   const Confusion confusion =
       confusionOf (selectLabels (truth, known),
-                   selectLabels (planesKnown (result, is_ignored), known));
+                   selectLabels (withoutUnknownPlanes (result, is_ignored), known));
   const Matching at_50 = matchPlanes (confusion, 0.50);
   const Matching at_75 = matchPlanes (confusion, 0.75);
   const std::vector<PlaneSegment> truth_planes =
       planesOf (points, confusion.truth, parameters);
   const std::vector<PlaneSegment> result_planes =
       planesOf (points, confusion.result, parameters);
-  const std::size_t right = pointsOfAssignment (confusion);
-  const std::size_t all = points.size();
-  const std::size_t off_planes = confusion.points_off_planes;
-  const std::size_t off_in_both = confusion.points_on_no_plane_in_both;
 
   Metrics metrics;
-  metrics.points = all;
+  metrics.points = points.size();
   metrics.truth_planes = confusion.truth.size();
   metrics.result_planes = confusion.result.size();
-  metrics.named = {
-      {"classification_accuracy",
-       classificationAccuracy (confusion, truth_planes, result_planes)},
-      {"segmentation_accuracy",
-       fraction (right, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
-      {"segmentation_accuracy_all", fraction (right + off_in_both, all, 1.0)}};
-  for (const auto& [name, value] : instanceMetrics (at_50))
-    metrics.named.emplace_back (name, value);
-  for (const auto& [name, value] : instanceMetrics (at_75))
-    metrics.named.emplace_back (name + "_75", value);
-  metrics.named.emplace_back ("points_off_planes_called_planes",
-                              fraction (off_planes - off_in_both, off_planes, 0.0));
-  for (const auto& [name, value] : partitionMetrics (confusion))
-    metrics.named.emplace_back (name, value);
+  metrics.named = namedMetrics (confusion, at_50, at_75, truth_planes, result_planes);
   const std::vector<double> sizes (confusion.truth.points.begin(),
                                    confusion.truth.points.end());
   metrics.by_size = classesOf (at_50, at_75, sizes, point_limits);

@@ -29,13 +29,15 @@ labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points);
 pcl::Indices
 finitePointsOf (const XyzCloud& cloud);
 
+/** Returns the labels of the points of these indices. */
 PlaneLabels
 selectLabels (const PlaneLabels& labels, const pcl::Indices& points);
 
 /** Labels renumbered without gaps to ids 0 .. P - 1, so that ids index vectors. */
 struct PlaneIds {
-  std::vector<std::uint32_t> label; // of each plane: the labels in use but 0, ascending
-  std::vector<std::size_t> points;  // number of points of each plane
+  std::vector<std::uint32_t>
+      label; // of each plane: all labels in use except 0, ascending
+  std::vector<std::size_t> points;     // number of points of each plane
   std::vector<std::uint32_t> of_point; // id of each point's plane; none for label 0
 
   static constexpr std::uint32_t none = ~std::uint32_t (0);
@@ -87,17 +89,18 @@ struct Confusion {
   PlaneIds truth, result;
   /** Sorted by truth, then by result. */
   std::vector<Overlap> overlaps = {};
+  /** Number of points on neither a true nor a found plane. */
   std::size_t points_on_no_plane_in_both = 0;
-  /** Points on no true plane. */
+  /** Number of points on no true plane. */
   std::size_t points_off_planes = 0;
 
   /** Intersection over union. */
   double
   iou (const Overlap& overlap) const
   {
-    const std::size_t both =
+    const std::size_t points_of_union =
         truth.points[overlap.truth] + result.points[overlap.result] - overlap.points;
-    return double (overlap.points) / double (both);
+    return double (overlap.points) / double (points_of_union);
   }
 };
 
@@ -109,14 +112,16 @@ using NamedValues = std::vector<std::pair<std::string, double>>;
 /** True planes of similar size, a number of points or a width [m], and how many of them
  * are matched at an intersection over union (IoU) of 0.5 and of 0.75. */
 struct SizeClass {
+  /** Sizes from this on and below that, which the largest class does not have. */
   double from = 0.0;
-  std::optional<double> below = std::nullopt; // no limit for the largest class
+  std::optional<double> below = std::nullopt;
   std::size_t planes = 0, found_50 = 0, found_75 = 0;
 };
 
 /** Smallest first. */
 using SizeClasses = std::vector<SizeClass>;
 
+/** The metrics of a result. */
 struct Metrics {
   std::size_t points = 0, truth_planes = 0, result_planes = 0;
   /** Metrics under their published names; the page on accuracy defines them. In order:

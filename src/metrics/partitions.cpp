@@ -10,18 +10,18 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Numbers of points that true planes have in common with parts of the result. The last
- * part of the result has the points that are on no found plane. */
+/** Numbers of points that true planes have in common with parts of the result, of the
+ * points on true planes. The last part of the result is on no found plane. */
 struct CommonPoints {
   std::vector<double> of_truth, of_result; // number of points of each part
   std::vector<Overlap> pairs;
-  double all = 0.0;
+  double all = 0.0; // number of points
 };
 
 CommonPoints
 commonPoints (const Confusion& confusion)
 {
-  const auto no_found_plane = std::uint32_t (confusion.result.size());
+  const auto no_found_plane = std::uint32_t (confusion.result.size()); // the last part
   CommonPoints common;
   common.pairs = confusion.overlaps;
   common.of_truth.assign (confusion.truth.points.begin(), confusion.truth.points.end());
@@ -39,7 +39,8 @@ commonPoints (const Confusion& confusion)
   return common;
 }
 
-/** H (T | R) + H (R | T) = 2 H (T, R) - H (T) - H (R) [bits] */
+/** H (T | R) + H (R | T) = 2 H (T, R) - H (T) - H (R) [bits], with the entropy H of the
+ * true planes T and of the parts R of the result. */
 double
 variationOfInformation (const CommonPoints& common)
 {
@@ -62,15 +63,17 @@ pairsOf (double points)
 double
 randIndex (const CommonPoints& common)
 {
+  // Ordered pairs of points on one true plane and on one part of the result; the second
+  // is the sum of both.
   double together_in_both = 0.0;
-  double together_in_one = 0.0;
+  double together_in_either = 0.0;
   for (const Overlap& pair : common.pairs)
     together_in_both += pairsOf (double (pair.points));
   for (const std::vector<double>* parts : {&common.of_truth, &common.of_result})
     for (const double points : *parts)
-      together_in_one += pairsOf (points);
+      together_in_either += pairsOf (points);
   const double all = pairsOf (common.all);
-  return all > 0.0 ? (all - together_in_one + 2.0 * together_in_both) / all : 1.0;
+  return all > 0.0 ? (all - together_in_either + 2.0 * together_in_both) / all : 1.0;
 }
 
 double
@@ -79,9 +82,9 @@ segmentationCovering (const CommonPoints& common)
   std::vector<double> best_of_truth (common.of_truth.size(), 0.0);
   std::vector<double> best_of_result (common.of_result.size(), 0.0);
   for (const Overlap& pair : common.pairs) {
-    const double both = double (pair.points);
-    const double iou =
-        both / (common.of_truth[pair.truth] + common.of_result[pair.result] - both);
+    const double common_points = double (pair.points);
+    const double iou = common_points / (common.of_truth[pair.truth] +
+                                        common.of_result[pair.result] - common_points);
     best_of_truth[pair.truth] = std::max (best_of_truth[pair.truth], iou);
     best_of_result[pair.result] = std::max (best_of_result[pair.result], iou);
   }
@@ -124,14 +127,14 @@ agreementOf (const PlaneLabels& first, const PlaneLabels& second)
       [] (const Overlap& a, const Overlap& b) { return a.points > b.points; });
   std::vector<char> is_matched_in_first (confusion.truth.size());
   std::vector<char> is_matched_in_second (confusion.result.size());
-  std::size_t alike = 0;
+  std::size_t on_matched_planes = 0; // in both
   for (const Overlap& pair : confusion.overlaps) {
     if (is_matched_in_first[pair.truth] || is_matched_in_second[pair.result])
       continue;
     is_matched_in_first[pair.truth] = is_matched_in_second[pair.result] = 1;
-    alike += pair.points;
+    on_matched_planes += pair.points;
   }
-  return on_planes > 0 ? double (alike) / double (on_planes) : 1.0;
+  return on_planes > 0 ? double (on_matched_planes) / double (on_planes) : 1.0;
 }
 
 } // namespace pcl_ops::evaluation

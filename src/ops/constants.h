@@ -12,56 +12,58 @@ namespace pcl_ops::internal {
  * says what was tried. A place is a distinct point, a support the points around it. */
 struct PlaceConstants {
   // The neighborhoods of places.
-  /** \brief A neighborhood has min_neighbors * (points / neighbors_cloud) ^
-   * neighbors_growth points, its place included, but not fewer than min_neighbors and
-   * not more than max_neighbors. Small clouds have small planes and need small
-   * neighborhoods. Large clouds need large ones: the beams of a lidar are farther apart
-   * than the points along a beam. */
-  double min_neighbors = 10.0;
-  double max_neighbors = 36.0;
-  double neighbors_cloud = 400.0;
-  double neighbors_growth = 0.26;
-  /** \brief A place has a support for each level; level 0 is the smallest. A support
-   * adds up the supports of the level before of its place and of the place's arms,
-   * places around it. They overlap: the sum counts as points_per_level times the points
-   * of a support of the level before. */
+  /** \brief A neighborhood has min_neighborhood * (points of the cloud /
+   * points_of_min_neighborhood) ^ neighborhood_exponent points, its place included, but
+   * not fewer than min_neighborhood and not more than max_neighborhood. Small clouds
+   * have small planes and need small neighborhoods. Large clouds need large ones: the
+   * beams of a lidar are farther apart than the points along a beam. */
+  double min_neighborhood = 10.0;
+  double max_neighborhood = 36.0;
+  double points_of_min_neighborhood = 400.0;
+  double neighborhood_exponent = 0.26;
+  /** \brief A place has a support for each level; level 0 is the smallest. A support of
+   * the next level adds up the supports of its place and of the place's arms: places
+   * around it, \ref arms of them at most. These supports overlap, so their sum counts
+   * as only points_per_level times the points of one of them. */
   int max_levels = 6;
   double points_per_level = 3.4;
   static constexpr int arms = 8;
-  /** \brief Supports from the third level on have at most this share of the points. */
+  /** \brief Supports of level 2 and above have at most this share of the points. */
   double max_share_of_points = 0.1;
   /** \brief For clouds with quantized depth: the search for nearest points scales
    * coordinates along the depth direction by this factor. */
-  double depth_of_levels = 0.25;
+  double depth_scale = 0.25;
   /** \brief A support is flat if its scatter is below max_thickness times its width
-   * and it is no line. In a line the middle variance is at most min_slimness times the
-   * largest one. */
+   * and it is no line. It is a line if the middle one of its three variances is at most
+   * min_slimness times the largest one. */
   double max_thickness = 0.17 / 3.0;
   double min_slimness = 0.02;
 
   // The noise of places.
-  /** \brief The first settled support of a place is flat, and its scatter is below
-   * max_thickening times that of the level before. Larger supports are settled, too,
-   * while their scatter is below max_thickening_of_all times that of the first settled
-   * one; beyond, the surface bends. */
+  /** \brief A support is settled if it is so large that its scatter no longer grows
+   * with the level. The first settled support of a place is flat, and its scatter is
+   * below max_thickening times that of the level before. Larger supports are settled,
+   * too, while their scatter is below max_thickening_of_all times that of the first
+   * settled one; beyond, the surface bends. */
   double max_thickening = 1.25;
   double max_thickening_of_all = 1.35;
   /** \brief The growth of the scatter up to settled supports is the growth_quantile
    * over the places with a settled support. It counts in full if they are at least
-   * share_of_level_places of all places; else it is closer to 1. */
-  double share_of_level_places = 0.1;
+   * full_share_of_settled of all places; else it is closer to 1. */
+  double full_share_of_settled = 0.1;
   double growth_quantile = 0.25;
   /** \brief Largest scatter over width of exact surfaces, such as CAD models. */
-  double max_exact = 0.002;
-  /** \brief In units of max_exact times the width: scatter of a support that counts as
-   * exact whatever its noise, and what is added to the largest distance between regions
-   * over a gap. */
+  double max_exact_thickness = 0.002;
+  /** \brief share_of_exact * max_exact_thickness times the width [m] is a scatter that
+   * any noise explains, and is added to the largest distance between regions over a
+   * gap. */
   double share_of_exact = 0.1;
-  /** \brief Limits of the noise of a place, in units of the usual noise at its point
-   * density. Upper limit of the usual noise at a density, in units of the usual noise
-   * of the cloud. */
+  /** \brief Limits of the noise of a place, in units of the usual (median) noise of
+   * places with its point density. */
   double min_over_usual = 0.7;
   double max_over_usual = 4.0;
+  /** \brief Upper limit of the usual noise at a density, in units of the usual noise of
+   * the cloud. */
   double max_usual_over_cloud = 3.0;
   /** \brief The usual noise comes from the places whose smallest support is flat if
    * they are at least this share of all places; else from those with a flat support on
@@ -74,7 +76,7 @@ struct PlaceConstants {
   /** \brief Nearest points are in two layers if the variance within the layers is
    * below this share of the total variance. The best division leaves .36 of the
    * variance of white noise, and .25 of that of a uniform distribution. */
-  double max_rest_of_layers = 0.05;
+  double max_unexplained_by_layers = 0.05;
 
   // Regions.
   /** \brief Largest distance of a place to the plane of a region that grows, in units
@@ -89,7 +91,7 @@ struct PlaceConstants {
    * width of the region. */
   double bend_of_width = 0.003;
   double max_angle = 25.0 * (M_PI / 180.0); // from place normal to region normal
-  double refit_growth = 1.05; // factor of the number of points between two fits
+  double refit_growth = 1.05; // points at a refit over points at the fit before
 
   // Joins.
   int join_rounds = 6;
@@ -104,32 +106,39 @@ struct PlaceConstants {
   double join_bend_of_width = 0.01;
   double noises_of_bend = 8.0;
   double join_angle = 5.0 * (M_PI / 180.0);
-  /** \brief min_share_of_border: least share of all border places of a region that
-   * touch the region it joins and lie on its plane. min_fitting_border: least share of
-   * the places at the common border that lie on the plane of the other region. */
+  /** \brief Least share of all border places of a region that touch the region it joins
+   * and lie on that region's plane. */
   double min_share_of_border = 0.1;
+  /** \brief Least share of the places at the common border of two regions that lie on
+   * the plane of the other region. */
   double min_fitting_border = 0.5;
   double max_gap = 2.0; // distance of the centers over the mean of both lengths
 
-  // A region is a plane if its evidence, a weighted sum (RegionEvidence), is above 0.
-  double min_independent_points = 6.0; // of a plane, times common_errors
-  int min_flat_places = 2;
+  // Planes.
+  /** \brief Least number of places of a plane, in units of CloudNoise::common_errors.
+   */
+  double min_independent_points = 6.0;
+  int min_flat_places = 2; // of a plane
   /** \brief Largest rms distance of points to their plane, in units of its noise. */
   double max_noises_of_plane = 12.0;
-  double evidence = -1.94;
-  double evidence_of_size = 4.62;  // per decade of points over the root of all
-  double evidence_of_bend = -2.42; // times the natural logarithm of the bend
-  double max_bend = 5.0;
+  /** \brief RegionEvidence::sum: the constant term, and the weight of each member. The
+   * bend counts by its natural logarithm. */
+  double evidence_constant = -1.94;
+  double evidence_of_size = 4.62;
+  double evidence_of_bend = -2.42;
+  double max_bend = 5.0; // larger values of RegionEvidence::bend count as this
   double evidence_of_smooth_border = -3.24;
   double evidence_of_open_border = 6.08;
-  double common_error_exponent = 0.25; // points / common_errors ^ this
+  /** \brief RegionEvidence::size counts points / common_errors ^ this exponent. */
+  double common_error_exponent = 0.25;
 
   // Labels.
-  double noises_of_point = 3.0; // largest distance to the plane, in noises
+  /** \brief Largest distance of a point to its plane, in units of the noise. */
+  double noises_of_point = 3.0;
   /** \brief A joined region is a part, and not a scrap, if it has more than this share
-   * of the points of the region that takes it. Parts may tilt against each other: a
-   * region with parts takes points as far as its rms says, but by max_rms_over_noise
-   * times its noise at most. */
+   * of the points of the region that takes it. Parts may tilt against each other: if a
+   * region has parts, the larger of its noise and its rms counts as its noise, but at
+   * most max_rms_over_noise times its noise. */
   double min_share_of_part = 0.1;
 };
 
@@ -137,6 +146,10 @@ inline constexpr PlaceConstants place_constants;
 
 /** \brief width^2 = 12 variance for a uniform distribution over a width. */
 inline constexpr double squared_width_of_variance = 12.0;
+
+/** \brief Number of coefficients that the fit of a plane estimates: n points leave only
+ * n - 3 independent distances to it. */
+inline constexpr double parameters_of_plane = 3.0;
 
 /** \brief Added to the noise or scatter of places [m]: keeps logarithms of it, and
  * quotients by it, finite for exact points. */

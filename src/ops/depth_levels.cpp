@@ -23,27 +23,28 @@ namespace {
 // normal, too, but only one level; a CAD model has levels, but several normals.
 
 // Clouds with fewer points, or fewer levels, are taken to have no levels.
-constexpr std::size_t min_points_on_levels = 2000;
+constexpr std::size_t min_points = 2000;
 constexpr std::size_t min_levels = 12;
 
-/** \brief The plane fit to the nearest points of a point. */
-struct FlatPlace {
+/** \brief The plane fit to a point and its nearest points. */
+struct FlatPatch {
   Eigen::Vector3d normal;
   Eigen::Vector3d point;
-  double width; // extent of the nearest points in their narrower direction [m]
-  double rms;   // of their distances to the plane [m]
+  double
+      width;  // extent of the nearest points in the narrower direction of the plane [m]
+  double rms; // of their distances to the plane [m]
 };
 
-// Returns a number of nearest points, the query itself first.
-// \param[in] position of the query in PointTree::order
+// Returns the nearest points of a query point, itself first and included in count.
+// \param[in] position of the query point in PointTree::order
 std::vector<Eigen::Vector3d>
 pointsAround (const Coordinates& points,
               const PointTree& tree,
               std::size_t position,
-              std::size_t number)
+              std::size_t count)
 {
   NearestPoints found;
-  found.start (number);
+  found.start (count);
   tree.find (position, found);
   std::vector<Eigen::Vector3d> nearest;
   for (std::size_t k = 0; k < found.size(); ++k)
@@ -51,8 +52,9 @@ pointsAround (const Coordinates& points,
   return nearest;
 }
 
-FlatPlace
-flatPlaceOf (const std::vector<Eigen::Vector3d>& nearest)
+// Fits a plane to points, of which the first is FlatPatch::point.
+FlatPatch
+patchOf (const std::vector<Eigen::Vector3d>& nearest)
 {
   Moments moments;
   moments.origin = nearest.front();
@@ -68,58 +70,60 @@ flatPlaceOf (const std::vector<Eigen::Vector3d>& nearest)
           std::sqrt (std::max (0.0, axes.values[0]))};
 }
 
-// Refits the normal of a flat place to more nearest points that lie on its plane. If
-// coordinates were rounded, the normal of few points is off by degrees: the direction
-// of dense levels would stay .1 degrees off the one in which they are sharpest.
+// Refits the normal of a patch to those of more nearest points that lie on its plane.
+// If coordinates were rounded, the normal of few points is off by degrees: the
+// direction of dense levels would stay .1 degrees off the one in which they are
+// sharpest.
 void
-straighten (const std::vector<Eigen::Vector3d>& nearest, FlatPlace& place)
+refitNormal (const std::vector<Eigen::Vector3d>& nearest, FlatPatch& patch)
 {
-  constexpr double rms_within = 3.0;
+  constexpr double max_distance = 3.0;     // in units of the rms of the patch
+  constexpr std::size_t part_on_plane = 4; // at least a quarter must be on the plane
   std::vector<Eigen::Vector3d> on_plane;
   for (const Eigen::Vector3d& point : nearest)
-    if (std::abs (place.normal.dot (point - place.point)) <= rms_within * place.rms)
+    if (std::abs (patch.normal.dot (point - patch.point)) <= max_distance * patch.rms)
       on_plane.push_back (point);
-  if (on_plane.size() > nearest.size() / 4)
-    place.normal = flatPlaceOf (on_plane).normal;
+  if (on_plane.size() > nearest.size() / part_on_plane)
+    patch.normal = patchOf (on_plane).normal;
 }
 
-// Returns the flattest tenth of 2000 neighborhoods spread over the cloud, and all
-// exactly flat ones; empty if this tenth is not flat. Neighborhoods on levels are
-// exactly flat, or nearly so if coordinates were rounded later.
-std::vector<FlatPlace>
-flattestPlaces (const Coordinates& points, const PointTree& tree)
+// Returns the flattest tenth of 2000 patches spread over the cloud, and all exactly
+// flat ones; empty if this tenth is not flat. Patches on levels are exactly flat, or
+// nearly so if coordinates were rounded later.
+std::vector<FlatPatch>
+flattestPatches (const Coordinates& points, const PointTree& tree)
 {
   constexpr std::size_t tried = 2000;
   constexpr std::size_t wanted = tried / 10;
-  constexpr std::size_t neighbors = 17; // the point itself included
-  constexpr std::size_t more_neighbors = 100;
+  constexpr std::size_t points_of_patch = 17;
+  constexpr std::size_t points_of_refit = 100;
   // Both thicknesses are the rms distance to the plane over the width.
   constexpr double exact_thickness = 0.005;
   constexpr double max_thickness = 0.06;
   const auto positionOf = [&] (std::size_t k) { return k * points.size() / tried; };
-  std::vector<std::pair<double, std::size_t>> by_thickness;
-  std::vector<FlatPlace> places;
+  std::vector<std::pair<double, std::size_t>> by_thickness; // thickness, patch index
+  std::vector<FlatPatch> patches;
   for (std::size_t k = 0; k < tried; ++k) {
-    places.push_back (
-        flatPlaceOf (pointsAround (points, tree, positionOf (k), neighbors)));
-    if (places[k].width > 0.0)
-      by_thickness.emplace_back (places[k].rms / places[k].width, k);
+    patches.push_back (
+        patchOf (pointsAround (points, tree, positionOf (k), points_of_patch)));
+    if (patches[k].width > 0.0)
+      by_thickness.emplace_back (patches[k].rms / patches[k].width, k);
   }
   if (by_thickness.size() < wanted)
     return {};
   std::sort (by_thickness.begin(), by_thickness.end());
-  // Keep all exact places: the faces of a CAD model must show their several normals.
+  // Keep all exact patches: the faces of a CAD model must show their several normals.
   const double limit = std::max (exact_thickness, by_thickness[wanted - 1].first);
   if (limit >= max_thickness)
     return {};
-  std::vector<FlatPlace> flattest;
+  std::vector<FlatPatch> flattest;
   for (const auto& [thickness, k] : by_thickness) {
     if (thickness > limit)
       break;
     if (thickness > exact_thickness)
-      straighten (pointsAround (points, tree, positionOf (k), more_neighbors),
-                  places[k]);
-    flattest.push_back (places[k]);
+      refitNormal (pointsAround (points, tree, positionOf (k), points_of_refit),
+                   patches[k]);
+    flattest.push_back (patches[k]);
   }
   return flattest;
 }
@@ -127,37 +131,38 @@ flattestPlaces (const Coordinates& points, const PointTree& tree)
 // Returns the mean direction of the largest group of similar normals, up to the sign;
 // zero if fewer than 80 % are in it, as for the faces of CAD models.
 Eigen::Vector3d
-commonDirection (const std::vector<FlatPlace>& places)
+commonDirection (const std::vector<FlatPatch>& patches)
 {
-  constexpr std::size_t tried = 100; // normals as the center of a group
+  constexpr std::size_t tried_centers = 100; // normals tried as the center of a group
   constexpr double min_share = 0.8;
+  // From the center of a group to its other normals: 3 degrees at most.
   const double min_cosine = std::cos (3.0 * M_PI / 180.0);
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  std::size_t most = 0;
-  const std::size_t step = std::max<std::size_t> (1, places.size() / tried);
-  for (std::size_t k = 0; k < places.size(); k += step) {
-    std::size_t number = 0;
+  std::size_t largest_group = 0;
+  const std::size_t every = std::max<std::size_t> (1, patches.size() / tried_centers);
+  for (std::size_t center = 0; center < patches.size(); center += every) {
+    std::size_t count = 0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const FlatPlace& place : places) {
-      const Eigen::Vector3d& normal = place.normal;
-      const double cosine = normal.dot (places[k].normal);
+    for (const FlatPatch& patch : patches) {
+      const double cosine = patch.normal.dot (patches[center].normal);
       if (std::abs (cosine) <= min_cosine)
         continue;
-      ++number;
-      sum += cosine > 0.0 ? normal : Eigen::Vector3d (-normal);
+      ++count;
+      sum += cosine > 0.0 ? patch.normal : Eigen::Vector3d (-patch.normal);
     }
-    if (number > most) {
-      most = number;
+    if (count > largest_group) {
+      largest_group = count;
       direction = sum.normalized();
     }
   }
-  if (static_cast<double> (most) < min_share * static_cast<double> (places.size()))
+  if (static_cast<double> (largest_group) <
+      min_share * static_cast<double> (patches.size()))
     direction.setZero();
   return direction;
 }
 
-// Measures how blurred levels are along a direction: sorts the offsets of points along
-// it and sums the square roots of the gaps between them. If levels are exactly
+// Measures how blurred levels are along a direction: the sum of the square roots of the
+// gaps between successive offsets of the points along it. If levels are exactly
 // perpendicular to the direction, most gaps are zero.
 double
 blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction)
@@ -173,18 +178,19 @@ blurOf (const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direc
   return sum;
 }
 
-// Searches near a direction for the one along which levels are least blurred: pattern
-// search with ever smaller rotations to four sides. The start is off by tenths of a
-// degree if coordinates were rounded, too much for levels that are meters wide.
+// Searches near a direction for the one along which levels are least blurred: tries
+// rotations to four sides by ever smaller angles (pattern search). The start is off by
+// tenths of a degree if coordinates were rounded, too much for levels that are meters
+// wide.
 Eigen::Vector3d
 sharpened (const Coordinates& points, Eigen::Vector3d direction)
 {
-  constexpr std::size_t looked_at = 4000;
+  constexpr std::size_t sample_size = 4000;
   constexpr int max_moves = 8; // for each angle
-  std::vector<Eigen::Vector3d> some;
-  for (std::size_t s = 0; s < looked_at; ++s)
-    some.push_back (points[s * points.size() / looked_at]);
-  double least = blurOf (some, direction);
+  std::vector<Eigen::Vector3d> sample;
+  for (std::size_t s = 0; s < sample_size; ++s)
+    sample.push_back (points[s * points.size() / sample_size]);
+  double least_blur = blurOf (sample, direction);
   for (const double degrees : {0.2, 0.1, 0.05, 0.025, 0.0125})
     for (int move = 0; move < max_moves; ++move) {
       const Eigen::Vector3d u = direction.unitOrthogonal();
@@ -194,9 +200,9 @@ sharpened (const Coordinates& points, Eigen::Vector3d direction)
            {u, v, Eigen::Vector3d (-u), Eigen::Vector3d (-v)}) {
         const Eigen::Vector3d moved =
             (before + degrees * M_PI / 180.0 * side).normalized();
-        const double blur = blurOf (some, moved);
-        if (blur < least) {
-          least = blur;
+        const double blur = blurOf (sample, moved);
+        if (blur < least_blur) {
+          least_blur = blur;
           direction = moved;
         }
       }
@@ -233,14 +239,14 @@ middleOf (const DepthLevel& level)
   return 0.5 * (level.begin + level.end);
 }
 
-// Returns the median distance between adjacent levels around a level [m]; at least two
-// levels are needed.
+// Returns the median distance [m] between adjacent levels around the level with an
+// index; at least two levels are needed.
 double
-stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
+stepAt (const std::vector<DepthLevel>& levels, std::size_t index)
 {
   constexpr std::size_t around = 2; // levels to either side
-  const std::size_t first = number >= around ? number - around : 0;
-  const std::size_t last = std::min (levels.size() - 1, number + around);
+  const std::size_t first = index >= around ? index - around : 0;
+  const std::size_t last = std::min (levels.size() - 1, index + around);
   std::vector<double> steps;
   for (std::size_t k = first; k < last; ++k)
     steps.push_back (middleOf (levels[k + 1]) - middleOf (levels[k]));
@@ -251,50 +257,52 @@ stepAt (const std::vector<DepthLevel>& levels, std::size_t number)
   return steps[middle];
 }
 
-// Whether at least min_levels levels have a tenth of the mean number of points of a
-// level or more. A floor and the legs of chairs, with far fewer points, do not.
+// Whether at least min_levels levels are full: have a tenth or more of the mean number
+// of points of a level. A floor and the legs of chairs make one full level and many
+// that are not.
 bool
-areMany (const std::vector<DepthLevel>& levels, std::size_t points)
+areEnough (const std::vector<DepthLevel>& levels, std::size_t points)
 {
   constexpr std::size_t part_of_mean = 10;
-  const auto counted =
+  const auto full_levels =
       std::count_if (levels.begin(), levels.end(), [&] (const DepthLevel& level) {
         return part_of_mean * level.points * levels.size() >= points;
       });
-  return counted >= static_cast<std::ptrdiff_t> (min_levels);
+  return full_levels >= static_cast<std::ptrdiff_t> (min_levels);
 }
 
-// Returns the share of the points on thin levels: levels that are thin for their
-// distance to adjacent ones; 0 if there are too few levels or too few points per level.
+// Returns the share of the points that are on levels thin for their distance to
+// adjacent ones; 0 if there are too few levels or too few points per level.
 double
 shareOnThinLevels (const std::vector<DepthLevel>& levels, std::size_t points)
 {
-  constexpr std::size_t min_points_of_level = 50; // in the mean
-  constexpr double max_thickness = 0.3;           // over stepAt
-  if (levels.size() * min_points_of_level > points || !areMany (levels, points))
+  constexpr std::size_t min_mean_points = 50; // of a level
+  constexpr double max_thickness = 0.3;       // in units of stepAt
+  if (levels.size() * min_mean_points > points || !areEnough (levels, points))
     return 0.0;
-  std::size_t thin = 0;
+  std::size_t points_on_thin = 0;
   for (std::size_t k = 0; k < levels.size(); ++k)
     if (levels[k].end - levels[k].begin < max_thickness * stepAt (levels, k))
-      thin += levels[k].points;
-  return static_cast<double> (thin) / static_cast<double> (points);
+      points_on_thin += levels[k].points;
+  return static_cast<double> (points_on_thin) / static_cast<double> (points);
 }
 
-// Returns the division of sorted offsets into levels with the largest share of points
-// on thin levels; empty if no share exceeds 80 %. Tries several gaps: levels of rounded
-// or jittered coordinates have some thickness, and a too small gap would cut them up.
+// Divides sorted offsets into levels, at the gap for which the largest share of points
+// is on thin levels; empty if no share exceeds 80 %. Tries several gaps: levels of
+// rounded or jittered coordinates have some thickness, and a too small gap would divide
+// them.
 std::vector<DepthLevel>
 findLevels (const std::vector<double>& sorted)
 {
   constexpr double min_share = 0.8;
-  constexpr double smallest_gap = 1e-6; // of the range
-  constexpr int gaps = 14;              // each twice the last one
+  constexpr double smallest_gap = 1e-6; // in units of the range
+  constexpr int tried_gaps = 14;        // each is twice the one before
   const double range = sorted.back() - sorted.front();
   double largest_share = min_share;
   std::vector<DepthLevel> best_levels;
-  for (int k = 0; k < gaps; ++k) {
+  for (int doublings = 0; doublings < tried_gaps; ++doublings) {
     std::vector<DepthLevel> levels =
-        levelsOf (sorted, std::ldexp (smallest_gap, k) * range);
+        levelsOf (sorted, std::ldexp (smallest_gap, doublings) * range);
     const double share = shareOnThinLevels (levels, sorted.size());
     if (share > largest_share) {
       largest_share = share;
@@ -304,7 +312,7 @@ findLevels (const std::vector<double>& sorted)
   return best_levels;
 }
 
-// Returns the number of the level of an offset; between two levels, that of the lower
+// Returns the index of the level of an offset; between two levels, that of the lower
 // one. The offset must not be below the first level.
 std::size_t
 levelOf (const std::vector<DepthLevel>& levels, double offset)
@@ -316,18 +324,18 @@ levelOf (const std::vector<DepthLevel>& levels, double offset)
   return static_cast<std::size_t> (above - levels.begin()) - 1;
 }
 
-// Whether the flat places are on several levels. If they are all on one level, it is an
-// exact wall, and the other levels may be the rows of a grid of points.
+// Whether the flat patches are on several levels. If they are all on one level, it is
+// an exact wall, and the other levels may be the rows of a grid of points.
 bool
-areSeenFlat (const std::vector<DepthLevel>& levels,
-             const std::vector<FlatPlace>& places,
-             const Eigen::Vector3d& direction)
+areOnSeveralLevels (const std::vector<FlatPatch>& patches,
+                    const std::vector<DepthLevel>& levels,
+                    const Eigen::Vector3d& direction)
 {
-  constexpr std::size_t min_flat_levels = 3;
-  std::set<std::size_t> flat;
-  for (const FlatPlace& place : places)
-    flat.insert (levelOf (levels, direction.dot (place.point)));
-  return flat.size() >= min_flat_levels;
+  constexpr std::size_t min_levels_with_patches = 3;
+  std::set<std::size_t> levels_with_patches;
+  for (const FlatPatch& patch : patches)
+    levels_with_patches.insert (levelOf (levels, direction.dot (patch.point)));
+  return levels_with_patches.size() >= min_levels_with_patches;
 }
 
 } // namespace
@@ -336,28 +344,28 @@ DepthLevels
 findDepthLevels (const Coordinates& points, const PointTree& tree)
 {
   DepthLevels found;
-  if (points.size() < min_points_on_levels)
+  if (points.size() < min_points)
     return found;
-  const std::vector<FlatPlace> flattest = flattestPlaces (points, tree);
+  const std::vector<FlatPatch> flattest = flattestPatches (points, tree);
   const Eigen::Vector3d common = commonDirection (flattest);
   if (common.isZero())
     return found;
   const Eigen::Vector3d direction = sharpened (points, common);
-  std::vector<double> offset (points.size());
+  std::vector<double> offsets (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    offset[i] = direction.dot (points[i]);
-  std::vector<double> sorted (offset);
+    offsets[i] = direction.dot (points[i]);
+  std::vector<double> sorted (offsets);
   std::sort (sorted.begin(), sorted.end());
   const std::vector<DepthLevel> levels = findLevels (sorted);
-  if (levels.empty() || !areSeenFlat (levels, flattest, direction))
+  if (levels.empty() || !areOnSeveralLevels (flattest, levels, direction))
     return found;
-  std::vector<float> steps (levels.size());
+  std::vector<float> step_of_level (levels.size());
   for (std::size_t k = 0; k < levels.size(); ++k)
-    steps[k] = static_cast<float> (stepAt (levels, k));
+    step_of_level[k] = static_cast<float> (stepAt (levels, k));
   found.direction = direction;
   found.step.resize (points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    found.step[i] = steps[levelOf (levels, offset[i])];
+    found.step[i] = step_of_level[levelOf (levels, offsets[i])];
   return found;
 }
 

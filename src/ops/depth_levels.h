@@ -9,12 +9,12 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The levels of quantized depth, as from depth cameras: parallel planes that
- * contain all points, or nearly so if coordinates were rounded later. */
+/** \brief The levels of quantized depth, as from depth cameras: parallel planes on
+ * which all points lie, or nearly so if coordinates were rounded later. */
 struct DepthLevels {
   /** \brief The common unit normal of the levels; zero if the cloud has no levels. */
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  /** \brief For each point the distance from its level to the adjacent ones [m]; empty
+  /** \brief For each point the distance between its level and adjacent ones [m]; empty
    * if the cloud has no levels. The true depth may be anywhere within this step:
    * quantization has a variance of step^2 / 12 along the direction. */
   std::vector<float> step;
@@ -22,7 +22,7 @@ struct DepthLevels {
 
 /** \brief Searches for levels in any direction, as the cloud may have been rotated.
  * \param[in] tree k-d tree of \p points
- * \return empty if none are found, always for fewer than 2000 points */
+ * \return no levels if none are found, always for fewer than 2000 points */
 DepthLevels
 findDepthLevels (const Coordinates& points, const PointTree& tree);
 

@@ -22,29 +22,29 @@ detectOnPlaces (const Points& points,
   const unsigned threads = parameters.threads;
   LabelledPlanes found;
   StageClock clock;
-  // the distinct points, in an order that does not depend on that of the input
+
   const DistinctPlaces distinct = distinctPlaces (points, threads);
   if (distinct.size() < least_places || drawsNothing (parameters, points.size())) {
     found.labels.assign (points.size(), no_plane);
     return found;
   }
   const StageReports report (parameters.on_stage, distinct.of_input);
-  // the k nearest points of each place, and larger supports
-  const Places places =
-      describePlaces (distinct, neighborsOf (parameters, distinct.size()), threads);
+  const Places places = describePlaces (
+      distinct, neighborhoodSizeFor (parameters, distinct.size()), threads);
   report (Stage::Density, places.density);
   clock.lap (times.search);
-  // normals n_i, from the largest supports that the noise explains
+
   const PlaceNoise noise = noiseOfPlaces (places, parameters.noise_of_whole, threads);
   report (Stage::Noise, noise.of_place);
   const ChosenSupports chosen = chooseSupports (places, noise, threads);
   report (Stage::Supports, chosen.width, chosen.is_flat);
   clock.lap (times.normals);
-  // planes Pi: regions grow, the flattest seeds first
+
   Regions regions = growRegions (places, noise, chosen, parameters.distance_threshold);
   report (Stage::Regions, regions.of_place);
   clock.lap (times.extraction);
-  // merging as in section III-C of the paper, by the noise instead of theta_h
+  // This replaces the merging of the paper, section III-C: distances are compared with
+  // the noise instead of theta_h.
   joinTouching (places, threads, regions);
   if (parameters.merging.enabled)
     joinOverGaps (parameters.merging, regions);
@@ -53,7 +53,7 @@ detectOnPlaces (const Points& points,
       places, noise, chosen, regions, minPointsFactor (parameters), threads);
   report (Stage::Planes, regions.of_place, is_plane);
   clock.lap (times.merging);
-  // assign each point of the cloud to a plane or to none
+
   found =
       planesOfRegions (points, distinct, places, noise, regions, is_plane, parameters);
   found.planes_before_merging = regions.list.size();
@@ -69,16 +69,14 @@ noiseOfCloud (const Points& points,
   const DistinctPlaces distinct = distinctPlaces (points, parameters.threads);
   if (distinct.size() < least_places)
     return {};
+  // The size of the whole cloud determines the neighborhoods of its parts.
   OrientedPointSamplingParameters of_whole = parameters;
   of_whole.noise_of_whole.emplace();
   of_whole.noise_of_whole->points =
       static_cast<double> (std::max (distinct.size(), points_of_whole));
-  const std::size_t neighbors = neighborsOf (of_whole, distinct.size());
-  CloudNoise noise =
-      noiseOfPlaces (describePlaces (distinct, neighbors, parameters.threads),
-                     std::nullopt,
-                     parameters.threads)
-          .cloud;
+  const Places places = describePlaces (
+      distinct, neighborhoodSizeFor (of_whole, distinct.size()), parameters.threads);
+  CloudNoise noise = noiseOfPlaces (places, std::nullopt, parameters.threads).cloud;
   noise.points = of_whole.noise_of_whole->points;
   return noise;
 }

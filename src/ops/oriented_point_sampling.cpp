@@ -15,7 +15,7 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// The sampling that Sampling::Automatic stands for, or the one that is given.
+// Returns the given sampling, or what Sampling::Automatic stands for.
 Sampling
 usedSampling (const OrientedPointSamplingParameters& parameters)
 {
@@ -37,9 +37,10 @@ detectBySampling (const DetectorInput& input,
     return detectAsInPaper (input, points, parameters, durations);
   if (sampling == Sampling::Surfels)
     return detectOnVoxels (points, parameters, durations);
-  OrientedPointSamplingParameters of_points = parameters;
-  of_points.on_stage = observerOfPoints (parameters.on_stage, points, input.cloud.size);
-  return detectOnPlaces (points, of_points, durations);
+  OrientedPointSamplingParameters with_observer_of_points = parameters;
+  with_observer_of_points.on_stage =
+      observerOfPoints (parameters.on_stage, points, input.cloud.size);
+  return detectOnPlaces (points, with_observer_of_points, durations);
 }
 
 } // namespace
@@ -53,10 +54,10 @@ detail::detect (const DetectorInput& input,
   Detection found = detectInFinitePoints (
       input,
       parameters,
-      [&] (const auto& points, auto& durations) {
+      [&] (const Points& points, StageDurations& durations) {
         return detectBySampling (input, parameters, points, durations);
       },
-      coarsestVoxel (parameters.surfels));
+      coarsestVoxel (parameters.surfels)); // step of the origin of the local frame
   if (usedSampling (parameters) == Sampling::Neighborhoods)
     reportLabels (parameters.on_stage, found.planes, input.cloud.size);
   return found;
@@ -93,24 +94,24 @@ OrientedPointSamplingParameters::paper()
 namespace {
 
 bool
-isAtLeastZero (double value)
+isFiniteAndAtLeast (double least, double value)
 {
-  return value >= 0.0 && std::isfinite (value);
+  return value >= least && std::isfinite (value);
 }
 
+// Whether all members are in their ranges.
 bool
-isNoise (const CloudNoise& noise)
+isValid (const CloudNoise& noise)
 {
-  const auto is_growth = [] (double value) {
-    return value >= 1.0 && std::isfinite (value);
+  const auto isFactor = [] (double value) { return isFiniteAndAtLeast (1.0, value); };
+  const auto isUsualNoise = [] (const auto& octave_and_noise) {
+    return isFiniteAndAtLeast (0.0, octave_and_noise.second);
   };
-  return noise.points >= 1.0 && std::isfinite (noise.points) &&
-         is_growth (noise.common_errors) && isAtLeastZero (noise.usual) &&
-         std::all_of (noise.growth.begin(), noise.growth.end(), is_growth) &&
+  return isFiniteAndAtLeast (1.0, noise.points) && isFactor (noise.common_errors) &&
+         isFiniteAndAtLeast (0.0, noise.usual) &&
+         std::all_of (noise.growth.begin(), noise.growth.end(), isFactor) &&
          std::all_of (
-             noise.usual_of_octave.begin(),
-             noise.usual_of_octave.end(),
-             [] (const auto& octave) { return isAtLeastZero (octave.second); });
+             noise.usual_of_octave.begin(), noise.usual_of_octave.end(), isUsualNoise);
 }
 
 // A voxel's edge and its inverse are used in single precision.
@@ -129,18 +130,19 @@ validate (const OrientedPointSamplingParameters::Surfels& surfels)
     return "the voxel size must be a length above 0, or not be given";
   if (surfels.resolutions < 1 || surfels.resolutions > max_resolutions)
     return "the number of resolutions must be between 1 and 10";
-  if (!isAtLeastZero (surfels.min_average_voxels))
+  if (!isFiniteAndAtLeast (0.0, surfels.min_average_voxels))
     return "min_average_voxels must be 0 or more";
-  if (!isAtLeastZero (surfels.noise_factor))
+  if (!isFiniteAndAtLeast (0.0, surfels.noise_factor))
     return "the noise factor of surfels must be 0 or more";
   if (!(surfels.angle_threshold >= 0.0 &&
         surfels.angle_threshold <= internal::right_angle))
     return "the angle threshold of surfels must be between 0 and pi/2 (radians)";
-  if (!isAtLeastZero (surfels.sure_thickness) || !isAtLeastZero (surfels.max_thickness))
+  if (!isFiniteAndAtLeast (0.0, surfels.sure_thickness) ||
+      !isFiniteAndAtLeast (0.0, surfels.max_thickness))
     return "the thickness of surfels must be 0 or more";
-  if (!isAtLeastZero (surfels.absorption_noise_factor))
+  if (!isFiniteAndAtLeast (0.0, surfels.absorption_noise_factor))
     return "the noise factor of absorption must be 0 or more";
-  if (!isAtLeastZero (surfels.assignment_noise_factor))
+  if (!isFiniteAndAtLeast (0.0, surfels.assignment_noise_factor))
     return "the noise factor of assignment must be 0 or more";
   return {};
 }
@@ -161,7 +163,7 @@ validate (const OrientedPointSamplingParameters& parameters)
   if (!(parameters.paper_only.probability > 0.0 &&
         parameters.paper_only.probability < 1.0))
     return "the probability must lie between 0 and 1, both excluded";
-  if (parameters.noise_of_whole && !isNoise (*parameters.noise_of_whole))
+  if (parameters.noise_of_whole && !isValid (*parameters.noise_of_whole))
     return "the noise of the whole must come from measureNoise of enough points";
   if (parameters.sampling == Sampling::Points && !parameters.distance_threshold)
     return "the distance threshold must be a length above 0";

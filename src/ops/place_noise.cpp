@@ -14,13 +14,13 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Stands for the settled level of a place without a settled support.
+// The settled level of a place without a settled support.
 constexpr int no_level = -1;
 
 bool
 isExactSupport (const Support& support)
 {
-  return !(support.scatter > place_constants.max_exact * support.width);
+  return !(support.scatter > place_constants.max_exact_thickness * support.width);
 }
 
 // Returns the level of the largest settled support of a place, or no_level. The first
@@ -35,9 +35,10 @@ settledLevelOf (const Places& places, std::size_t place)
   for (std::size_t level = 1; level < places.supports.size(); ++level) {
     const Support& support = places.supports[level][place];
     if (settled == no_level) {
-      const float before = places.supports[level - 1][place].scatter + least_noise;
+      const float scatter_before =
+          places.supports[level - 1][place].scatter + least_noise;
       if (!support.is_flat ||
-          !(support.scatter < place_constants.max_thickening * before))
+          !(support.scatter < place_constants.max_thickening * scatter_before))
         continue;
       scatter_of_first = support.scatter;
     }
@@ -49,46 +50,46 @@ settledLevelOf (const Places& places, std::size_t place)
   return settled;
 }
 
-// Returns for each level the factor from the scatter of a support to that of a settled
-// one: the lower quartile over the places with settled supports. The factors of places
-// from one sensor are alike. On hills and in woods they differ, and most flat places
-// there have a factor of 1.
+// Returns for each level the growth, the scatter of a settled support over that of a
+// support of the level: the lower quartile over the places with settled supports. The
+// growths of places from one sensor are alike. On hills and in woods they differ, and
+// most flat places there have a growth of 1.
 std::vector<double>
-growthOf (const Places& places, const std::vector<int>& settled_level)
+growthsOf (const Places& places, const std::vector<int>& settled_level)
 {
   const std::size_t levels = places.supports.size();
-  std::vector<std::vector<float>> growth (levels);
+  std::vector<std::vector<float>> growths_of_level (levels);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const int settled = settled_level[i];
     if (settled == no_level || isExactSupport (places.supports[settled][i]))
       continue;
     for (std::size_t level = 0; level < levels; ++level)
-      growth[level].push_back (
+      growths_of_level[level].push_back (
           static_cast<int> (level) < settled
               ? places.supports[settled][i].scatter /
                     (places.supports[level][i].scatter + least_noise)
               : 1.0F);
   }
-  // The fewer places tell the growth, the closer to 1 (no growth) it is set.
-  const double share =
-      static_cast<double> (growth[0].size()) / static_cast<double> (places.size());
-  const double weight = std::min (1.0, share / place_constants.share_of_level_places);
-  std::vector<double> of_level;
-  for (std::vector<float>& values : growth)
-    of_level.push_back (std::pow (
-        std::max<double> (1.0, quantileOf (values, place_constants.growth_quantile)),
+  // The fewer places have a settled support, the closer to 1 (no growth) the result is.
+  const double share_of_settled = static_cast<double> (growths_of_level[0].size()) /
+                                  static_cast<double> (places.size());
+  const double weight =
+      std::min (1.0, share_of_settled / place_constants.full_share_of_settled);
+  std::vector<double> growth;
+  for (std::vector<float>& of_places : growths_of_level)
+    growth.push_back (std::pow (
+        std::max<double> (1.0, quantileOf (of_places, place_constants.growth_quantile)),
         weight));
-  return of_level;
+  return growth;
 }
 
 // Returns nu, how many neighboring points err as one. The variance of n points of a
-// flat patch about their own plane fit, with three parameters, is 1 - 3 nu / n times
-// that of the patch. So nu follows from the growth of the smallest supports for which
-// this factor is above least_share.
+// flat surface about the plane fit to them is s = 1 - 3 nu / n times that of the
+// surface, as the fit has three parameters. The growth of a level is 1 / sqrt (s): so
+// nu = (1 - s) n / 3. The smallest supports with s above least_share give nu.
 double
-commonErrors (const Places& places, const std::vector<double>& growth)
+commonErrorsOf (const Places& places, const std::vector<double>& growth)
 {
-  constexpr double parameters_of_plane = 3.0;
   constexpr double least_share = 0.3; // below, nearly all points err as one
   for (std::size_t level = 0; level < growth.size(); ++level) {
     const double share = 1.0 / (growth[level] * growth[level]);
@@ -100,15 +101,15 @@ commonErrors (const Places& places, const std::vector<double>& growth)
 }
 
 // Returns for each place the smallest noise [m] that its supports suggest: the scatter
-// of a support times its growth up to settled supports. Takes the smallest, as large
-// supports overestimate the noise of surfaces that bend.
+// of a support times the growth of its level. Takes the smallest, as large supports
+// overestimate the noise of surfaces that bend.
 std::vector<float>
-leastScatter (const Places& places,
-              const std::vector<int>& settled_level,
-              const PlaceNoise& noise,
-              unsigned threads)
+leastNoise (const Places& places,
+            const std::vector<int>& settled_level,
+            const PlaceNoise& noise,
+            unsigned threads)
 {
-  std::vector<float> scatter (places.size());
+  std::vector<float> least_noises (places.size());
   forEach (threads, places.size(), [&] (std::size_t i) {
     double least = places.supports[0][i].scatter * noise.growthOf (0);
     for (std::size_t level = 1; level < places.supports.size(); ++level)
@@ -116,13 +117,13 @@ leastScatter (const Places& places,
           std::min (least, places.supports[level][i].scatter * noise.growthOf (level));
     if (settled_level[i] != no_level)
       least = std::min<double> (least, places.supports[settled_level[i]][i].scatter);
-    scatter[i] = static_cast<float> (least);
+    least_noises[i] = static_cast<float> (least);
   });
-  return scatter;
+  return least_noises;
 }
 
-// Returns the geometric mean of the noise over each place and eight of its neighbors,
-// near and far ones; if it has fewer than eight, some count twice.
+// Returns for each place the geometric mean of the noise of itself and of eight of its
+// neighbors, near and far ones; if it has fewer than eight, some count twice.
 std::vector<float>
 smoothed (const Places& places, const std::vector<float>& noise, unsigned threads)
 {
@@ -141,43 +142,47 @@ smoothed (const Places& places, const std::vector<float>& noise, unsigned thread
   return mean;
 }
 
-// Whether a place has a flat support on the first levels, and the smallest flat one is
-// not exact.
-// \param[in] levels how many levels to look at
+// Whether a place has a flat support below a level, and the smallest flat one is not
+// exact: then its noise counts for the usual noise.
 bool
-tellsNoise (const Places& places, std::size_t place, std::size_t levels)
+tellsNoise (const Places& places, std::size_t place, std::size_t end_level)
 {
-  for (std::size_t level = 0; level < levels; ++level)
+  for (std::size_t level = 0; level < end_level; ++level)
     if (places.supports[level][place].is_flat)
       return !isExactSupport (places.supports[level][place]);
   return false;
 }
 
-// Sets the usual noise by density from the places that tell their noise.
+// Sets the usual noise, and that by density, from the places that tell their noise.
 void
-findUsual (const Places& places, const std::vector<float>& noise, CloudNoise& cloud)
+measureUsualNoise (const Places& places,
+                   const std::vector<float>& noise,
+                   CloudNoise& cloud)
 {
   std::vector<float> density;
-  std::vector<float> telling;
-  const auto gather = [&] (std::size_t levels) {
+  std::vector<float> telling_noise;
+  const auto gather = [&] (std::size_t end_level) {
     for (std::size_t i = 0; i < places.size(); ++i)
-      if (tellsNoise (places, i, levels)) {
+      if (tellsNoise (places, i, end_level)) {
         density.push_back (places.density[i]);
-        telling.push_back (noise[i]);
+        telling_noise.push_back (noise[i]);
       }
   };
   gather (1);
-  if (static_cast<double> (telling.size()) <
-      place_constants.min_telling_share * static_cast<double> (places.size())) {
+  const bool are_few =
+      static_cast<double> (telling_noise.size()) <
+      place_constants.min_telling_share * static_cast<double> (places.size());
+  if (are_few) {
     density.clear();
-    telling.clear();
+    telling_noise.clear();
     gather (places.supports.size());
   }
-  setUsualNoise (density, telling, cloud);
+  setUsualNoise (density, telling_noise, cloud);
 }
 
-// Limits the noise of each place to a range around the usual noise at its density:
-// leaves and edges scatter by more, and some places scatter by less by chance.
+// Limits the noise of each place to a range around the usual noise at its density: the
+// scatter at leaves and edges is larger than their noise, that of some places smaller
+// by chance.
 void
 limitByUsual (const Places& places,
               const CloudNoise& cloud,
@@ -185,40 +190,41 @@ limitByUsual (const Places& places,
               std::vector<float>& noise)
 {
   forEach (threads, places.size(), [&] (std::size_t i) {
-    const double here = usualNoise (cloud, places.density[i]);
+    const double usual = usualNoise (cloud, places.density[i]);
     noise[i] = static_cast<float> (
-        std::min (std::max<double> (noise[i], place_constants.min_over_usual * here),
-                  place_constants.max_over_usual * here));
+        std::min (std::max<double> (noise[i], place_constants.min_over_usual * usual),
+                  place_constants.max_over_usual * usual));
   });
 }
 
 // Returns the level of the flattest support of a place if its nearest points are in two
-// layers, else 0. If a wall is thinner than the distance between points, its two sides
-// together scatter by far more than the noise: only larger supports have the normal of
-// the wall.
+// layers, else 0. If a wall is thinner than the distance between points, the scatter of
+// its two sides together is far larger than the noise: only larger supports have the
+// normal of the wall.
 std::size_t
-flattestOfLayers (const Places& places, std::size_t place)
+levelForTwoLayers (const Places& places, std::size_t place)
 {
   std::size_t flattest = 0;
-  double least = 1.0;
+  double least_thickness = 1.0; // scatter over width
   for (std::size_t level = 0; level < places.supports.size(); ++level) {
     const Support& support = places.supports[level][place];
-    if (support.is_flat && support.scatter < least * support.width) {
-      least = support.scatter / support.width;
+    if (support.is_flat && support.scatter < least_thickness * support.width) {
+      least_thickness = support.scatter / support.width;
       flattest = level;
     }
   }
   if (flattest == 0)
     return 0;
   const Eigen::Vector3d normal = places.supports[flattest][place].normal.cast<double>();
-  std::vector<double> offset{0.0};
+  std::vector<double> offsets{0.0}; // of the place and its neighbors along the normal
   for (std::size_t k = 0; k < places.neighbors; ++k)
-    offset.push_back (normal.dot (places.position[places.nearestOf (place)[k]] -
-                                  places.position[place]));
-  std::sort (offset.begin(), offset.end());
-  constexpr std::size_t min_of_layer = 3;
-  const double rest = 1.0 - bestTwoGroups (offset, min_of_layer).explained_share;
-  return rest < place_constants.max_rest_of_layers ? flattest : 0;
+    offsets.push_back (normal.dot (places.position[places.nearestOf (place)[k]] -
+                                   places.position[place]));
+  std::sort (offsets.begin(), offsets.end());
+  constexpr std::size_t min_points_of_layer = 3;
+  const double unexplained =
+      1.0 - bestTwoGroups (offsets, min_points_of_layer).explained_share;
+  return unexplained < place_constants.max_unexplained_by_layers ? flattest : 0;
 }
 
 } // namespace
@@ -237,13 +243,13 @@ noiseOfPlaces (const Places& places,
     noise.cloud = *whole;
   else {
     noise.cloud.points = static_cast<double> (places.size());
-    noise.cloud.growth = growthOf (places, settled_level);
-    noise.cloud.common_errors = commonErrors (places, noise.cloud.growth);
+    noise.cloud.growth = growthsOf (places, settled_level);
+    noise.cloud.common_errors = commonErrorsOf (places, noise.cloud.growth);
   }
   noise.of_place =
-      smoothed (places, leastScatter (places, settled_level, noise, threads), threads);
+      smoothed (places, leastNoise (places, settled_level, noise, threads), threads);
   if (!whole)
-    findUsual (places, noise.of_place, noise.cloud);
+    measureUsualNoise (places, noise.of_place, noise.cloud);
   limitByUsual (places, noise.cloud, threads, noise.of_place);
   return noise;
 }
@@ -259,9 +265,10 @@ chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
   // Whether the noise explains the scatter of a support.
   const auto isExplained = [&] (std::size_t i, std::size_t level) {
     const Support& support = places.supports[level][i];
-    const double limit = std::max<double> (
-        place_constants.max_noises_of_support * noise.of_place[i],
-        place_constants.share_of_exact * place_constants.max_exact * support.width);
+    const double limit =
+        std::max<double> (place_constants.max_noises_of_support * noise.of_place[i],
+                          place_constants.share_of_exact *
+                              place_constants.max_exact_thickness * support.width);
     return support.scatter * noise.growthOf (level) <= limit;
   };
   forEach (threads, places.size(), [&] (std::size_t i) {
@@ -269,7 +276,7 @@ chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads)
     while (level > 0 && !isExplained (i, level))
       --level;
     if (level == 0 && !isExplained (i, 0))
-      level = flattestOfLayers (places, i);
+      level = levelForTwoLayers (places, i);
     const Support& support = places.supports[level][i];
     chosen.normal[i] = support.normal.cast<double>();
     chosen.scatter[i] = support.scatter;

@@ -13,18 +13,18 @@ namespace pcl_ops::internal {
 /** \brief The noise of a cloud, measured before any plane is found.
  *
  * With white noise supports of all sizes have the same scatter. With correlated noise,
- * as in depth images, neighbors err alike: small supports scatter too little. The
- * scatter grows with the support until it holds many independent errors: from that
- * level on supports are settled. */
+ * as in depth images, neighbors err alike: the scatter of small supports is less than
+ * the noise. The scatter grows from level to level until a support holds many
+ * independent errors. From that level on supports are settled. */
 struct PlaceNoise {
   /** \brief Noise of each place: the scatter expected in settled supports [m]. */
   std::vector<float> of_place;
   /** \brief The noise statistics of all places. */
   CloudNoise cloud;
 
-  /** \brief Returns the factor from the scatter of a support of a level to that of a
-   * settled support; 1 for a level without a value. Such levels exist if \ref cloud
-   * was measured on a sample that is smaller than these places. */
+  /** \brief Returns the growth of a level: the scatter of settled supports over that of
+   * supports of the level. It is 1 for a level without a value. Such levels exist if
+   * \ref cloud was measured on a sample that is smaller than these places. */
   double
   growthOf (std::size_t level) const
   {
@@ -40,8 +40,8 @@ noiseOfPlaces (const Places& places,
                const std::optional<CloudNoise>& whole,
                unsigned threads);
 
-/** \brief The one support of each place that regions grow by. See \ref Support for the
- * members, which are indexed by place. */
+/** \brief The one support of each place that regions grow by. Has for each place the
+ * members of \ref Support. */
 struct ChosenSupports {
   std::vector<Eigen::Vector3d> normal;
   std::vector<float> scatter, width;
@@ -49,8 +49,8 @@ struct ChosenSupports {
 };
 
 /** \brief Chooses for each place the largest support whose scatter its noise explains.
- * If the noise explains no support, chooses the smallest one. But if the nearest points
- * are in two layers, as the sides of a thin wall, chooses the flattest one. */
+ * If the noise explains none of them, chooses the smallest one, or, if the nearest
+ * points are in two layers, as the sides of a thin wall, the flattest one. */
 ChosenSupports
 chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads);
 

@@ -6,7 +6,8 @@
 
 #include <cstddef>
 
-// The meaning of the paper's parameters for detection on neighborhoods.
+// What the paper's parameters mean for detection on neighborhoods: the sampling rate
+// alpha_s, the number of neighbors k, and theta_N, min_samples.
 
 namespace pcl_ops::internal {
 
@@ -21,13 +22,14 @@ drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t poi
 
 /** \brief Returns the number of points of a neighborhood, its place included, from
  * alpha_s, k and the size of the cloud.
- * \param[in] places number of places; also the size of the cloud, unless
- * \p parameters.noise_of_whole has that of the whole */
+ * \param[in] places number of places. It is the size of the cloud, too, unless these
+ * places are a part of a cloud: then \p parameters.noise_of_whole has its size */
 std::size_t
-neighborsOf (const OrientedPointSamplingParameters& parameters, std::size_t places);
+neighborhoodSizeFor (const OrientedPointSamplingParameters& parameters,
+                     std::size_t places);
 
-/** \brief Returns the factor of the least number of points of a plane, by theta_N; 1
- * for the default. */
+/** \brief Returns the factor by which theta_N multiplies the least number of points of
+ * a plane; 1 for the default theta_N. */
 double
 minPointsFactor (const OrientedPointSamplingParameters& parameters);
 

@@ -23,8 +23,8 @@ struct Support {
 };
 
 /** \brief Distinct points, each with its neighborhood. No cells divide space: one more
- * or one less point in the cloud changes a neighborhood by one point only. If cells of
- * a grid or a tree were used, their borders could move and they would hold altogether
+ * or one less point in the cloud changes a neighborhood by one point only. The borders
+ * of cells of a grid or a tree could move, and a cell could then hold entirely
  * different points. */
 struct Places {
   /** \brief [m] in the local frame. */
@@ -57,23 +57,25 @@ struct Places {
 
 /** \brief Returns the number of points of a neighborhood, its place included.
  * \param[in] points number of points of the cloud
- * \param[in] factor of the usual number, as the parameters ask for
- * \return 6 to NearestPoints::max_size, however many points there are */
+ * \param[in] factor multiplies the usual size, PlaceConstants::min_neighborhood
+ * \return 6 to NearestPoints::max_size; may exceed \p points */
 std::size_t
-neighborsOfCloud (double points, double factor);
+neighborhoodSize (double points, double factor);
 
 /** \brief Finds the nearest points of each point, and fits planes to the supports
  * around it.
  *
- * The smallest support of a place is the place and its nearest points. The support of
- * the next level adds up the supports of the place and of its arms, eight places around
- * it (fewer in small neighborhoods). From level to level arms are about twice as far
- * away. So all levels cost the same, however many points their supports have.
+ * The smallest support of a place is its neighborhood. The support of the next level
+ * adds up the supports of the place and of its arms, eight places around it (fewer in
+ * small neighborhoods). From level to level arms are about twice as far away. So all
+ * levels cost the same, however many points their supports have.
  * \param[in] points least_places or more, all different, in an order that depends only
  * on their coordinates
- * \param[in] neighbors points of a neighborhood, \ref neighborsOfCloud; at most as many
- * as \p points */
+ * \param[in] neighborhood_size points of a neighborhood, its place included; at most as
+ * many as \p points */
 Places
-describePlaces (const Coordinates& points, std::size_t neighbors, unsigned threads);
+describePlaces (const Coordinates& points,
+                std::size_t neighborhood_size,
+                unsigned threads);
 
 } // namespace pcl_ops::internal

@@ -18,10 +18,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
-using OpsParameters = OrientedPointSamplingParameters;
-
 // Splits each region that grew over both sides of a thin wall into two planes. The new
-// planes have the numbers after the last region.
+// planes have the indices after the last region.
+// \param[in,out] labels of the places
 void
 splitThinWalls (const Coordinates& places,
                 const Regions& regions,
@@ -29,8 +28,8 @@ splitThinWalls (const Coordinates& places,
                 Labels& labels,
                 std::vector<char>& is_plane)
 {
-  // Below 2: noise that was measured over both sides of a wall is half of their
-  // distance.
+  // Least distance of the sides, in units of the noise. It is below 2: noise that was
+  // measured over both sides of a wall is half of their distance.
   constexpr double noises_apart = 1.7;
   // Rounded coordinates put a surface into two layers, one step apart.
   constexpr double steps_apart = 1.5;
@@ -47,20 +46,25 @@ splitThinWalls (const Coordinates& places,
   splitLayers (places, planes, min_apart, labels, is_plane);
 }
 
-// Returns for each label the noise of all items with that label.
-template <typename NoiseOf>
+// Returns for each plane the noises of all items with its label.
+// \param[in] labels of the items, places or points
+// \param[in] noise_of_item called with the index of an item
+template <typename NoiseOfItem>
 std::vector<std::vector<float>>
-noisesOfLabels (const Labels& labels, std::size_t planes, const NoiseOf& noise_of)
+noisesOfPlanes (const Labels& labels,
+                std::size_t planes,
+                const NoiseOfItem& noise_of_item)
 {
   std::vector<std::vector<float>> noises (planes);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] != no_plane)
-      noises[labels[i]].push_back (noise_of (i));
+      noises[labels[i]].push_back (noise_of_item (i));
   return noises;
 }
 
 // Drops planes whose rms distance is far above their noise, such as hills joined from
-// thin pieces. If the noise is near 0, the limit is max_exact times the width.
+// thin pieces. If the noise is near 0, the limit is max_exact_thickness times the
+// width.
 void
 dropThickPlanes (const Coordinates& places,
                  const PlaceNoise& noise,
@@ -71,72 +75,74 @@ dropThickPlanes (const Coordinates& places,
   const std::vector<Moments> moments =
       momentsOfLabels (places, labels, is_plane.size(), threads);
   std::vector<std::vector<float>> noises =
-      noisesOfLabels (labels, is_plane.size(), [&] (std::size_t place) {
+      noisesOfPlanes (labels, is_plane.size(), [&] (std::size_t place) {
         return noise.of_place[place];
       });
   for (std::size_t p = 0; p < is_plane.size(); ++p) {
-    const std::optional<PlaneFit> fit =
-        is_plane[p] != 0 && moments[p].count >= least_places ? fitPlane (moments[p])
-                                                             : std::nullopt;
+    if (is_plane[p] == 0 || moments[p].count < least_places)
+      continue;
+    const std::optional<PlaneFit> fit = fitPlane (moments[p]);
     if (!fit)
       continue;
     const double width = std::sqrt (squared_width_of_variance * fit->variances[1]);
     const double max_rms =
         std::max (place_constants.max_noises_of_plane * medianOf (noises[p]),
-                  place_constants.max_exact * width);
+                  place_constants.max_exact_thickness * width);
     if (fit->variances[0] > max_rms * max_rms)
       is_plane[p] = 0;
   }
 }
 
-// Renumbers the planes that are kept, and labels each point of the cloud as its place.
+// Labels each point of the cloud as its place. The planes that are kept get successive
+// labels from 0 on.
 AssignedPoints
 labelPointsOf (const Points& points,
                const DistinctPlaces& distinct,
-               const Labels& labels,
+               const Labels& label_of_place,
                const std::vector<char>& is_kept,
                unsigned threads)
 {
-  Labels new_number (is_kept.size(), no_plane);
+  Labels new_label (is_kept.size(), no_plane);
   std::int32_t planes = 0;
   for (std::size_t p = 0; p < is_kept.size(); ++p)
     if (is_kept[p] != 0)
-      new_number[p] = planes++;
+      new_label[p] = planes++;
   AssignedPoints assigned;
   assigned.labels.resize (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::int32_t plane = labels[distinct.of_input[i]];
-    assigned.labels[i] = plane == no_plane ? no_plane : new_number[plane];
+    const std::int32_t label = label_of_place[distinct.of_input[i]];
+    assigned.labels[i] = label == no_plane ? no_plane : new_label[label];
   }
   assigned.moments = momentsOfLabels (
       points, assigned.labels, static_cast<std::size_t> (planes), threads);
   return assigned;
 }
 
-// Merges planes only if the user gave a merging distance: else joins have done it.
+// Fits planes to the assigned points. Merges planes only if the user gave a merging
+// distance: else the joins of regions have done it.
 LabelledPlanes
-mergeByGivenDistance (AssignedPoints assigned, const OpsParameters& parameters)
+fitAndMerge (AssignedPoints assigned, const OrientedPointSamplingParameters& parameters)
 {
   MergingParameters given = parameters.merging;
-  given.noise_factor.reset(); // only for joins over gaps
+  given.noise_factor.reset(); // limits only joins over gaps
   given.enabled = given.enabled && given.distance_threshold.has_value();
   return mergePlanesOf (std::move (assigned), given, parameters.threads);
 }
 
 // Sets the noise of each plane: the median over its points, unknown if that is 0. Sets
-// the distance threshold to noises_of_point times the median noise of the planes.
+// the used distance threshold to noises_of_point times the median noise of the planes.
 void
 setNoises (const DistinctPlaces& distinct,
            const PlaceNoise& noise,
            LabelledPlanes& found)
 {
   std::vector<std::vector<float>> noises =
-      noisesOfLabels (found.labels, found.planes.fits.size(), [&] (std::size_t point) {
+      noisesOfPlanes (found.labels, found.planes.fits.size(), [&] (std::size_t point) {
         return noise.of_place[distinct.of_input[point]];
       });
   std::vector<float> medians;
-  for (std::vector<float>& of_plane : noises) {
-    const double median = medianOf (of_plane);
+  for (std::vector<float>& noises_of_plane : noises) {
+    const double median = medianOf (noises_of_plane);
     found.noises.push_back (median > 0.0 ? std::optional (median) : std::nullopt);
     medians.push_back (static_cast<float> (median));
   }
@@ -165,7 +171,7 @@ planesOfRegions (const Points& points,
   splitThinWalls (distinct, regions, parameters.distance_threshold, labels, is_plane);
   if (!parameters.distance_threshold)
     dropThickPlanes (distinct, noise, labels, parameters.threads, is_plane);
-  LabelledPlanes found = mergeByGivenDistance (
+  LabelledPlanes found = fitAndMerge (
       labelPointsOf (points, distinct, labels, is_plane, parameters.threads),
       parameters);
   setNoises (distinct, noise, found);

@@ -18,7 +18,7 @@ namespace pcl_ops::internal {
  * much thicker than their noise, unless the user gave a distance threshold. Merges
  * planes if the user gave a merging distance. Sets the noise of each plane.
  * \param[in] points all points of the cloud
- * \param[in] distinct the distinct points; point i is place i
+ * \param[in] distinct the coordinates of the places, and the place of each point
  * \param[in] places,noise,regions results of the earlier stages
  * \param[in] is_plane for each region, whether it is a plane */
 LabelledPlanes

@@ -10,8 +10,8 @@ namespace pcl_ops::internal {
 
 /** \brief Evidence for and against a region being a plane. */
 struct RegionEvidence {
-  /** \brief Base 10 logarithm of the ratio of its points to the square root of all
-   * points of the cloud; smaller if neighboring points err alike. */
+  /** \brief Base 10 logarithm of the ratio of its points to the square root of the
+   * number of points of the cloud; smaller if neighboring points err alike. */
   double size = 0.0;
   /** \brief Rms height of the quadratic surface fitted to the region over the rms of
    * the residuals; 0 if the region is flat. */
@@ -19,7 +19,8 @@ struct RegionEvidence {
   /** \brief Share of its border where an adjacent region continues it smoothly, times
    * the bend of that region: high for the facets of a round surface. */
   double smooth_border = 0.0;
-  /** \brief Share of its border without an adjacent region, or with a scrap only. */
+  /** \brief Share of its border beyond which there is no region, or only a scrap (a
+   * region with few places). */
   double open_border = 0.0;
 
   /** \brief Returns the weighted sum of the evidence; above 0 the region is a plane. */
@@ -28,9 +29,9 @@ struct RegionEvidence {
 };
 
 /** \brief Tells which regions are planes: those with enough places, enough flat places
- * and a sum of evidence above 0. One sum is steadier than several limits in a
- * row, which lose planes that miss one limit by little.
- * \param[in] min_points_factor factor of the least number of points of a plane
+ * and a sum of evidence above 0. With several limits instead of the sum, a plane that
+ * misses one of them by little would be lost.
+ * \param[in] min_points_factor multiplies the least number of places of a plane
  * \return for each region 1 if it is a plane, else 0 */
 std::vector<char>
 planesAmong (const Places& places,

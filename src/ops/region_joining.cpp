@@ -15,10 +15,10 @@ namespace pcl_ops::internal {
 namespace {
 
 // Regions with fewer points are not joined to others: they have no plane of their own.
-constexpr double least_points_of_join = 3.0;
+constexpr double min_points_of_join = 3.0;
 
 // Whether the first region has more points; in case of a tie the one with the lower
-// number is the larger one.
+// index is the larger one.
 bool
 isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
 {
@@ -27,50 +27,52 @@ isLarger (const Regions& regions, std::int32_t first, std::int32_t second)
   return points != other_points ? points > other_points : first < second;
 }
 
-// Joins each region into the region that it picks, if that one picks none itself: so
-// chains wait for the next round. Returns whether any regions were joined.
+// Joins each region into the region that it picks, if that one picks none itself; else
+// it waits for the next round. Returns whether any regions were joined.
 bool
-unite (const Labels& pick, Regions& regions)
+joinPicked (const Labels& pick, Regions& regions)
 {
-  Labels into (pick.size(), no_plane);
+  Labels joined_into (pick.size(), no_plane);
   bool has_joined = false;
   for (std::size_t r = 0; r < pick.size(); ++r)
     if (pick[r] != no_plane && pick[pick[r]] == no_plane) {
-      into[r] = pick[r];
+      joined_into[r] = pick[r];
       has_joined = true;
     }
   if (!has_joined)
     return false;
   std::vector<char> has_changed (pick.size(), 0);
-  for (std::size_t r = 0; r < into.size(); ++r)
-    if (into[r] != no_plane) {
-      regions.list[into[r]].take (regions.list[r]);
-      has_changed[into[r]] = 1;
+  for (std::size_t r = 0; r < joined_into.size(); ++r)
+    if (joined_into[r] != no_plane) {
+      regions.list[joined_into[r]].take (regions.list[r]);
+      has_changed[joined_into[r]] = 1;
     }
-  for (std::size_t r = 0; r < into.size(); ++r)
+  for (std::size_t r = 0; r < joined_into.size(); ++r)
     if (has_changed[r] != 0)
       regions.list[r].refit();
   for (std::int32_t& region : regions.of_place)
-    if (region != no_plane && into[region] != no_plane)
-      region = into[region];
+    if (region != no_plane && joined_into[region] != no_plane)
+      region = joined_into[region];
   return true;
 }
 
-// Returns how far the points of a region scatter [m]. It is not the rms distance: with
-// that a region that bends would take all adjacent pieces of its surface.
+// Returns how far the points of a region are from its plane because of noise [m]. The
+// rms distance is no measure of that: with it, a region that bends would take all
+// adjacent pieces of its surface.
 double
 thicknessOf (const Region& region)
 {
   return std::max (region.scatter, region.noise);
 }
 
-/** \brief Counts the places of region own with a neighbor in region other. */
+/** \brief Where region own touches region other. */
 struct Contact {
   std::int32_t own;
   std::int32_t other;
+  /** \brief Number of places of region own with a neighbor in region other. */
   int places;
   /** \brief How many of these places lie on the plane of the other region, too. */
-  int fitting;
+  int fitting_places;
 };
 
 bool
@@ -79,7 +81,7 @@ isBefore (const Contact& first, const Contact& second)
   return first.own != second.own ? first.own < second.own : first.other < second.other;
 }
 
-// Adds contacts of one place, one for each other region among its neighbors.
+// Adds the contacts of one place, one for each other region among its neighbors.
 void
 addContacts (const Places& places,
              const Regions& regions,
@@ -87,20 +89,20 @@ addContacts (const Places& places,
              std::vector<Contact>& contacts)
 {
   const std::int32_t own = regions.of_place[place];
-  const auto first = static_cast<std::ptrdiff_t> (contacts.size());
-  const auto isKnown = [&] (std::int32_t other) {
+  const auto first_of_place = static_cast<std::ptrdiff_t> (contacts.size());
+  const auto isCounted = [&] (std::int32_t other) {
     return std::any_of (
-        contacts.begin() + first, contacts.end(), [=] (const Contact& contact) {
-          return contact.other == other;
-        });
+        contacts.begin() + first_of_place,
+        contacts.end(),
+        [=] (const Contact& contact) { return contact.other == other; });
   };
   for (std::size_t k = 0; k < places.neighbors; ++k) {
     const std::int32_t other = regions.of_place[places.nearestOf (place)[k]];
-    if (other == no_plane || other == own || isKnown (other))
+    if (other == no_plane || other == own || isCounted (other))
       continue;
     const Region& region = regions.list[other];
-    // Twice the noises that liesOn allows: the halves of a cambered road bend, so that
-    // their borders lie off each other's planes.
+    // Twice the distance that liesOn allows: the halves of a cambered road bend, so
+    // that their borders lie off each other's planes.
     const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region) +
                          place_constants.bend_of_width * region.width();
     const double distance = region.fit.plane.distance (places.position[place]);
@@ -108,10 +110,10 @@ addContacts (const Places& places,
   }
 }
 
-/** \brief The contacts between regions, up to one for each direction of a pair, sorted;
- * and the number of border places of each region. */
 struct Borders {
+  /** \brief Sorted; of two regions that touch up to two, as each may be own. */
   std::vector<Contact> contacts;
+  /** \brief Number of border places of each region: those that touch other regions. */
   std::vector<int> border_places;
 };
 
@@ -124,19 +126,21 @@ summed (std::vector<Contact> contacts)
   for (const Contact& contact : contacts)
     if (!sums.empty() && !isBefore (sums.back(), contact)) {
       sums.back().places += contact.places;
-      sums.back().fitting += contact.fitting;
+      sums.back().fitting_places += contact.fitting_places;
     }
     else
       sums.push_back (contact);
   return sums;
 }
 
-/** \brief The border places, and their contacts, found in one piece of the loop. */
+/** \brief The border places, and their contacts, of one piece of a parallel loop. */
 struct BorderPart {
   Indices places;
   std::vector<Contact> contacts;
 };
 
+// Finds where regions touch. From join to join a place can only cease to touch another
+// region, so that each call looks at the places that touched one in the call before.
 // \param[in,out] border places that may touch other regions; returns those that do
 Borders
 bordersOf (const Places& places,
@@ -224,104 +228,116 @@ fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
   return {contact.own,
           contact.other,
           contact.places + found->places,
-          contact.fitting + found->fitting};
+          contact.fitting_places + found->fitting_places};
 }
 
 // Picks for each region a larger one that it touches and whose plane it is a piece of:
-// the one with which it shares most fitting border places; no_plane if there is none.
+// the one with which it shares most fitting_places border places; no_plane if there is
+// none.
 Labels
 pickTouching (const Borders& borders, const Regions& regions)
 {
   Labels pick (regions.list.size(), no_plane);
-  std::vector<int> most_fitting (regions.list.size(), 0);
+  std::vector<int> most_fitting_places (regions.list.size(), 0);
   for (const Contact& contact : borders.contacts) {
     const std::int32_t own = contact.own;
     const std::int32_t other = contact.other;
     if (!isLarger (regions, other, own) ||
-        regions.list[own].moments.count < least_points_of_join)
+        regions.list[own].moments.count < min_points_of_join)
       continue;
     const Contact both = fromBothSides (contact, borders.contacts);
-    if (both.fitting < place_constants.min_fitting_border * both.places ||
-        contact.fitting <
-            place_constants.min_share_of_border * borders.border_places[own] ||
-        both.fitting <= most_fitting[own] ||
-        !areOnePlane (regions.list[own], regions.list[other]))
-      continue;
-    most_fitting[own] = both.fitting;
-    pick[own] = other;
+    const bool fits_along_contact =
+        both.fitting_places >= place_constants.min_fitting_border * both.places;
+    const bool is_much_of_border =
+        contact.fitting_places >=
+        place_constants.min_share_of_border * borders.border_places[own];
+    if (fits_along_contact && is_much_of_border &&
+        both.fitting_places > most_fitting_places[own] &&
+        areOnePlane (regions.list[own], regions.list[other])) {
+      most_fitting_places[own] = both.fitting_places;
+      pick[own] = other;
+    }
   }
   return pick;
 }
 
-// Returns how strongly the larger region other attracts region own over a gap: the
+// Returns the attraction of region own by the larger region other over a gap: the
 // points of other over the squared distance of the centroids [1/m^2]; 0 if own is no
 // piece of the plane of other.
-// \param[in] noises largest distance to the plane of other, in units of the noise
+// \param[in] min_cosine of the angle between the normals
+// \param[in] max_noises largest distance to the plane of other, in units of the noise
 double
 attractionOverGap (const Region& own,
                    const Region& other,
                    double min_cosine,
-                   double noises)
+                   double max_noises)
 {
-  // The larger noise of the two regions counts, up to this many times the smaller one.
+  // The larger noise of the two regions counts, but at most this many times the smaller
+  // one.
   constexpr double max_noise_ratio = 1.5;
   if (std::abs (own.fit.plane.normal.dot (other.fit.plane.normal)) < min_cosine)
     return 0.0;
   // Regions of exact points have no noise: allow a share of the width.
-  const double exact = place_constants.share_of_exact * place_constants.max_exact;
+  const double exact_thickness =
+      place_constants.share_of_exact * place_constants.max_exact_thickness;
   const double reach =
-      noises * std::min (std::max (own.noise, other.noise),
-                         max_noise_ratio * std::min (own.noise, other.noise)) +
-      exact * own.width();
+      max_noises * std::min (std::max (own.noise, other.noise),
+                             max_noise_ratio * std::min (own.noise, other.noise)) +
+      exact_thickness * own.width();
   if (std::abs (other.fit.plane.distance (own.fit.centroid)) > reach)
     return 0.0;
-  const double gap = (own.fit.centroid - other.fit.centroid).norm();
-  if (gap > place_constants.max_gap * 0.5 * (own.length() + other.length()))
+  const double apart = (own.fit.centroid - other.fit.centroid).norm();
+  if (apart > place_constants.max_gap * 0.5 * (own.length() + other.length()))
     return 0.0;
-  // How much more variance its points have about that plane than about their own.
+  // How much more variance the points of own have about the other plane than about
+  // their own.
   const double added_variance =
       detail::meanSquaredDistance (own.moments, other.fit.plane) - own.fit.variances[0];
-  return added_variance > reach * reach ? 0.0 : other.moments.count / (gap * gap);
+  return added_variance > reach * reach ? 0.0 : other.moments.count / (apart * apart);
 }
 
-// Picks for each region the larger one that attracts it most; no_plane if none does.
-// \param[in] large numbers of the regions to compare, the largest first
+// Picks for each region the larger one with the largest attraction; no_plane if none
+// has any.
+// \param[in] large indices of the regions to compare, the largest first
 Labels
 pickOverGaps (const std::vector<std::int32_t>& large,
               const MergingParameters& merging,
               const Regions& regions)
 {
   const double min_cosine = std::cos (merging.angle_threshold);
-  const double noises = merging.noise_factor.value_or (place_constants.noises_of_join);
+  const double max_noises =
+      merging.noise_factor.value_or (place_constants.noises_of_join);
   Labels pick (regions.list.size(), no_plane);
-  for (std::size_t a = 1; a < large.size(); ++a) {
-    double strongest = 0.0;
-    for (std::size_t b = 0; b < a; ++b) {
+  for (std::size_t k = 1; k < large.size(); ++k) {
+    const std::int32_t own = large[k];
+    double largest_attraction = 0.0;
+    for (std::size_t l = 0; l < k; ++l) {
+      const std::int32_t other = large[l];
       const double attraction = attractionOverGap (
-          regions.list[large[a]], regions.list[large[b]], min_cosine, noises);
-      if (attraction > strongest) {
-        strongest = attraction;
-        pick[large[a]] = large[b];
+          regions.list[own], regions.list[other], min_cosine, max_noises);
+      if (attraction > largest_attraction) {
+        largest_attraction = attraction;
+        pick[own] = other;
       }
     }
   }
   return pick;
 }
 
-// Returns the numbers of the largest regions, by descending number of points.
+// Returns the indices of the largest regions, by descending number of points.
 std::vector<std::int32_t>
 largeRegions (const Regions& regions)
 {
   // Limits the time: all pairs of these regions are compared.
-  constexpr std::size_t most = 5000;
+  constexpr std::size_t max_regions = 5000;
   std::vector<std::int32_t> large;
   for (std::size_t r = 0; r < regions.list.size(); ++r)
-    if (regions.list[r].moments.count >= least_points_of_join)
+    if (regions.list[r].moments.count >= min_points_of_join)
       large.push_back (static_cast<std::int32_t> (r));
   std::sort (large.begin(), large.end(), [&] (std::int32_t a, std::int32_t b) {
     return isLarger (regions, a, b);
   });
-  large.resize (std::min (large.size(), most));
+  large.resize (std::min (large.size(), max_regions));
   return large;
 }
 
@@ -330,21 +346,22 @@ largeRegions (const Regions& regions)
 void
 joinTouching (const Places& places, unsigned threads, Regions& regions)
 {
-  Indices border;
+  Indices border; // at first all places in a region
   for (std::size_t i = 0; i < places.size(); ++i)
     if (regions.of_place[i] != no_plane)
       border.push_back (static_cast<std::uint32_t> (i));
-  for (int round = 0; round < place_constants.join_rounds; ++round)
-    if (!unite (pickTouching (bordersOf (places, regions, threads, border), regions),
-                regions))
+  for (int round = 0; round < place_constants.join_rounds; ++round) {
+    const Borders borders = bordersOf (places, regions, threads, border);
+    if (!joinPicked (pickTouching (borders, regions), regions))
       return;
+  }
 }
 
 void
 joinOverGaps (const MergingParameters& merging, Regions& regions)
 {
   for (int round = 0; round < place_constants.join_rounds; ++round)
-    if (!unite (pickOverGaps (largeRegions (regions), merging, regions), regions))
+    if (!joinPicked (pickOverGaps (largeRegions (regions), merging, regions), regions))
       return;
 }
 

@@ -11,9 +11,9 @@ namespace pcl_ops::internal {
  *
  * In each round each region picks a larger neighbor: the one with which it shares most
  * border places that lie on each other's planes. Then each region that picked no other
- * takes all regions that picked it. So the result does not depend on an order. If the
- * best pair were joined first, one point less could change that pair and all later
- * ones. */
+ * takes all regions that picked it. So the result does not depend on an order. If only
+ * the best pair were joined at a time, one point less could change which pair that is,
+ * and so all later pairs. */
 void
 joinTouching (const Places& places, unsigned threads, Regions& regions);
 

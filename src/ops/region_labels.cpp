@@ -13,44 +13,53 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief The likeliest plane found so far for a place. */
+/** \brief The likeliest region found so far for a place. */
 struct Likeliest {
   double cost = std::numeric_limits<double>::infinity();
   std::int32_t region = no_plane;
 };
 
-// Makes the plane of a region the best one of a place if it is near enough and likelier
-// than the best so far. In case of a tie the lower region number wins.
+// Returns how far points of a region may be from its plane [m].
+// \param[in] noise of the plane around the point
+double
+reachOf (const Region& region, double noise)
+{
+  // Joined parts tilt, as those of a cambered road, and lie beyond the noise of the
+  // region that took them: such a region reaches as far as its rms distance. If all
+  // regions did, hills would become thick planes.
+  const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
+  const double thickness =
+      region.has_parts
+          ? std::clamp (rms, noise, place_constants.max_rms_over_noise * noise)
+          : noise;
+  return place_constants.noises_of_point * thickness +
+         place_constants.bend_of_width * region.width();
+}
+
+// Makes a region the likeliest one of a place if its plane is near enough and likelier
+// than the likeliest so far. In case of a tie the lower index wins.
+// \param[in] index of the region
 void
 offer (const Region& region,
-       std::int32_t number,
+       std::int32_t index,
        const Eigen::Vector3d& position,
        double noise_of_place,
        std::optional<double> distance_threshold,
-       Likeliest& best)
+       Likeliest& likeliest)
 {
   constexpr double least_spread = 1e-9; // [m], keeps the logarithm finite
   const double distance = std::abs (region.fit.plane.distance (position));
   const double noise = std::max (
       region.scatter,
       std::min (noise_of_place, place_constants.max_noise_over_region * region.noise));
-  // Joined parts tilt, as those of a cambered road, and lie beyond the noise of the
-  // region that took them: such a region reaches as far as its rms distance. If all
-  // regions did, hills would become thick planes.
-  const double rms = std::sqrt (std::max (0.0, region.fit.variances[0]));
-  const double thickness =
-      region.is_joined
-          ? std::clamp (rms, noise, place_constants.max_rms_over_noise * noise)
-          : noise;
   const double reach =
-      distance_threshold.value_or (place_constants.noises_of_point * thickness +
-                                   place_constants.bend_of_width * region.width());
+      distance_threshold ? *distance_threshold : reachOf (region, noise);
   if (distance > reach)
     return;
   const double spread = noise + least_spread;
   const double cost = distance * distance / (spread * spread) + 2.0 * std::log (spread);
-  if (cost < best.cost || (cost == best.cost && number < best.region))
-    best = {cost, number};
+  if (cost < likeliest.cost || (cost == likeliest.cost && index < likeliest.region))
+    likeliest = {cost, index};
 }
 
 } // namespace
@@ -65,23 +74,24 @@ labelPlaces (const Places& places,
 {
   Labels labels (places.size(), no_plane);
   forEach (threads, places.size(), [&] (std::size_t i) {
-    Likeliest best;
-    std::int32_t last = no_plane;
-    const auto look = [&] (std::int32_t region) {
-      if (region == no_plane || region == last || is_plane[region] == 0)
+    Likeliest likeliest;
+    // Most neighbors are in the same region: it need not be offered again.
+    std::int32_t last_offered = no_plane;
+    const auto consider = [&] (std::int32_t region) {
+      if (region == no_plane || region == last_offered || is_plane[region] == 0)
         return;
-      last = region; // most neighbors are of one region
+      last_offered = region;
       offer (regions.list[region],
              region,
              places.position[i],
              noise.of_place[i],
              distance_threshold,
-             best);
+             likeliest);
     };
-    look (regions.of_place[i]);
+    consider (regions.of_place[i]);
     for (std::size_t k = 0; k < places.neighbors; ++k)
-      look (regions.of_place[places.nearestOf (i)[k]]);
-    labels[i] = best.region;
+      consider (regions.of_place[places.nearestOf (i)[k]]);
+    labels[i] = likeliest.region;
   });
   return labels;
 }

@@ -10,13 +10,14 @@
 namespace pcl_ops::internal {
 
 /** \brief Assigns each place to its likeliest plane. Candidates are the planes whose
- * regions contain the place or one of its neighbors. The likeliest plane has the
- * smallest d^2 / s^2 + 2 ln s, where d is the distance to the plane and s its noise.
- * Without the logarithm noisy planes would take the points of clean ones.
+ * regions contain the place or one of its neighbors, if the place is near enough. The
+ * likeliest plane has the smallest d^2 / s^2 + 2 ln s, where d is the distance of the
+ * place to the plane and s the noise of the plane around the place. Without the
+ * logarithm noisy planes would take the points of clean ones.
  * \param[in] is_plane for each region, whether it is a plane
  * \param[in] distance_threshold largest distance to the plane [m]; if not given, it
  * follows the noise
- * \return for each place the number of its region, or no_plane */
+ * \return for each place the index of the region of its plane, or no_plane */
 Labels
 labelPlaces (const Places& places,
              const PlaceNoise& noise,

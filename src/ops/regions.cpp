@@ -7,26 +7,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <tuple>
 
 namespace pcl_ops::internal {
 
 namespace {
 
 // A region with fewer points keeps the plane of its seed.
-constexpr double points_of_fit = 6.0;
+constexpr double min_points_of_fit = 6.0;
 
-// Returns the flat places, the flattest first, as pairs of scatter over width and the
-// number of the place.
-std::vector<std::pair<float, std::uint32_t>>
+/** \brief A flat place with its thickness, the scatter over the width. */
+struct Seed {
+  float thickness;
+  std::uint32_t place;
+};
+
+// Returns the flat places, the flattest first.
+std::vector<Seed>
 seedsOf (const ChosenSupports& chosen)
 {
-  std::vector<std::pair<float, std::uint32_t>> seeds;
+  std::vector<Seed> seeds;
   for (std::size_t i = 0; i < chosen.is_flat.size(); ++i)
     if (chosen.is_flat[i] != 0)
-      seeds.emplace_back (chosen.scatter[i] / chosen.width[i],
-                          static_cast<std::uint32_t> (i));
-  std::sort (seeds.begin(), seeds.end());
+      seeds.push_back (
+          {chosen.scatter[i] / chosen.width[i], static_cast<std::uint32_t> (i)});
+  std::sort (seeds.begin(), seeds.end(), [] (const Seed& first, const Seed& second) {
+    return std::tie (first.thickness, first.place) <
+           std::tie (second.thickness, second.place);
+  });
   return seeds;
 }
 
@@ -44,17 +52,17 @@ public:
   {}
 
   /** \brief Grows a region from a seed over neighbors that are in no region yet, and
-   * labels its places with the number of the region. */
+   * labels its places with the index of the region. */
   Region
-  grow (std::uint32_t seed, std::int32_t number, Labels& of_place)
+  grow (std::uint32_t seed, std::int32_t region, Labels& region_of_place)
   {
     start (seed);
-    of_place[seed] = number;
+    region_of_place[seed] = region;
     for (std::size_t next = 0; next < members_.size(); ++next) {
       const std::uint32_t* nearest = places_.nearestOf (members_[next]);
       for (std::size_t k = 0; k < places_.neighbors; ++k)
-        if (of_place[nearest[k]] == no_plane && fits (nearest[k])) {
-          of_place[nearest[k]] = number;
+        if (region_of_place[nearest[k]] == no_plane && fits (nearest[k])) {
+          region_of_place[nearest[k]] = region;
           take (nearest[k]);
         }
     }
@@ -68,11 +76,11 @@ private:
     region_ = Region();
     region_.fit.plane = planeThrough (places_.position[seed], chosen_.normal[seed]);
     members_.clear();
-    scatters_.clear();
-    sum_of_logarithms_ = 0.0;
+    scatter_of_members_.clear();
+    sum_of_log_noise_ = 0.0;
     rms_ = 0.0;
     width_ = chosen_.width[seed];
-    fitted_points_ = min_fitted_points;
+    points_at_last_try_ = min_points_of_refit;
     add (seed);
     region_.noise = noise_.of_place[seed];
   }
@@ -94,9 +102,9 @@ private:
       return *distance_threshold_;
     const double noise = std::min<double> (
         noise_.of_place[place], place_constants.max_noise_over_region * region_.noise);
-    const double counted =
+    const double thickness =
         std::min (std::max (noise, rms_), place_constants.max_rms_over_noise * noise);
-    return place_constants.noises_of_region * counted +
+    return place_constants.noises_of_region * thickness +
            place_constants.bend_of_width * width_;
   }
 
@@ -105,15 +113,15 @@ private:
   void
   take (std::uint32_t place)
   {
-    constexpr double parameters_of_plane = 3.0;
-    // With a smaller ratio it is not clear enough along which axis the region is thin.
+    // If the middle variance over the smallest one is less, it is not clear enough
+    // along which axis the region is thin.
     constexpr double min_ratio_of_variances = 4.0;
     add (place);
     const double points = region_.moments.count;
-    if (points < min_fitted_points ||
-        points <= place_constants.refit_growth * fitted_points_)
+    if (points < min_points_of_refit ||
+        points <= place_constants.refit_growth * points_at_last_try_)
       return;
-    fitted_points_ = points;
+    points_at_last_try_ = points;
     region_.noise = meanNoise();
     const std::optional<PlaneFit> fit = fitPlane (region_.moments);
     if (!fit || fit->variances[1] <= min_ratio_of_variances * fit->variances[0])
@@ -129,14 +137,14 @@ private:
     const Eigen::Vector3d& position = places_.position[place];
     region_.moments.add (position.x(), position.y(), position.z());
     members_.push_back (place);
-    scatters_.push_back (chosen_.scatter[place]);
-    sum_of_logarithms_ += std::log (noise_.of_place[place] + least_noise);
+    scatter_of_members_.push_back (chosen_.scatter[place]);
+    sum_of_log_noise_ += std::log (noise_.of_place[place] + least_noise);
   }
 
   double
   meanNoise () const
   {
-    return std::exp (sum_of_logarithms_ / static_cast<double> (members_.size()));
+    return std::exp (sum_of_log_noise_ / static_cast<double> (members_.size()));
   }
 
   Region
@@ -144,16 +152,17 @@ private:
   {
     constexpr double half = 0.5;
     region_.noise = meanNoise();
-    region_.scatter = quantileOf (scatters_, half);
-    // For a region with too few points for a fit: the width of its seed, length 0.
+    region_.scatter = quantileOf (scatter_of_members_, half);
+    // A region with too few points for a fit has the width of its seed, and length 0.
     region_.fit.centroid = region_.moments.centroid();
     region_.fit.variances = {0.0, width_ * width_ / squared_width_of_variance, 0.0};
     region_.refit();
     return region_;
   }
 
-  // For refits while it grows: the plane of a small patch tilts with its noise.
-  static constexpr double min_fitted_points = 12.0;
+  // Least number of points for refits while the region grows: fewer have a plane that
+  // tilts with their noise.
+  static constexpr double min_points_of_refit = 12.0;
   const double min_cosine_ = std::cos (place_constants.max_angle);
   const Places& places_;
   const PlaceNoise& noise_;
@@ -161,11 +170,11 @@ private:
   std::optional<double> distance_threshold_;
   Region region_;
   Indices members_;
-  std::vector<float> scatters_;
-  double sum_of_logarithms_ = 0.0; // of the noise of its places
-  double rms_ = 0.0;               // of the last fit [m], as width_
-  double width_ = 0.0;
-  double fitted_points_ = 0.0; // number of points at the last try
+  std::vector<float> scatter_of_members_;
+  double sum_of_log_noise_ = 0.0;   // natural logarithms
+  double rms_ = 0.0;                // of the last fit [m]
+  double width_ = 0.0;              // of the last fit, or of the seed before it [m]
+  double points_at_last_try_ = 0.0; // to refit the plane
 };
 
 } // namespace
@@ -185,7 +194,7 @@ Region::length() const
 void
 Region::refit()
 {
-  if (moments.count < points_of_fit)
+  if (moments.count < min_points_of_fit)
     return;
   if (const std::optional<PlaneFit> fitted = fitPlane (moments))
     fit = *fitted;
@@ -194,10 +203,11 @@ Region::refit()
 void
 Region::take (Region& other)
 {
-  const double own = moments.count;
-  const double taken = other.moments.count;
-  is_joined = is_joined || taken > place_constants.min_share_of_part * own;
-  const double share = taken / (own + taken);
+  const double own_points = moments.count;
+  const double taken_points = other.moments.count;
+  has_parts =
+      has_parts || taken_points > place_constants.min_share_of_part * own_points;
+  const double share = taken_points / (own_points + taken_points);
   scatter = std::sqrt ((1.0 - share) * scatter * scatter +
                        share * other.scatter * other.scatter);
   noise = (1.0 - share) * noise + share * other.noise;
@@ -214,10 +224,10 @@ growRegions (const Places& places,
   Regions regions;
   regions.of_place.assign (places.size(), no_plane);
   GrowingRegion growing (places, noise, chosen, distance_threshold);
-  for (const auto& [thickness, seed] : seedsOf (chosen))
-    if (regions.of_place[seed] == no_plane) {
-      const auto number = static_cast<std::int32_t> (regions.list.size());
-      regions.list.push_back (growing.grow (seed, number, regions.of_place));
+  for (const Seed& seed : seedsOf (chosen))
+    if (regions.of_place[seed.place] == no_plane) {
+      const auto region = static_cast<std::int32_t> (regions.list.size());
+      regions.list.push_back (growing.grow (seed.place, region, regions.of_place));
     }
   return regions;
 }

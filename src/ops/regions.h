@@ -15,19 +15,21 @@ struct Region {
   /** \brief Moments of its places about the origin of the local frame. */
   Moments moments;
   PlaneFit fit;
-  /** \brief scatter: median scatter of the chosen supports of its places [m]. noise:
-   * geometric mean of the noise of its places [m]. A join averages the squared scatter
-   * and the noise of both regions, weighted by points. */
+  /** \brief Median scatter of the chosen supports of its places [m]. A join averages
+   * the squared scatter of both regions, weighted by points. */
   double scatter = 0.0;
+  /** \brief Geometric mean of the noise of its places [m]. A join averages the noise of
+   * both regions, weighted by points. */
   double noise = 0.0;
-  /** \brief Whether it took a part, which may tilt against it, and not only scraps:
-   * PlaceConstants::min_share_of_part. */
-  bool is_joined = false;
+  /** \brief Whether it took another region that is a part, which may tilt against it,
+   * and not only scraps: PlaceConstants::min_share_of_part. */
+  bool has_parts = false;
 
-  /** \brief Extent in the plane: along the shorter axis, and along the longer one [m].
-   */
+  /** \brief Extent along the shorter axis in the plane [m]. */
   double
   width () const;
+
+  /** \brief Extent along the longer axis in the plane [m]. */
   double
   length () const;
 
@@ -44,7 +46,7 @@ struct Region {
 
 struct Regions {
   std::vector<Region> list;
-  /** \brief For each place the position of its region in \ref list, or no_plane. */
+  /** \brief For each place the index of its region in \ref list, or no_plane. */
   Labels of_place;
 };
 

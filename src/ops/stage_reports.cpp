@@ -12,34 +12,36 @@ namespace {
 // Returns for each point the value of its place; empty if there are no values.
 template <typename Value>
 std::vector<Value>
-atPlaces (const std::vector<Value>& of_places, const Indices& place_of_point)
+valuesOfPoints (const std::vector<Value>& values_of_places,
+                const Indices& place_of_point)
 {
-  if (of_places.empty())
+  if (values_of_places.empty())
     return {};
-  std::vector<Value> of_points;
-  of_points.reserve (place_of_point.size());
+  std::vector<Value> values_of_points;
+  values_of_points.reserve (place_of_point.size());
   for (const std::uint32_t place : place_of_point)
-    of_points.push_back (of_places[place]);
-  return of_points;
+    values_of_points.push_back (values_of_places[place]);
+  return values_of_points;
 }
 
-// Returns a value for each point of the input cloud: copies have that of their point,
-// points that were left out have \p unknown. Empty if there are no values.
+// Returns a value for each point of the input cloud: duplicates have that of the point
+// that represents them, points that were left out have \p unknown. Empty if there are
+// no values.
 template <typename Value>
 std::vector<Value>
-inCloud (const std::vector<Value>& of_points,
-         const Points& points,
-         std::size_t size_of_cloud,
-         Value unknown)
+valuesInCloud (const std::vector<Value>& values_of_points,
+               const Points& points,
+               std::size_t size_of_cloud,
+               Value unknown)
 {
-  if (of_points.empty())
+  if (values_of_points.empty())
     return {};
-  std::vector<Value> of_cloud (size_of_cloud, unknown);
-  for (std::size_t i = 0; i < of_points.size(); ++i)
-    of_cloud[points.indexOf (i)] = of_points[i];
+  std::vector<Value> values_in_cloud (size_of_cloud, unknown);
+  for (std::size_t i = 0; i < values_of_points.size(); ++i)
+    values_in_cloud[points.indexOf (i)] = values_of_points[i];
   for (const Copy& copy : points.copies)
-    of_cloud[copy.index] = of_points[copy.point];
-  return of_cloud;
+    values_in_cloud[copy.index] = values_of_points[copy.point];
+  return values_in_cloud;
 }
 
 } // namespace
@@ -51,8 +53,8 @@ StageReports::operator() (Stage stage,
 {
   if (!observer_)
     return;
-  StageResult result{stage, atPlaces (values, place_of_point_)};
-  for (const char flat : atPlaces (is_flat, place_of_point_))
+  StageResult result{stage, valuesOfPoints (values, place_of_point_)};
+  for (const char flat : valuesOfPoints (is_flat, place_of_point_))
     result.labels.push_back (flat != 0 ? 0 : no_plane);
   observer_ (result);
 }
@@ -64,7 +66,7 @@ StageReports::operator() (Stage stage,
 {
   if (!observer_)
     return;
-  StageResult result{stage, {}, atPlaces (labels, place_of_point_)};
+  StageResult result{stage, {}, valuesOfPoints (labels, place_of_point_)};
   if (!is_kept.empty())
     for (std::int32_t& label : result.labels)
       if (label != no_plane && is_kept[label] == 0)
@@ -82,8 +84,8 @@ observerOfPoints (const StageObserver& observer,
   return [&observer, &points, size_of_cloud] (const StageResult& result) {
     constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
     observer ({result.stage,
-               inCloud (result.values, points, size_of_cloud, unknown),
-               inCloud (result.labels, points, size_of_cloud, no_plane)});
+               valuesInCloud (result.values, points, size_of_cloud, unknown),
+               valuesInCloud (result.labels, points, size_of_cloud, no_plane)});
   };
 }
 

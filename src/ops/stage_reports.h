@@ -11,11 +11,12 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Reports the results of stages to an observer: converts values of places to
- * values of points. Does nothing if the observer is empty. */
+/** \brief Reports the results of stages to an observer: converts the values of places
+ * (distinct points) to values of points. Does nothing if the observer is empty. */
 class StageReports {
 public:
-  /** \brief Keeps references to both arguments. */
+  /** \brief Keeps references to both arguments.
+   * \param[in] place_of_point for each point the index of its place */
   StageReports (const StageObserver& observer, const Indices& place_of_point)
   : observer_ (observer), place_of_point_ (place_of_point)
   {}
@@ -39,16 +40,16 @@ private:
   const Indices& place_of_point_;
 };
 
-/** \brief Returns an observer that converts results for \p points to results for the
- * input cloud and passes them to \p observer; empty if \p observer is. It keeps
- * references to \p observer and \p points. */
+/** \brief Returns an observer of results for \p points. It converts them to results for
+ * all points of the input cloud and passes them to \p observer. It is empty if
+ * \p observer is, and keeps references to \p observer and \p points. */
 StageObserver
 observerOfPoints (const StageObserver& observer,
                   const Points& points,
                   std::size_t size_of_cloud);
 
-/** \brief Reports the plane of each point of the cloud, as Stage::Labels, if
- * \p observer is not empty. */
+/** \brief Reports to \p observer, unless that is empty, Stage::Labels: for each point
+ * of the cloud the index of its plane in \p planes, or no_plane. */
 void
 reportLabels (const StageObserver& observer,
               const std::vector<PlaneSegment>& planes,

@@ -16,7 +16,7 @@ namespace {
 // Returns the base 2 logarithm, limited to finite values: the density of points that
 // are extremely far apart is rounded to 0.
 double
-logarithmOf (double density)
+log2Of (double density)
 {
   constexpr double limit = 300.0; // beyond all single precision values
   return std::clamp (std::log2 (density), -limit, limit);
@@ -25,13 +25,13 @@ logarithmOf (double density)
 int
 octaveOf (double density)
 {
-  return static_cast<int> (std::floor (logarithmOf (density)));
+  return static_cast<int> (std::floor (log2Of (density)));
 }
 
-// Returns the values of an octave and every second value of the adjacent octaves, which
-// so have half the weight.
+// Returns the values of an octave and every second value of the adjacent octaves, to
+// give these half the weight.
 std::vector<float>
-around (const std::map<int, std::vector<float>>& by_octave, int octave)
+valuesAround (const std::map<int, std::vector<float>>& by_octave, int octave)
 {
   std::vector<float> values;
   for (int step = -1; step <= 1; ++step)
@@ -65,13 +65,13 @@ setUsualNoise (const std::vector<float>& density,
   std::map<int, std::vector<float>> by_octave;
   for (std::size_t i = 0; i < density.size(); ++i)
     by_octave[octaveOf (density[i])].push_back (noise[i]);
-  std::vector<float> all (noise);
+  std::vector<float> all (noise); // quantileOf reorders it
   cloud.usual = quantileOf (all, half);
   cloud.usual_of_octave.clear();
   for (const auto& [octave, values] : by_octave) {
-    std::vector<float> near = around (by_octave, octave);
+    std::vector<float> nearby = valuesAround (by_octave, octave);
     cloud.usual_of_octave[octave] = std::min<double> (
-        quantileOf (near, half), place_constants.max_usual_over_cloud * cloud.usual);
+        quantileOf (nearby, half), place_constants.max_usual_over_cloud * cloud.usual);
   }
 }
 
@@ -79,19 +79,20 @@ double
 usualNoise (const CloudNoise& cloud, double density)
 {
   // The value of an octave belongs to its middle, at octave + 0.5.
-  const double position = logarithmOf (density) - 0.5;
-  const int below = static_cast<int> (std::floor (position));
-  const auto first = cloud.usual_of_octave.find (below);
-  const auto second = cloud.usual_of_octave.find (below + 1);
-  const auto end = cloud.usual_of_octave.end();
-  if (first == end && second == end)
+  const double position = log2Of (density) - 0.5;
+  const int octave = static_cast<int> (std::floor (position));
+  const auto lower = cloud.usual_of_octave.find (octave);
+  const auto upper = cloud.usual_of_octave.find (octave + 1);
+  const auto missing = cloud.usual_of_octave.end();
+  if (lower == missing && upper == missing)
     return cloud.usual;
-  if (first == end)
-    return second->second;
-  if (second == end)
-    return first->second;
-  const double share = position - below;
-  return std::pow (first->second, 1.0 - share) * std::pow (second->second, share);
+  if (lower == missing)
+    return upper->second;
+  if (upper == missing)
+    return lower->second;
+  const double share_of_upper = position - octave;
+  return std::pow (lower->second, 1.0 - share_of_upper) *
+         std::pow (upper->second, share_of_upper);
 }
 
 } // namespace pcl_ops::internal

@@ -15,7 +15,8 @@ float
 quantileOf (std::vector<float>& values, double share);
 
 /** \brief Sets CloudNoise::usual to the median noise, and usual_of_octave to that of
- * each octave (doubling) of the density.
+ * each octave of the density: octave n has the densities from 2^n to 2^(n + 1).
+ * Adjacent octaves count, too, with half the weight.
  * \param[in] density of each place whose noise is known [1/m^2]
  * \param[in] noise of the same places [m] */
 void

@@ -23,8 +23,9 @@ namespace pcl_ops::internal {
  * same area. A direction is the index of a patch, counted row by row from the north
  * pole (+z). */
 struct BallDirections {
-  /** \brief Number of steps from pole to pole, at least 1; length of a step [rad]. */
+  /** \brief Number of steps from pole to pole, at least 1. */
   int phi_num;
+  /** \brief Length of a step [rad]. */
   double phi_step;
   /** \brief The row of each direction, 0 .. phi_num. */
   std::vector<std::uint16_t> row_of;
@@ -54,7 +55,8 @@ struct BallDirections {
     return static_cast<int> (row_begins[row + 1] - row_begins[row]);
   }
 
-  /** \brief The direction of a patch of a row; \p patch wraps around the row. */
+  /** \brief The direction of a patch of a row.
+   * \param[in] patch from 0 on along the azimuth; others wrap around the row */
   std::uint32_t
   patchOfRow (int row, int patch) const
   {
@@ -93,6 +95,7 @@ struct BallDirections {
     return 2.0 * pi * (direction - row_begins[row] + 0.5) / patchesOfRow (row);
   }
 
+  /** \brief The unit vector of a direction's center. */
   Eigen::Vector3d
   vectorOf (std::uint32_t direction) const
   {
@@ -157,6 +160,7 @@ struct BallDirections {
  */
 struct HoughSpace {
   BallDirections directions;
+  /** \brief Number of bins of rho. */
   int rho_num = 0;
   /** \brief Length of a bin of rho [m]. */
   double rho_step = 0.0;

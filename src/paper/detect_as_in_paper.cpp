@@ -15,24 +15,25 @@ extractPlanes (const Points& points,
                const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters)
 {
-  constexpr unsigned fewest = 2; // a plane needs more: three samples
+  // A plane has more samples than min_samples, theta_N: three or more.
+  constexpr unsigned smallest_min_samples = 2;
   RansacParameters ransac = parameters;
-  ransac.min_samples = std::max (fewest, parameters.min_samples);
+  ransac.min_samples = std::max (smallest_min_samples, parameters.min_samples);
   RandomGenerator generator (parameters.seed);
   const PaperParameters& paper = parameters.paper_only;
   const bool on_all_points =
       paper.verification == PaperParameters::Verification::AllPoints;
-  Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates();
-  // Strategy 1 has one group: with a right angle as tolerance all are horizontal.
+  Coordinates points_left = on_all_points ? Coordinates (points) : Coordinates();
+  // Strategy 2 divides samples into groups. Strategy 1 has one group: with a right
+  // angle as tolerance all samples are horizontal.
   const bool divides = paper.strategy == PaperParameters::Strategy::DivideThenDetect;
+  const double group_tolerance = divides ? parameters.angle_tolerance : right_angle;
   std::vector<Plane> planes;
-  for (Indices& group :
-       groupByOrientation (samples,
-                           parameters.up_axis.cast<double>().normalized(),
-                           divides ? parameters.angle_tolerance : right_angle)) {
+  for (Indices& group : groupByOrientation (
+           samples, parameters.up_axis.cast<double>().normalized(), group_tolerance)) {
     Candidates candidates{samples, std::move (group)};
     if (on_all_points)
-      candidates.remaining = &remaining;
+      candidates.points_left = &points_left;
     for (const ExtractedPlane& found : extractAll (candidates, ransac, generator))
       planes.push_back (found.plane);
   }
@@ -45,6 +46,7 @@ detectAsInPaper (const DetectorInput& input,
                  const OrientedPointSamplingParameters& parameters,
                  StageDurations& durations)
 {
+  // Symbols and sections in these comments are those of the paper.
   StageClock clock;
   // P_s: alpha_s N points drawn at random
   const Indices drawn =

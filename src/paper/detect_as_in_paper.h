@@ -11,7 +11,8 @@
 namespace pcl_ops::internal {
 
 /** \brief Finds planes in oriented samples by one-point RANSAC, one after the other
- * (the paper's Algorithm 1); with strategy 2 in each orientation group by itself.
+ * (the paper's Algorithm 1). Strategy 2 searches horizontal, vertical and other samples
+ * apart.
  * \param[in] points all finite points; only Verification::AllPoints uses them
  * \return the planes in the order they were found */
 std::vector<Plane>

@@ -24,6 +24,7 @@ detail::detect (const DetectorInput& input,
     const Spheres spheres =
         spheresAround (input, points, local.outer_radius, parameters.threads);
     clock.lap (durations.search);
+    // Symbols and sections in these comments are those of the paper on OPS.
     // Pi: planes of spheres that pass the local test
     const LocalPlanes sampled = sampleLocalPlanes (
         spheres.points, spheres.find, local, theta_h, parameters.seed);
@@ -32,7 +33,7 @@ detail::detect (const DetectorInput& input,
     const MergedPlanes merged = mergePlanes (sampled.moments, merging);
     clock.lap (durations.merging);
     // assigns all points of P, not only those in spheres, to the largest plane within
-    // theta_h
+    // theta_h; merged planes are sorted, the largest first
     std::vector<Plane> planes;
     for (const PlaneFit& fit : merged.fits)
       planes.push_back (fit.plane);

@@ -14,47 +14,47 @@ namespace {
 // The rms distance of a cluster to its plane is at most this share of theta_h.
 constexpr double largest_rms_share = 0.5;
 
-// How often a plane is fitted to the clusters near its previous fit.
+// How many times a plane is fitted to the clusters near its previous fit.
 constexpr int fits_per_plane = 2;
 
 double
-weightOf (const Indices& clusters, const OctreeClusters& found)
+weightOfClusters (const Indices& clusters, const OctreeClusters& octree)
 {
   double weight = 0.0;
   for (const std::uint32_t cluster : clusters)
-    weight += clusterWeight (found.clusters[cluster], found);
+    weight += clusterWeight (octree.clusters[cluster], octree);
   return weight;
 }
 
 Moments
-momentsOfClusters (const Indices& clusters, const OctreeClusters& found)
+momentsOfClusters (const Indices& clusters, const OctreeClusters& octree)
 {
-  Moments moments{found.root.center};
+  Moments moments{octree.root.center};
   for (const std::uint32_t cluster : clusters)
-    moments += found.clusters[cluster].moments;
+    moments += octree.clusters[cluster].moments;
   return moments;
 }
 
 /** The free clusters whose rms distance to a plane is at most largest_rms [m]. */
 Indices
-freeNear (const Plane& plane,
-          double largest_rms,
-          const OctreeClusters& found,
-          const std::vector<bool>& is_free)
+freeClustersNear (const Plane& plane,
+                  double largest_rms,
+                  const OctreeClusters& octree,
+                  const std::vector<bool>& is_free)
 {
   Indices near;
   for (std::uint32_t c = 0; c < is_free.size(); ++c)
-    if (is_free[c] && meanSquaredDistance (found.clusters[c].moments, plane) <=
+    if (is_free[c] && meanSquaredDistance (octree.clusters[c].moments, plane) <=
                           largest_rms * largest_rms)
       near.push_back (c);
   return near;
 }
 
-/** A plane and its weight when it was last computed: an upper bound of its weight now,
- * as it only loses free clusters. */
+/** A plane and the weight of its clusters when it was last computed: an upper bound of
+ * the present weight, as planes only lose free clusters. */
 struct RankedPlane {
   double weight = 0.0;
-  std::size_t plane = 0;
+  std::size_t index = 0;
 
   /** Of planes of equal weight the one with the lower index is the larger one. */
   bool
@@ -62,7 +62,7 @@ struct RankedPlane {
   {
     if (weight != other.weight)
       return weight < other.weight;
-    return plane > other.plane;
+    return index > other.index;
   }
 };
 
@@ -70,11 +70,11 @@ struct RankedPlane {
 using Ranks = std::priority_queue<RankedPlane>;
 
 Ranks
-rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& found)
+rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& octree)
 {
   Ranks ranks;
-  for (std::size_t plane = 0; plane < planes.size(); ++plane)
-    ranks.push ({weightOf (planes[plane].clusters, found), plane});
+  for (std::size_t index = 0; index < planes.size(); ++index)
+    ranks.push ({weightOfClusters (planes[index].clusters, octree), index});
   return ranks;
 }
 
@@ -84,16 +84,16 @@ rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& found)
  * min_count points */
 std::optional<HoughPlane>
 takeClusters (Indices clusters,
-              const OctreeClusters& found,
+              const OctreeClusters& octree,
               double min_count,
               double largest_rms,
               std::vector<bool>& is_free)
 {
-  Moments moments = momentsOfClusters (clusters, found);
+  Moments moments = momentsOfClusters (clusters, octree);
   std::optional<PlaneFit> fit = fitPlane (moments);
   for (int i = 0; i < fits_per_plane && fit; ++i) {
-    clusters = freeNear (fit->plane, largest_rms, found, is_free);
-    moments = momentsOfClusters (clusters, found);
+    clusters = freeClustersNear (fit->plane, largest_rms, octree, is_free);
+    moments = momentsOfClusters (clusters, octree);
     fit = fitPlane (moments);
   }
   if (!fit || moments.count < min_count)
@@ -106,43 +106,44 @@ takeClusters (Indices clusters,
 } // namespace
 
 double
-clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found)
+clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree)
 {
   constexpr double edge_weight = 0.75;
   constexpr double count_weight = 0.25;
   const double count_share =
-      static_cast<double> (cluster.size()) / static_cast<double> (found.points.size());
-  return edge_weight * cluster.edge / found.root.edge + count_weight * count_share;
+      static_cast<double> (cluster.size()) / static_cast<double> (octree.points.size());
+  return edge_weight * cluster.edge / octree.root.edge + count_weight * count_share;
 }
 
 std::vector<HoughPlane>
-voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
+voteForPlanes (const OctreeClusters& octree, int phi_num, int rho_num)
 {
-  if (found.clusters.empty())
+  if (octree.clusters.empty())
     return {};
   SphericalAccumulator accumulator (
-      {BallDirections (phi_num), rho_num, found.root.radius / rho_num});
+      {BallDirections (phi_num), rho_num, octree.root.radius / rho_num});
   const HoughSpace& space = accumulator.space;
   KernelVotes votes;
-  for (std::uint32_t c = 0; c < found.clusters.size(); ++c) {
-    const CoplanarCluster& cluster = found.clusters[c];
+  for (std::uint32_t c = 0; c < octree.clusters.size(); ++c) {
+    const CoplanarCluster& cluster = octree.clusters[c];
     const PlaneKernel kernel = planeKernel (cluster.fit,
                                             cluster.moments.covariance(),
-                                            found.root.center,
-                                            clusterWeight (cluster, found));
+                                            octree.root.center,
+                                            clusterWeight (cluster, octree));
     castVotes (kernel, space, votes);
     accumulator.add (votes, c);
   }
   std::vector<HoughPlane> planes;
   for (HoughPeak& peak : accumulator.peaks()) {
     const Eigen::Vector3d normal = space.directions.vectorOf (peak.direction);
-    const Eigen::Vector3d nearest = found.root.center + space.rhoOf (peak.bin) * normal;
-    planes.push_back ({planeThrough (nearest, normal), std::move (peak.voters)});
+    const Eigen::Vector3d on_plane =
+        octree.root.center + space.rhoOf (peak.bin) * normal;
+    planes.push_back ({planeThrough (on_plane, normal), std::move (peak.voters)});
   }
   std::vector<HoughPlane> sorted;
-  Ranks ranks = rankPlanes (planes, found);
+  Ranks ranks = rankPlanes (planes, octree);
   while (!ranks.empty()) {
-    sorted.push_back (std::move (planes[ranks.top().plane]));
+    sorted.push_back (std::move (planes[ranks.top().index]));
     ranks.pop();
   }
   return sorted;
@@ -150,29 +151,30 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
 
 std::vector<HoughPlane>
 refitPlanes (const std::vector<HoughPlane>& planes,
-             const OctreeClusters& found,
+             const OctreeClusters& octree,
              double min_share,
              double distance_threshold)
 {
-  const double min_count = min_share * static_cast<double> (found.points.size());
-  std::vector<bool> is_free (found.clusters.size(), true);
+  const double min_count = min_share * static_cast<double> (octree.points.size());
+  std::vector<bool> is_free (octree.clusters.size(), true);
   std::vector<HoughPlane> refitted;
-  Ranks ranks = rankPlanes (planes, found);
+  Ranks ranks = rankPlanes (planes, octree);
   while (!ranks.empty()) {
     const RankedPlane next = ranks.top();
     ranks.pop();
     Indices clusters;
-    for (const std::uint32_t cluster : planes[next.plane].clusters)
+    for (const std::uint32_t cluster : planes[next.index].clusters)
       if (is_free[cluster])
         clusters.push_back (cluster);
-    const double weight = weightOf (clusters, found);
-    if (weight < next.weight) {
-      ranks.push ({weight, next.plane});
+    const double weight = weightOfClusters (clusters, octree);
+    const bool is_outdated = weight < next.weight;
+    if (is_outdated) {
+      ranks.push ({weight, next.index});
       continue;
     }
     std::optional<HoughPlane> plane =
         takeClusters (std::move (clusters),
-                      found,
+                      octree,
                       min_count,
                       largest_rms_share * distance_threshold,
                       is_free);

@@ -20,15 +20,17 @@ struct HoughPlane {
 /** \brief The weight of a cluster's votes: 0.75 times the edge of its node over the
  * edge of the root, plus 0.25 times its share of all points. */
 double
-clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found);
+clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree);
 
 /** \brief Finds planes by a Hough transform: each cluster votes in an accumulator ball
  * around the center of the root, and each peak is a plane (Limberger & Oliveira 2015,
  * sections 3.2 to 3.4).
+ * \param[in] phi_num steps of the accumulator from pole to pole
+ * \param[in] rho_num steps of the accumulator from its center to the farthest point
  * \return planes at the centers of their bins, by falling sum of the weights of their
  * clusters; planes may share clusters */
 std::vector<HoughPlane>
-voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num);
+voteForPlanes (const OctreeClusters& octree, int phi_num, int rho_num);
 
 /** \brief Gives each cluster to at most one plane and fits the planes to the points of
  * their clusters. The plane with the largest weight of free clusters comes next: it is
@@ -41,7 +43,7 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num);
  * \return the planes in the order they took clusters; no two share a cluster */
 std::vector<HoughPlane>
 refitPlanes (const std::vector<HoughPlane>& planes,
-             const OctreeClusters& found,
+             const OctreeClusters& octree,
              double min_share,
              double distance_threshold);
 

@@ -17,51 +17,52 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// Number of voxels a cloud is divided into, to follow the outlines of its planes.
+// Number of voxels that a cloud is divided into; they tell where a plane ends.
 constexpr double wanted_voxels = 9000.0;
 
-/** Each voxel goes to the plane of the first cluster that has a point in it. */
+/** Bounds planes by the voxels of their clusters. Each voxel goes to the plane of the
+ * first cluster that has a point in it. */
 BoundedPlanes
-voxelsOfClusters (const std::vector<HoughPlane>& planes,
-                  const OctreeClusters& found,
-                  const VoxelGrid& grid)
+boundedByClusters (const std::vector<HoughPlane>& planes,
+                   const OctreeClusters& found,
+                   const VoxelGrid& grid)
 {
   const Indices voxel_of_point = voxelsOfPoints (grid);
-  BoundedPlanes voxels;
-  voxels.plane_of_voxel.assign (grid.size(), no_plane);
+  BoundedPlanes bounded;
+  bounded.plane_of_voxel.assign (grid.size(), no_plane);
   for (const HoughPlane& plane : planes) {
-    const auto label = static_cast<std::int32_t> (voxels.planes.size());
-    voxels.planes.push_back (plane.plane);
+    const auto label = static_cast<std::int32_t> (bounded.planes.size());
+    bounded.planes.push_back (plane.plane);
     for (const std::uint32_t c : plane.clusters) {
       const CoplanarCluster& cluster = found.clusters[c];
       for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
         const std::uint32_t voxel = voxel_of_point[found.points[i].index];
-        if (voxels.plane_of_voxel[voxel] == no_plane)
-          voxels.plane_of_voxel[voxel] = label;
+        if (bounded.plane_of_voxel[voxel] == no_plane)
+          bounded.plane_of_voxel[voxel] = label;
       }
     }
   }
-  return voxels;
+  return bounded;
 }
 
-/** Takes voxels off their plane if the rms distance of their points to it exceeds
- * noises_of_a_voxel times its noise. */
+/** Removes voxels from their plane if the rms distance of their points to the plane
+ * exceeds max_voxel_rms_in_noises times its noise. */
 void
 releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
 {
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (std::int32_t& plane = planes.plane_of_voxel[i]; plane != no_plane) {
-      const double limit = noises_of_a_voxel * planes.noise[plane];
-      if (meanSquaredDistance (grid.moments[i], planes.planes[plane]) > limit * limit)
+      const double largest_rms = max_voxel_rms_in_noises * planes.noise[plane];
+      if (meanSquaredDistance (grid.moments[i], planes.planes[plane]) >
+          largest_rms * largest_rms)
         plane = no_plane;
     }
 }
 
-/** Grows and merges planes on their voxels. */
 void
-settleVoxels (const VoxelGrid& grid,
-              const KernelHoughTransformParameters& parameters,
-              BoundedPlanes& planes)
+growAndMergeOnVoxels (const VoxelGrid& grid,
+                      const KernelHoughTransformParameters& parameters,
+                      BoundedPlanes& planes)
 {
   measureNoise (grid, parameters.threads, planes);
   releaseVoxels (grid, planes);
@@ -128,21 +129,22 @@ assignToOutlinedPlanes (const Points& points,
 {
   if (hough_planes.empty())
     return {Labels (points.size(), no_plane), {}, 0};
-  constexpr double follows_noise_up_to = 4.0;
+  // Largest distance of a point to its plane, in units of the plane's noise.
+  constexpr double assignment_noise_factor = 4.0;
   StageClock clock;
   VoxelGrid grid =
       voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
   connect (grid, parameters.threads);
   clock.lap (durations.search);
-  BoundedPlanes planes = voxelsOfClusters (hough_planes, found, grid);
-  settleVoxels (grid, parameters, planes);
+  BoundedPlanes planes = boundedByClusters (hough_planes, found, grid);
+  growAndMergeOnVoxels (grid, parameters, planes);
   clock.lap (durations.merging);
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
   assignToBoundedPlanes (points,
                          grid,
                          planes,
                          parameters.distance_threshold,
-                         follows_noise_up_to,
+                         assignment_noise_factor,
                          parameters.threads,
                          {},
                          assigned);
@@ -161,7 +163,7 @@ detectByVotes (const Points& points,
 {
   const double theta_h = *parameters.distance_threshold;
   StageClock clock;
-  // octree: nodes of approximately coplanar points
+  // octree: nodes of roughly coplanar points
   const OctreeClusters clusters =
       findCoplanarClusters (points, parameters.clusters, parameters.threads);
   clock.lap (durations.search);
@@ -197,6 +199,8 @@ detail::detect (const DetectorInput& input,
 
 KernelHoughTransformParameters::KernelHoughTransformParameters()
 {
+  // Clusters has the published values, 5 and 25, which paper() restores: they lose the
+  // surfaces of noisy clouds.
   clusters.first_level = 3;
   clusters.s_alpha = 15.0;
 }
@@ -219,7 +223,8 @@ validate (const KernelHoughTransformParameters& parameters)
 {
   constexpr int max_phi = 1000;
   constexpr int max_rho = 10000;
-  // Each level is a recursive call; nodes are smaller than any noise long before.
+  // Limits the depth of recursive calls; nodes of far lower levels are smaller than any
+  // noise.
   constexpr int max_levels = 60;
   const KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
   if (parameters.phi_num < 2 || parameters.phi_num > max_phi)

@@ -9,34 +9,36 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Squared Mahalanobis distance of two standard deviations, where votes end.
-constexpr double largest_squared_distance = 4.0;
+// Votes end at two standard deviations; squared Mahalanobis distance.
+constexpr double largest_squared_deviation = 4.0;
 
-// Votes go no farther than this from the likeliest direction and rho [bins]. In clouds
-// with hardly any noise, kernels of a plane through the center reach all directions,
-// and votes for all directions are of no use. Slightly more is found, too.
+// Votes go no farther than this from the likeliest direction [rows or patches] and from
+// the likeliest rho [bins]. In clouds with hardly any noise, kernels of a plane through
+// the center reach all directions, and votes for all directions are of no use. With
+// these limits slightly more planes are found, too.
 constexpr double max_directions = 8.0;
 constexpr double max_bins = 32.0;
 
-// Largest patch number of a row, counted over several turns: where the azimuth of a
-// kernel is hardly determined, the likeliest azimuth of another row may be many turns
+// Largest number of a patch in a row, counted on over several turns: if the azimuth of
+// a kernel is hardly determined, the likeliest azimuth in another row may be many turns
 // away.
 constexpr int max_patches = 1 << 30;
 
-// Keeps the Jacobian finite at the poles and for planes through the center [m^2].
-constexpr double smallest_squared_distance = 1e-5;
+// Lower bound of px^2 + py^2 and of rho^2 [m^2], see \ref planeKernel: the Jacobian
+// stays finite at the poles and for planes through the center.
+constexpr double smallest_squared_radius = 1e-5;
 
-// Added to the variance of rho [m^2].
+// Added to the variance of rho [m^2], so that kernels of exact planes have a width.
 constexpr double min_rho_variance = 1e-5;
 
 /** Converts to int, clamped to low .. high, so that no double overflows. */
 int
-bounded (double value, int low, int high)
+clampedToInt (double value, int low, int high)
 {
   return static_cast<int> (std::clamp<double> (value, low, high));
 }
 
-/** A direction's offset from the mean of a kernel. */
+/** A direction's offset from the mean of a kernel [rad]. */
 struct Offset {
   double phi = 0.0;
   double theta = 0.0;
@@ -54,11 +56,12 @@ public:
     phi_deviation = std::sqrt (sigma (1, 1));
     const double determinant =
         sigma (1, 1) * sigma (2, 2) - sigma (1, 2) * sigma (1, 2);
-    pp_ = sigma (2, 2) / determinant;
-    pt_ = -sigma (1, 2) / determinant;
-    tt_ = sigma (1, 1) / determinant;
-    rho_per_phi_ = pp_ * sigma (0, 1) + pt_ * sigma (0, 2);
-    rho_per_theta_ = pt_ * sigma (0, 1) + tt_ * sigma (0, 2);
+    inverse_phi_phi_ = sigma (2, 2) / determinant;
+    inverse_phi_theta_ = -sigma (1, 2) / determinant;
+    inverse_theta_theta_ = sigma (1, 1) / determinant;
+    rho_per_phi_ = inverse_phi_phi_ * sigma (0, 1) + inverse_phi_theta_ * sigma (0, 2);
+    rho_per_theta_ =
+        inverse_phi_theta_ * sigma (0, 1) + inverse_theta_theta_ * sigma (0, 2);
     rho_variance =
         sigma (0, 0) - rho_per_phi_ * sigma (0, 1) - rho_per_theta_ * sigma (0, 2);
     peak = kernel.weight / std::sqrt (8.0 * pi * pi * pi * determinant * rho_variance);
@@ -71,26 +74,27 @@ public:
     return std::isfinite (peak) && peak > 0.0;
   }
 
-  /** Squared Mahalanobis distance of a direction at its likeliest rho. */
+  /** Squared Mahalanobis distance from the mean of a direction at its likeliest rho. */
   double
-  squaredDistance (const Offset& offset) const
+  squaredDeviation (const Offset& offset) const
   {
-    return offset.phi * (pp_ * offset.phi + 2.0 * pt_ * offset.theta) +
-           tt_ * offset.theta * offset.theta;
+    return offset.phi * (inverse_phi_phi_ * offset.phi +
+                         2.0 * inverse_phi_theta_ * offset.theta) +
+           inverse_theta_theta_ * offset.theta * offset.theta;
   }
 
   double
   likeliestTheta (double phi_offset) const
   {
-    return -pt_ / tt_ * phi_offset;
+    return -inverse_phi_theta_ / inverse_theta_theta_ * phi_offset;
   }
 
   /** Offset from the likeliest theta of a row [rad] at which the squared Mahalanobis
-   * distance has grown by squared_distance. */
+   * distance is larger by squared_deviation. */
   double
-  thetaReach (double squared_distance) const
+  thetaReach (double squared_deviation) const
   {
-    return std::sqrt (squared_distance / tt_);
+    return std::sqrt (squared_deviation / inverse_theta_theta_);
   }
 
   double
@@ -110,14 +114,15 @@ public:
 
 private:
   // The inverse of the covariance of phi and theta.
-  double pp_ = 0.0;
-  double pt_ = 0.0;
-  double tt_ = 0.0;
+  double inverse_phi_phi_ = 0.0;
+  double inverse_phi_theta_ = 0.0;
+  double inverse_theta_theta_ = 0.0;
   // Slopes of the likeliest rho over phi and theta.
   double rho_per_phi_ = 0.0;
   double rho_per_theta_ = 0.0;
 };
 
+/** Casts the votes of one kernel, \ref castVotes. */
 class VoteCaster {
 public:
   VoteCaster (const KernelDensity& density, const HoughSpace& space, KernelVotes& votes)
@@ -132,51 +137,54 @@ public:
   {
     const double step = space_.directions.phi_step;
     const double reach =
-        std::min (std::sqrt (largest_squared_distance) * density_.phi_deviation,
+        std::min (std::sqrt (largest_squared_deviation) * density_.phi_deviation,
                   max_directions * step);
     const int phi_num = space_.directions.phi_num;
-    const int first =
-        bounded (std::ceil ((density_.mean_phi - reach) / step), -phi_num, 2 * phi_num);
-    const int last = bounded (
+    const int first = clampedToInt (
+        std::ceil ((density_.mean_phi - reach) / step), -phi_num, 2 * phi_num);
+    const int last = clampedToInt (
         std::floor ((density_.mean_phi + reach) / step), -phi_num, 2 * phi_num);
     for (int row = first; row <= last; ++row)
       castRow (row);
-    castOwnBin();
+    castBinOfMean();
     if (has_wrapped_)
       keepLargestVotes();
   }
 
 private:
+  /** Casts the votes of a row of directions.
+   * \param[in] row may lie beyond a pole, as in \ref BallDirections::at */
   void
   castRow (int row)
   {
     const BallDirections& directions = space_.directions;
     const double phi_offset = row * directions.phi_step - density_.mean_phi;
-    const double room =
-        largest_squared_distance -
+    const double squared_deviation_left =
+        largest_squared_deviation -
         phi_offset * phi_offset / (density_.phi_deviation * density_.phi_deviation);
-    if (room < 0.0)
+    if (squared_deviation_left < 0.0)
       return;
     const bool is_beyond_pole = row < 0 || row > directions.phi_num;
     if (is_beyond_pole)
       has_wrapped_ = true;
     const int reflected = reflectedRow (row);
-    const double middle = density_.likeliestTheta (phi_offset);
+    const double theta_offset = density_.likeliestTheta (phi_offset);
     const int patches = directions.patchesOfRow (reflected);
     if (patches == 1) { // All azimuths meet at a pole.
-      castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
+      castRay (directions.patchOfRow (reflected, 0), {phi_offset, theta_offset});
       return;
     }
 
     const double start = density_.mean_theta + (is_beyond_pole ? pi : 0.0);
     const double step = 2.0 * pi / patches;
-    const double middle_patch = (start + middle) / step - 0.5;
-    const double reach =
-        std::min ({density_.thetaReach (room) / step, 0.5 * patches, max_directions});
+    const double middle_patch = (start + theta_offset) / step - 0.5;
+    const double reach = std::min ({density_.thetaReach (squared_deviation_left) / step,
+                                    0.5 * patches,
+                                    max_directions});
     const int first =
-        bounded (std::ceil (middle_patch - reach), -max_patches, max_patches);
+        clampedToInt (std::ceil (middle_patch - reach), -max_patches, max_patches);
     const int last = std::min (
-        bounded (std::floor (middle_patch + reach), -max_patches, max_patches),
+        clampedToInt (std::floor (middle_patch + reach), -max_patches, max_patches),
         first + patches - 1);
     for (int patch = first; patch <= last; ++patch)
       castRay (directions.patchOfRow (reflected, patch),
@@ -195,39 +203,44 @@ private:
     return row;
   }
 
+  /** Casts the votes of a direction, for rho on both sides of the center.
+   * \param[in] offset of the direction from the mean */
   void
   castRay (std::uint32_t direction, const Offset& offset)
   {
-    const double distance = density_.squaredDistance (offset);
-    const double room = std::max (0.0, largest_squared_distance - distance);
-    const double middle = density_.likeliestRho (offset);
+    const double squared_deviation = density_.squaredDeviation (offset);
+    const double squared_deviation_left =
+        std::max (0.0, largest_squared_deviation - squared_deviation);
+    const double rho = density_.likeliestRho (offset);
     const double step = space_.rho_step;
-    const double reach =
-        std::min (std::sqrt (room * density_.rho_variance), max_bins * step);
+    const double reach = std::min (
+        std::sqrt (squared_deviation_left * density_.rho_variance), max_bins * step);
     const int bins = space_.rho_num;
-    const int first = bounded (std::ceil ((middle - reach) / step - 0.5), -bins, bins);
+    const int first =
+        clampedToInt (std::ceil ((rho - reach) / step - 0.5), -bins, bins);
     const int last =
-        bounded (std::floor ((middle + reach) / step - 0.5), -bins - 1, bins - 1);
-    const double height = density_.peak * std::exp (-0.5 * distance);
+        clampedToInt (std::floor ((rho + reach) / step - 0.5), -bins - 1, bins - 1);
+    const double height = density_.peak * std::exp (-0.5 * squared_deviation);
     if (last < first)
       return;
     if (last >= 0) {
-      const int from = std::max (first, 0);
-      const double start = space_.rhoOf (from) - middle;
-      addRay (direction, from, last + 1, start, step, height);
+      const int begin = std::max (first, 0);
+      addRay (direction, begin, last + 1, space_.rhoOf (begin) - rho, step, height);
     }
-    if (first < 0) {
+    if (first < 0) { // bin -1 is bin 0 of the opposite direction
       has_wrapped_ = true;
-      const int from = std::min (last, -1);
-      const double start = space_.rhoOf (from) - middle;
+      const int nearest = std::min (last, -1);
       const std::uint32_t opposite = space_.directions.opposite (direction);
-      addRay (opposite, -1 - from, -first, start, -step, height);
+      addRay (
+          opposite, -1 - nearest, -first, space_.rhoOf (nearest) - rho, -step, height);
     }
   }
 
   /** Adds a ray of the densities at offset, offset + step, .. from the likeliest rho.
    * The ratio of neighboring densities changes by a constant factor, so that no
-   * exponential is computed per bin. */
+   * exponential is computed per bin.
+   * \param[in] begin, end range of bins, [begin, end)
+   * \param[in] height density at the likeliest rho */
   void
   addRay (std::uint32_t direction,
           int begin,
@@ -247,8 +260,10 @@ private:
     }
   }
 
+  /** Gives the bin of the mean the vote at the border of the ellipsoid, unless its
+   * center lies in the ellipsoid and it has a larger vote. */
   void
-  castOwnBin ()
+  castBinOfMean ()
   {
     const BallDirections& directions = space_.directions;
     const int row =
@@ -264,14 +279,15 @@ private:
       offset.theta = std::remainder (
           directions.thetaOf (direction) - density_.mean_theta, 2.0 * pi);
     const double rho_offset = space_.rhoOf (bin) - density_.likeliestRho (offset);
-    if (density_.squaredDistance (offset) +
-            rho_offset * rho_offset / density_.rho_variance <=
-        largest_squared_distance)
+    const double squared_deviation = density_.squaredDeviation (offset) +
+                                     rho_offset * rho_offset / density_.rho_variance;
+    if (squared_deviation <= largest_squared_deviation)
       return;
-    const double height = density_.peak * std::exp (-0.5 * largest_squared_distance);
+    const double height = density_.peak * std::exp (-0.5 * largest_squared_deviation);
     addRay (direction, bin, bin + 1, 0.0, 0.0, height);
   }
 
+  /** Of several votes for a bin all but the largest become 0. */
   void
   keepLargestVotes ()
   {
@@ -321,7 +337,7 @@ planeKernel (const PlaneFit& fit,
   const double rho = std::abs (signed_rho);
   const double theta = std::atan2 (normal.y(), normal.x());
   const double horizontal = std::hypot (normal.x(), normal.y());
-  const double guard = std::sqrt (smallest_squared_distance);
+  const double guard = std::sqrt (smallest_squared_radius);
 
   // p = rho n, w = px^2 + py^2, q = w + pz^2. The cosine and sine of theta replace
   // px / sqrt (w) and py / sqrt (w), because they stay defined at the poles.

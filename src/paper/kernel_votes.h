@@ -40,15 +40,17 @@ struct VoteRay {
   std::uint32_t first_value = 0;
 };
 
+/** \brief All votes of a kernel. */
 struct KernelVotes {
   std::vector<VoteRay> rays;
+  /** \brief The votes of all rays, ray by ray. */
   std::vector<float> values;
 };
 
 /** \brief Computes the votes of a kernel for the bins whose center lies in its
  * ellipsoid of two standard deviations, on which the density is g_min = exp (-2) times
- * its peak. Votes end 8 directions and 32 bins of rho from the middle, so that no
- * kernel has more than some 20,000.
+ * its peak. Votes also end 8 directions and 32 bins of rho from the mean, so that a
+ * kernel has at most some 20,000 votes.
  *
  * A vote is weight times the density at the bin's center. The bin that contains the
  * mean gets at least weight times g_min, so that a kernel between bin centers is not

@@ -31,9 +31,9 @@ struct FixedRadiusSearch {
   : squared_radius (static_cast<float> (radius * radius))
   {
     // Visiting a voxel takes time even if it is nearly empty.
-    constexpr double points_per_voxel = 16.0;
+    constexpr double min_points_per_voxel = 16.0;
     const double max_voxels =
-        std::max (1.0, static_cast<double> (positions.size()) / points_per_voxel);
+        std::max (1.0, static_cast<double> (positions.size()) / min_points_per_voxel);
     const double edge = std::max (radius, voxelSizeFor (positions, max_voxels));
     VoxelGrid grid = voxelize (positions, edge, threads);
     connect (grid, threads);
@@ -55,24 +55,24 @@ struct FixedRadiusSearch {
         std::upper_bound (voxel_begin.begin(), voxel_begin.end(), point);
     const auto own_voxel =
         static_cast<std::size_t> (next_voxel - voxel_begin.begin()) - 1;
-    std::size_t number = 0;
-    std::size_t looked_at = 0;
+    std::size_t found = 0;
+    std::size_t examined = 0;
     for (const std::uint32_t neighbor : neighbors_of_voxel[own_voxel]) {
       const std::uint32_t* const voxel = &voxel_begin[neighbor];
-      looked_at += voxel[1] - voxel[0];
-      sphere.resize (number + (voxel[1] - voxel[0]));
+      examined += voxel[1] - voxel[0];
+      sphere.resize (found + (voxel[1] - voxel[0]));
       for (std::uint32_t i = voxel[0]; i < voxel[1]; ++i) {
         const float dx = points.x[i] - x;
         const float dy = points.y[i] - y;
         const float dz = points.z[i] - z;
         // Each point is written, and overwritten by the next one if it is not near. A
         // branch instead would often be mispredicted.
-        sphere[number] = i;
-        number += dx * dx + dy * dy + dz * dz <= squared_radius;
+        sphere[found] = i;
+        found += dx * dx + dy * dy + dz * dz <= squared_radius;
       }
     }
-    sphere.resize (number);
-    return looked_at;
+    sphere.resize (found);
+    return examined;
   }
 };
 
@@ -93,8 +93,8 @@ struct PlaneSampler {
   RandomGenerator generator;
 
   /** Moments of the inliers of a hypothesis, if it passes the local test: more than
-   * alpha_min N_loc of the N_loc samples are inliers. The test ends as soon as it must
-   * fail or, with Inliers::Sphere, as soon as it is passed. */
+   * alpha_min N_loc of N_loc points drawn from the sphere are inliers. The test ends as
+   * soon as it must fail or, with Inliers::Sphere, as soon as it is passed. */
   std::optional<Moments>
   inliersOf (const FloatPlane& plane, const Indices& sphere)
   {
@@ -121,12 +121,12 @@ struct PlaneSampler {
     return moments;
   }
 
-  /** One turn of the paper's loop: moments of the inliers of a plane around p_r0, if
-   * there is one.
+  /** One turn of the paper's loop: moments of the inliers of a plane through p_r0, the
+   * point origin, if there is one.
    * \param[in,out] visits number of points examined: draws that give no hypothesis are
    * added, the points of the sphere are not */
   std::optional<Moments>
-  planeAround (std::uint32_t origin, const Indices& sphere, double& visits)
+  inliersAround (std::uint32_t origin, const Indices& sphere, double& visits)
   {
     if (sphere.size() < parameters.local_samples)
       return std::nullopt;
@@ -150,22 +150,23 @@ spheresAround (const DetectorInput& input,
 {
   if (input.search_over && points.size() > 0) {
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    Indices place_of (input.cloud.size, none);
+    Indices position_of (input.cloud.size, none);
     for (std::size_t i = 0; i < points.size(); ++i)
-      place_of[points.indexOf (i)] = static_cast<std::uint32_t> (i);
+      position_of[points.indexOf (i)] = static_cast<std::uint32_t> (i);
     return {points,
             [&points,
              radius,
              search = input.search_over (points.index),
-             place_of = std::move (place_of)] (std::uint32_t center, Indices& sphere) {
+             position_of = std::move (position_of)] (std::uint32_t center,
+                                                     Indices& sphere) {
               pcl::Indices neighbors;
               std::vector<float> squared_distances;
               search.within (
                   points.indexOf (center), radius, neighbors, squared_distances);
               sphere.clear();
               for (const pcl::index_t neighbor : neighbors)
-                if (const auto place = place_of[neighbor]; place != none)
-                  sphere.push_back (place);
+                if (const auto position = position_of[neighbor]; position != none)
+                  sphere.push_back (position);
               return sphere.size();
             }};
   }
@@ -186,15 +187,15 @@ drawHypothesis (const Coordinates& points,
   // Three points count as a line if the sine of their angle at p_r0 is at most this.
   constexpr double smallest_sine = 1e-3;
   const Eigen::Vector3d p0 = points[origin];
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Vector3d first_edge = Eigen::Vector3d::Zero();
   for (int draw = 0; draw < max_draws; ++draw) {
     const Eigen::Vector3d edge = points[drawFrom (sphere, generator)] - p0;
     if (edge.isZero (0.0) || edge.squaredNorm() > inner_radius * inner_radius)
       continue;
-    const Eigen::Vector3d cross = first.cross (edge);
-    if (cross.norm() > smallest_sine * first.norm() * edge.norm())
+    const Eigen::Vector3d cross = first_edge.cross (edge);
+    if (cross.norm() > smallest_sine * first_edge.norm() * edge.norm())
       return planeThrough (p0, cross.normalized());
-    first = first.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
+    first_edge = first_edge.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
   }
   return std::nullopt;
 }
@@ -207,13 +208,15 @@ sampleLocalPlanes (const Coordinates& points,
                    std::uint32_t seed)
 {
   const auto size = static_cast<std::uint32_t> (points.size());
-  const double n_max = parameters.max_inliers_per_point * size;
-  const double k_max = parameters.max_hypotheses_per_point * size;
+  const double max_inliers = parameters.max_inliers_per_point * size;       // N_max
+  const double max_hypotheses = parameters.max_hypotheses_per_point * size; // K_max
   const double max_visits = parameters.max_visits_per_point * size;
-  constexpr double usually_looked_at = 3.0;
-  constexpr double visits_of_any_sphere = 100.0;
-  double n = 0.0;
-  double k = 0.0;
+  // On a surface a search examines three times as many points as the sphere holds, in
+  // noise more. An empty sphere takes time, too.
+  constexpr double examined_per_point_in_sphere = 3.0;
+  constexpr double visits_per_sphere = 100.0;
+  double inliers_of_all = 0.0; // n
+  double hypotheses = 0.0;     // k
   double visits = 0.0;
   PlaneSampler sampler{points,
                        parameters,
@@ -221,20 +224,21 @@ sampleLocalPlanes (const Coordinates& points,
                        RandomGenerator (seed)};
   LocalPlanes found;
   Indices sphere;
-  for (; n < n_max && k < k_max && visits < max_visits; ++k) {
+  while (inliers_of_all < max_inliers && hypotheses < max_hypotheses &&
+         visits < max_visits) {
+    ++hypotheses;
     const std::uint32_t origin = drawBelow (sampler.generator, size);
-    // On a surface a search examines three times as many points as the sphere holds, in
-    // noise more. An empty sphere takes time, too.
-    const auto looked_at = static_cast<double> (find_sphere (origin, sphere));
-    visits += visits_of_any_sphere + std::max (static_cast<double> (sphere.size()),
-                                               looked_at / usually_looked_at);
-    const std::optional<Moments> inliers = sampler.planeAround (origin, sphere, visits);
+    const auto examined = static_cast<double> (find_sphere (origin, sphere));
+    visits += visits_per_sphere + std::max (static_cast<double> (sphere.size()),
+                                            examined / examined_per_point_in_sphere);
+    const std::optional<Moments> inliers =
+        sampler.inliersAround (origin, sphere, visits);
     if (!inliers)
       continue;
-    n += inliers->count;
+    inliers_of_all += inliers->count;
     found.moments.push_back (*inliers);
   }
-  found.hypotheses = static_cast<std::size_t> (k);
+  found.hypotheses = static_cast<std::size_t> (hypotheses);
   return found;
 }
 

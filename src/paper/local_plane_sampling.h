@@ -15,8 +15,8 @@ namespace pcl_ops::internal {
 
 using LocalSamplingParameters = FastSamplingPlaneFilteringParameters::Local;
 
-/** \brief Finds the points within r2 of the point \p center, itself included. Points
- * are indices into \ref Spheres::points. \p sphere is overwritten, in any order.
+/** \brief Finds the points within r2 of the point \p center, itself included: indices
+ * into \ref Spheres::points, as \p center is. \p sphere is overwritten, in any order.
  * \return how many points were examined: far more than \p sphere holds where a nearly
  * empty sphere lies close to many points */
 using SphereFinder = std::function<std::size_t (std::uint32_t center, Indices& sphere)>;
@@ -51,6 +51,7 @@ drawHypothesis (const Coordinates& points,
                 double inner_radius,
                 RandomGenerator& generator);
 
+/** \brief Planes sampled from spheres. */
 struct LocalPlanes {
   /** \brief Moments of the inliers of each plane, about the zero of the points' frame,
    * in the order the planes were found. */

@@ -12,7 +12,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -25,7 +24,7 @@ constexpr double smallest_edge = 1e-30;
 // Points farther from a node's plane than this share of its edge are dropped.
 constexpr double dropped_distance_share = 0.1;
 
-// All points are sorted into the nodes of this level in one pass: the codes of 8^5
+// All points are sorted into the nodes of this level in one pass: the codes of its 8^5
 // nodes fit into 16 bits, their counters into the second level cache.
 constexpr int sorted_level = 5;
 
@@ -33,24 +32,28 @@ constexpr int sorted_level = 5;
 // root.
 constexpr int max_start_level = 2;
 
-/** The lowest and the highest value without the 2 per cent at either end, which may be
- * outliers. At most 10,000 of the values are used. */
-std::pair<double, double>
+struct Range {
+  double low = 0.0, high = 0.0;
+};
+
+/** The range of the values without the 2 percent at either end, which may be outliers.
+ * At most 10,000 of the values, evenly spread, are used. */
+Range
 middleOf (const std::vector<float>& values)
 {
-  constexpr std::size_t looked_at = 10000;
+  constexpr std::size_t largest_sample = 10000;
   constexpr double stray_share = 0.02;
-  const std::size_t stride = values.size() / looked_at + 1;
-  std::vector<float> some;
+  const std::size_t stride = values.size() / largest_sample + 1;
+  std::vector<float> sample;
   for (std::size_t i = 0; i < values.size(); i += stride)
-    some.push_back (values[i]);
+    sample.push_back (values[i]);
   const auto stray =
-      static_cast<std::ptrdiff_t> (std::ceil (stray_share * (some.size() - 1)));
-  const auto low = some.begin() + stray;
-  const auto high = some.end() - 1 - stray;
-  std::nth_element (some.begin(), low, some.end());
+      static_cast<std::ptrdiff_t> (std::ceil (stray_share * (sample.size() - 1)));
+  const auto low = sample.begin() + stray;
+  const auto high = sample.end() - 1 - stray;
+  std::nth_element (sample.begin(), low, sample.end());
   const double lowest = *low;
-  std::nth_element (some.begin(), high, some.end());
+  std::nth_element (sample.begin(), high, sample.end());
   return {lowest, *high};
 }
 
@@ -59,11 +62,11 @@ middleOf (const std::vector<float>& values)
 Eigen::AlignedBox3d
 fenceOf (const Coordinates& points)
 {
-  Eigen::Vector3d low;
-  Eigen::Vector3d high;
-  std::tie (low.x(), high.x()) = middleOf (points.x);
-  std::tie (low.y(), high.y()) = middleOf (points.y);
-  std::tie (low.z(), high.z()) = middleOf (points.z);
+  const Range x = middleOf (points.x);
+  const Range y = middleOf (points.y);
+  const Range z = middleOf (points.z);
+  const Eigen::Vector3d low (x.low, y.low, z.low);
+  const Eigen::Vector3d high (x.high, y.high, z.high);
   const double spread = (high - low).maxCoeff();
   // If nearly all points are equal, no other point counts as an outlier.
   const double width = spread > 0.0 ? spread : std::numeric_limits<double>::infinity();
@@ -79,7 +82,8 @@ struct OctreeNode {
   double edge = 0.0;
   /** 0 for the root. */
   int level = 0;
-  /** Morton code among the nodes of its level; unused below sorted_level. */
+  /** Morton code among the nodes of its level; 0 at levels deeper than sorted_level,
+   * which do not use it. */
   std::size_t code = 0;
 
   std::size_t
@@ -131,7 +135,8 @@ sortIntoCubes (const OctreeNode& node,
   return begins;
 }
 
-/** Visits the nodes below a node, depth first, and collects the clusters. */
+/** Visits a node and those that it is divided into, depth first, and collects the
+ * clusters. */
 struct Descent {
   const RootCube& root;
   /** Index of the first point of each node of sorted_level, then the end of the last
@@ -146,9 +151,11 @@ struct Descent {
   sortedNode (int level, std::size_t code) const
   {
     const double edge = std::ldexp (root.edge, -level);
-    const VoxelKey place = numbersOf (code);
-    const Eigen::Vector3d from_corner (place.x + 0.5, place.y + 0.5, place.z + 0.5);
+    const VoxelKey cube = shiftedKeyOf (code);
+    // In units of the node's edge.
+    const Eigen::Vector3d from_corner (cube.x + 0.5, cube.y + 0.5, cube.z + 0.5);
     const Eigen::Vector3d half_root = Eigen::Vector3d::Constant (root.edge / 2.0);
+    // Each level between adds three bits to the codes.
     const int shift = 3 * (sorted_level - level);
     return {begins[code << shift],
             begins[(code + 1) << shift],
@@ -161,9 +168,11 @@ struct Descent {
   void
   descend (const OctreeNode& node)
   {
-    if (node.size() < parameters.min_samples ||
-        (node.level >= parameters.first_level && addIfCoplanar (node)) ||
-        node.level >= parameters.max_level)
+    if (node.size() < parameters.min_samples)
+      return;
+    if (node.level >= parameters.first_level && addIfCoplanar (node))
+      return;
+    if (node.level >= parameters.max_level)
       return;
     if (node.level < sorted_level) {
       for (std::size_t octant = 0; octant < 8; ++octant)
@@ -188,6 +197,8 @@ struct Descent {
   }
 
 private:
+  /** \return whether the points of the node are coplanar. They make no cluster if those
+   * near their plane span no plane. */
   bool
   addIfCoplanar (const OctreeNode& node)
   {
@@ -231,14 +242,40 @@ private:
   std::uint32_t
   dropFarPoints (const OctreeNode& node, const Plane& plane)
   {
-    const double most = dropped_distance_share * node.edge;
+    const double largest_distance = dropped_distance_share * node.edge;
     std::uint32_t end = node.begin;
     for (std::uint32_t i = node.begin; i < node.end; ++i)
-      if (std::abs (plane.distance (points[i].position())) <= most)
+      if (std::abs (plane.distance (points[i].position())) <= largest_distance)
         std::swap (points[end++], points[i]);
     return end;
   }
 };
+
+/** Sets \ref OctreeClusters::points.
+ * \return index of the first point of each node of sorted_level, then the end of the
+ * last node */
+Indices
+sortPoints (const Coordinates& points, OctreeClusters& result)
+{
+  Indices order (points.size());
+  std::iota (order.begin(), order.end(), 0);
+  const auto outside =
+      std::stable_partition (order.begin(), order.end(), [&] (std::uint32_t i) {
+        return result.root.holds (points[i]);
+      });
+  const OctreeNode root{0,
+                        static_cast<std::uint32_t> (outside - order.begin()),
+                        result.root.center,
+                        result.root.edge};
+  const auto point_at = [&] (std::size_t i) {
+    const std::uint32_t p = order[i];
+    return OctreePoint{points.x[p], points.y[p], points.z[p], p};
+  };
+  result.points.resize (points.size());
+  for (std::size_t i = root.end; i < points.size(); ++i)
+    result.points[i] = point_at (i);
+  return sortIntoCubes (root, sorted_level, point_at, result.points.data());
+}
 
 } // namespace
 
@@ -279,36 +316,17 @@ findCoplanarClusters (const Coordinates& points,
   result.root = rootCubeOf (points);
   if (!(result.root.edge > 0.0))
     return result;
-  Indices order (points.size());
-  std::iota (order.begin(), order.end(), 0);
-  const auto outside =
-      std::stable_partition (order.begin(), order.end(), [&] (std::uint32_t i) {
-        return result.root.holds (points[i]);
-      });
-  const OctreeNode root{0,
-                        static_cast<std::uint32_t> (outside - order.begin()),
-                        result.root.center,
-                        result.root.edge};
-  const auto point_at = [&] (std::size_t i) {
-    const std::uint32_t p = order[i];
-    return OctreePoint{points.x[p], points.y[p], points.z[p], p};
-  };
-  result.points.resize (points.size());
-  for (std::size_t i = root.end; i < points.size(); ++i)
-    result.points[i] = point_at (i);
-  const Indices begins =
-      sortIntoCubes (root, sorted_level, point_at, result.points.data());
+  const Indices begins = sortPoints (points, result);
   const int start_level = std::clamp (parameters.first_level, 0, max_start_level);
-  const auto found =
-      parallelChunks (threads,
-                      std::size_t (1) << (3 * start_level),
-                      1,
-                      [&] (std::size_t code, std::size_t) {
-                        Descent descent{result.root, begins, parameters, result.points};
-                        descent.descend (descent.sortedNode (start_level, code));
-                        return std::move (descent.clusters);
-                      });
-  for (const std::vector<CoplanarCluster>& clusters : found)
+  const std::size_t start_nodes = std::size_t (1) << (3 * start_level);
+  constexpr std::size_t nodes_per_chunk = 1;
+  const auto clusters_of_nodes = parallelChunks (
+      threads, start_nodes, nodes_per_chunk, [&] (std::size_t code, std::size_t) {
+        Descent descent{result.root, begins, parameters, result.points};
+        descent.descend (descent.sortedNode (start_level, code));
+        return std::move (descent.clusters);
+      });
+  for (const std::vector<CoplanarCluster>& clusters : clusters_of_nodes)
     result.clusters.insert (result.clusters.end(), clusters.begin(), clusters.end());
   return result;
 }

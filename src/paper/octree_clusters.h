@@ -31,10 +31,10 @@ struct RootCube {
   }
 };
 
-/** \brief The cube around the centroid that holds all points but outliers. For each
- * coordinate take the range of its middle 96 per cent. An outlier lies farther outside
- * one of the three ranges than the widest of them is wide. With outliers, one stray
- * return would make all nodes coarse.
+/** \brief The cube around the centroid that holds all points but outliers. Each
+ * coordinate has a range, which holds the middle 96 percent of its values. A point is
+ * an outlier if it lies farther outside one of the three ranges than the widest of them
+ * is wide. If outliers were in the cube, one stray return would make all nodes coarse.
  * \return edge 0 for no points */
 RootCube
 rootCubeOf (const Coordinates& points);
@@ -51,13 +51,14 @@ struct OctreePoint {
   }
 };
 
-/** \brief The approximately coplanar points of one octree node. */
+/** \brief The roughly coplanar points of one octree node. */
 struct CoplanarCluster {
   /** \brief Least squares fit to the points, in their frame. */
   PlaneFit fit;
   Moments moments;
   /** \brief Length of the node's edge [m]. */
   double edge = 0.0;
+  /** \brief Level of the node; the root is level 0. */
   int level = 0;
   /** \brief Its points: the range [begin, end) of OctreeClusters::points. */
   std::uint32_t begin = 0, end = 0;
@@ -69,6 +70,7 @@ struct CoplanarCluster {
   }
 };
 
+/** \brief The roughly coplanar parts of a cloud. */
 struct OctreeClusters {
   RootCube root;
   std::vector<CoplanarCluster> clusters;

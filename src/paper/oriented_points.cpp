@@ -23,6 +23,7 @@ drawSample (std::size_t size, double rate, std::uint32_t seed)
   RandomGenerator generator (seed);
   Indices sample;
   sample.reserve (wanted);
+  // Each point is drawn with the probability wanted / (points from it to the end).
   for (std::size_t i = 0; wanted > 0; ++i)
     if (drawBelow (generator, static_cast<std::uint32_t> (size - i)) < wanted) {
       sample.push_back (static_cast<std::uint32_t> (i));
@@ -40,7 +41,8 @@ positionIn (const CloudView& cloud, pcl::index_t index)
   return {position[0], position[1], position[2]};
 }
 
-// M_i of one sample, with positions relative to the sample.
+// M_i of one sample, \ref orientSamples. Without a given sigma it is the distance to
+// the farthest neighbor [m].
 Eigen::Matrix3d
 weightedScatter (const CloudView& cloud,
                  pcl::index_t sample,
@@ -52,15 +54,15 @@ weightedScatter (const CloudView& cloud,
   for (const float squared_distance : squared_distances)
     farthest = std::max (farthest, squared_distance);
   const double sigma = given_sigma.value_or (std::sqrt (farthest));
-  const Eigen::Vector3d p = positionIn (cloud, sample);
+  const Eigen::Vector3d position = positionIn (cloud, sample);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const pcl::index_t neighbor : neighbors) {
-    const Eigen::Vector3d q = positionIn (cloud, neighbor) - p;
-    const double squared_distance = q.squaredNorm();
+    const Eigen::Vector3d offset = positionIn (cloud, neighbor) - position;
+    const double squared_distance = offset.squaredNorm();
     if (squared_distance == 0.0)
       continue;
     const double weight = std::exp (-squared_distance / (2.0 * sigma * sigma));
-    scatter.noalias() += (weight / squared_distance) * q * q.transpose();
+    scatter.noalias() += (weight / squared_distance) * offset * offset.transpose();
   }
   return scatter;
 }
@@ -73,14 +75,15 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads)
   if (input.search_over)
     return input.search_over (points.index);
   const auto tree = std::make_shared<const BoxTree> (points, input.cloud);
-  const auto nearest = [tree, cloud = input.cloud] (pcl::index_t point,
-                                                    int k,
-                                                    pcl::Indices& neighbors,
-                                                    std::vector<float>& distances) {
+  const auto nearest = [tree,
+                        cloud = input.cloud] (pcl::index_t point,
+                                              int k,
+                                              pcl::Indices& neighbors,
+                                              std::vector<float>& squared_distances) {
     const Eigen::Vector3f position = positionIn (cloud, point).cast<float>();
     NeighborQuery query{position, static_cast<std::size_t> (k)};
     query.sorted = false;
-    tree->find (query, neighbors, distances);
+    tree->find (query, neighbors, squared_distances);
   };
   return {nearest, {}, threads};
 }
@@ -105,25 +108,26 @@ orientSamples (const CloudView& cloud,
                int k,
                std::optional<double> sigma)
 {
-  // One more than k: the nearest neighbor of a point is the point itself, and q_ij is
-  // not p_i.
-  const auto asked =
+  // One more than k: the nearest neighbor of a point is the point itself, which is no
+  // q_ij.
+  const auto wanted_neighbors =
       static_cast<int> (std::min (static_cast<std::size_t> (k) + 1, points.size()));
-  constexpr std::size_t samples_per_piece = 256;
+  constexpr std::size_t samples_per_chunk = 256;
   std::vector<Eigen::Vector3d> normals (sample.size());
-  parallelFor (search.threads,
-               sample.size(),
-               samples_per_piece,
-               [&] (std::size_t begin, std::size_t end) {
-                 pcl::Indices neighbors;
-                 std::vector<float> squared_distances;
-                 for (std::size_t i = begin; i < end; ++i) {
-                   const pcl::index_t point = points.indexOf (sample[i]);
-                   search.nearest (point, asked, neighbors, squared_distances);
-                   normals[i] = normalOfScatter (weightedScatter (
-                       cloud, point, neighbors, squared_distances, sigma));
-                 }
-               });
+  parallelFor (
+      search.threads,
+      sample.size(),
+      samples_per_chunk,
+      [&] (std::size_t begin, std::size_t end) {
+        pcl::Indices neighbors;
+        std::vector<float> squared_distances;
+        for (std::size_t i = begin; i < end; ++i) {
+          const pcl::index_t point = points.indexOf (sample[i]);
+          search.nearest (point, wanted_neighbors, neighbors, squared_distances);
+          normals[i] = normalOfScatter (
+              weightedScatter (cloud, point, neighbors, squared_distances, sigma));
+        }
+      });
   OrientedSamples samples;
   for (std::size_t i = 0; i < sample.size(); ++i)
     if (!normals[i].isZero())

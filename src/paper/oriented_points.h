@@ -17,7 +17,6 @@ struct OrientedSamples : Coordinates {
   /** \brief Unit normals of arbitrary sign. */
   Coordinates normals;
 
-  /** \brief Adds a sample. */
   void
   add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
   {
@@ -67,7 +66,9 @@ normalOfScatter (const Eigen::Matrix3d& scatter);
 /** \brief Divides samples into those of horizontal, vertical and other planes, for
  * strategy 2.
  * \param[in] tolerance of angles, as in \ref orientationOf [rad]
- * \return ascending indices of the samples of each group */
+ * \param[in] up unit vector
+ * \return ascending indices of the samples of each group, in the order of Orientation
+ */
 std::array<Indices, 3>
 groupByOrientation (const OrientedSamples& samples,
                     const Eigen::Vector3d& up,

@@ -27,11 +27,11 @@ isWithin (const Coordinates& points,
 Coordinates
 pointsOffPlane (const Coordinates& points, const Plane& plane, double threshold)
 {
-  Coordinates off;
+  Coordinates off_plane;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!isWithin (points, i, plane, threshold))
-      off.add (points.x[i], points.y[i], points.z[i]);
-  return off;
+      off_plane.add (points.x[i], points.y[i], points.z[i]);
+  return off_plane;
 }
 
 std::optional<PlaneFit>
@@ -44,18 +44,18 @@ fitTo (const Coordinates& points, const Indices& inliers)
 }
 
 void
-remove (const ExtractedPlane& found, double threshold, Candidates& candidates)
+removeTaken (const ExtractedPlane& found, double threshold, Candidates& candidates)
 {
-  Indices rest;
-  std::set_difference (candidates.left.begin(),
-                       candidates.left.end(),
+  Indices untaken;
+  std::set_difference (candidates.samples_left.begin(),
+                       candidates.samples_left.end(),
                        found.inliers.begin(),
                        found.inliers.end(),
-                       std::back_inserter (rest));
-  candidates.left = std::move (rest);
-  if (candidates.remaining)
-    *candidates.remaining =
-        pointsOffPlane (*candidates.remaining, found.plane, threshold);
+                       std::back_inserter (untaken));
+  candidates.samples_left = std::move (untaken);
+  if (candidates.points_left)
+    *candidates.points_left =
+        pointsOffPlane (*candidates.points_left, found.plane, threshold);
 }
 
 } // namespace
@@ -66,9 +66,10 @@ requiredDraws (double probability, double inlier_ratio)
   if (!(inlier_ratio < 1.0))
     return 1;
   const double draws = std::log1p (-probability) / std::log1p (-inlier_ratio);
-  constexpr auto most = static_cast<double> (std::numeric_limits<std::int32_t>::max());
-  return static_cast<std::size_t> (draws > 0.0 && draws < most ? std::ceil (draws)
-                                                               : most);
+  constexpr auto most_draws =
+      static_cast<double> (std::numeric_limits<std::int32_t>::max());
+  const bool is_in_range = draws > 0.0 && draws < most_draws;
+  return static_cast<std::size_t> (is_in_range ? std::ceil (draws) : most_draws);
 }
 
 std::size_t
@@ -103,32 +104,34 @@ onePointRansac (const Candidates& candidates,
                 const RansacParameters& parameters,
                 RandomGenerator& generator)
 {
-  const auto& [samples, left, remaining] = candidates;
-  if (left.size() <= parameters.min_samples)
+  const auto& [samples, samples_left, points_left] = candidates;
+  if (samples_left.size() <= parameters.min_samples)
     return std::nullopt;
   const auto draws_for = [&] (std::size_t inliers, std::size_t among) {
     return requiredDraws (parameters.paper_only.probability,
                           static_cast<double> (inliers) / static_cast<double> (among));
   };
-  const Coordinates own = selected (samples, left);
-  const Coordinates& voters = remaining ? *remaining : own;
+  const Coordinates samples_left_positions = selected (samples, samples_left);
+  const Coordinates& voters = points_left ? *points_left : samples_left_positions;
   std::optional<Plane> best;
   // Planes of theta_N samples or fewer do not count: N_iter starts with the draws for
   // theta_N inliers, which ends the search where there is no plane.
-  std::size_t most = parameters.min_samples;
-  std::size_t n_iter = draws_for (most, left.size());
+  std::size_t most_votes = parameters.min_samples;
+  std::size_t n_iter = draws_for (most_votes, samples_left.size());
   for (std::size_t iter = 0; iter < n_iter; ++iter) {
-    const std::uint32_t drawn =
-        left[drawBelow (generator, static_cast<std::uint32_t> (left.size()))];
+    const std::uint32_t drawn = samples_left[drawBelow (
+        generator, static_cast<std::uint32_t> (samples_left.size()))];
     const Plane hypothesis = planeThrough (samples[drawn], samples.normals[drawn]);
     const double theta_h = *parameters.distance_threshold;
     const std::size_t votes = countWithinDistance (voters, hypothesis, theta_h);
-    if (votes <= most ||
-        selectWithinDistance (samples, left, hypothesis, theta_h).size() <=
-            parameters.min_samples)
+    if (votes <= most_votes)
+      continue;
+    const Indices inliers =
+        selectWithinDistance (samples, samples_left, hypothesis, theta_h);
+    if (inliers.size() <= parameters.min_samples)
       continue;
     best = hypothesis;
-    most = votes;
+    most_votes = votes;
     n_iter = draws_for (votes, voters.size());
   }
   return best;
@@ -144,8 +147,10 @@ largestPlane (const Candidates& candidates,
   if (!hypothesis)
     return std::nullopt;
   const auto select = [&] (const Plane& plane) {
-    return selectWithinDistance (
-        candidates.samples, candidates.left, plane, *parameters.distance_threshold);
+    return selectWithinDistance (candidates.samples,
+                                 candidates.samples_left,
+                                 plane,
+                                 *parameters.distance_threshold);
   };
   ExtractedPlane found{*hypothesis, select (*hypothesis)};
   while (const auto fit = fitTo (candidates.samples, found.inliers)) {
@@ -167,7 +172,7 @@ extractAll (Candidates& candidates,
 {
   std::vector<ExtractedPlane> planes;
   while (auto found = largestPlane (candidates, parameters, generator)) {
-    remove (*found, *parameters.distance_threshold, candidates);
+    removeTaken (*found, *parameters.distance_threshold, candidates);
     planes.push_back (std::move (*found));
   }
   return planes;

@@ -26,11 +26,11 @@ requiredDraws (double probability, double inlier_ratio);
 struct Candidates {
   const OrientedSamples& samples;
   /** \brief Indices of the samples that no plane has taken yet, ascending. */
-  Indices left;
+  Indices samples_left;
   /** \brief All points that no plane has taken yet, if hypotheses are counted on them
    * ("using all points for verification"; Verification::AllPoints); nullptr if they are
    * counted on the samples. */
-  Coordinates* remaining = nullptr;
+  Coordinates* points_left = nullptr;
 };
 
 /** \brief One-point RANSAC on sampled points (paper section III-A, Algorithm 1, lines 7

@@ -16,7 +16,8 @@ namespace pcl_ops::internal {
 /** \brief A number for each bin of an accumulator ball. The bins of a direction are
  * allocated when it is first written to, so that memory grows with the directions in
  * use. Two more bins can be read at either end: bins -1 and -2 hold bins 0 and 1 of the
- * opposite direction once \ref mirrorCenter has been called; the others are 0. */
+ * opposite direction once \ref mirrorCenter has been called; all others beyond the ends
+ * are 0. */
 class BallColumns {
 public:
   BallColumns (std::size_t directions, int rho_num)
@@ -38,7 +39,7 @@ public:
 
   /** \brief The bins of a direction to write to, bin 0 first. */
   float*
-  write (std::uint32_t direction)
+  columnToWrite (std::uint32_t direction)
   {
     if (isEmpty (direction))
       columns_[direction] = no_votes_;
@@ -55,45 +56,51 @@ public:
       const float second = (*this)[direction][1];
       if (first == 0.0f && second == 0.0f)
         continue;
-      float* const mirrored = write (directions.opposite (direction));
+      float* const mirrored = columnToWrite (directions.opposite (direction));
       mirrored[-1] = first;
       mirrored[-2] = second;
     }
   }
 
 private:
+  /** \brief Number of bins beyond either end. */
   static constexpr int margin = 2;
 
+  /** \brief For each direction its bins, from bin -margin on; empty if unused. */
   std::vector<std::vector<float>> columns_;
   std::vector<float> no_votes_;
 };
 
 /** \brief Tests whether a bin is a peak: the highest of all bins whose 3 x 3 x 3
- * neighborhood overlaps its own, also across the poles and the center. */
+ * neighborhood overlaps its own, also across the poles and the center.
+ * Heights are the smoothed votes of the bins. */
 class PeakTest {
 public:
+  /** \param[in] heights after \ref BallColumns::mirrorCenter; outlives the test, as
+   * \p directions does */
   PeakTest (const BallColumns& heights, const BallDirections& directions)
   : heights_ (heights)
   , directions_ (directions)
   , around_ (directions.size())
-  , centered_around_ (directions.size())
+  , neighborhoods_with_ (directions.size())
   {
     for (std::uint32_t direction = 0; direction < directions.size(); ++direction) {
       if (heights.isEmpty (direction))
         continue;
       around_[direction] = directions.around (direction);
       for (const std::uint32_t other : around_[direction])
-        centered_around_[other].push_back (direction);
+        neighborhoods_with_[other].push_back (direction);
     }
   }
 
+  /** \param[in] direction one in use */
   bool
   isPeak (std::uint32_t direction, int bin) const
   {
     if (!isHighestOf (direction, direction, bin))
       return false;
     for (const std::uint32_t near : around_[direction])
-      for (const std::uint32_t overlapping : centered_around_[near])
+      for (const std::uint32_t overlapping : neighborhoods_with_[near])
         if (!isHighestOf (overlapping, direction, bin))
           return false;
     return true;
@@ -107,11 +114,13 @@ private:
   {
     const float height = heights_[direction][bin];
     const float* const heights = heights_[column];
+    // Of equally high bins, the lower direction, then the lower bin counts as higher.
     const auto comes_first = [&] (int other) {
-      const auto real = other < 0
-                            ? std::pair (directions_.opposite (column), -1 - other)
-                            : std::pair (column, other);
-      return real < std::pair (direction, bin);
+      const bool is_mirrored = other < 0; // bin -1 is bin 0 of the opposite direction
+      const std::uint32_t other_direction =
+          is_mirrored ? directions_.opposite (column) : column;
+      const int other_bin = is_mirrored ? -1 - other : other;
+      return std::tie (other_direction, other_bin) < std::tie (direction, bin);
     };
     for (int other = bin - 2; other <= bin + 2; ++other)
       if (heights[other] > height || (heights[other] == height && comes_first (other)))
@@ -121,8 +130,10 @@ private:
 
   const BallColumns& heights_;
   const BallDirections& directions_;
+  /** \brief For each direction in use those of its 3 x 3 neighborhood. */
   std::vector<std::vector<std::uint32_t>> around_;
-  std::vector<std::vector<std::uint32_t>> centered_around_;
+  /** \brief For each direction those in use whose neighborhood it is in. */
+  std::vector<std::vector<std::uint32_t>> neighborhoods_with_;
 };
 
 /** \brief A peak of the accumulator. */
@@ -141,7 +152,7 @@ struct SphericalAccumulator {
   HoughSpace space;
   BallColumns votes{space.directions.size(), space.rho_num};
 
-  explicit SphericalAccumulator (HoughSpace of) : space (std::move (of)) {}
+  explicit SphericalAccumulator (HoughSpace bins) : space (std::move (bins)) {}
 
   /** \brief Adds the votes of a kernel.
    * \param[in] voter number of the kernel in \ref HoughPeak::voters */
@@ -149,7 +160,7 @@ struct SphericalAccumulator {
   add (const KernelVotes& kernel, std::uint32_t voter)
   {
     for (const VoteRay& ray : kernel.rays) {
-      float* const bins = votes.write (ray.direction);
+      float* const bins = votes.columnToWrite (ray.direction);
       const float* value = &kernel.values[ray.first_value];
       for (int bin = ray.begin; bin < ray.end; ++bin)
         bins[bin] += *value++;
@@ -197,19 +208,20 @@ private:
     for (std::uint32_t direction = 0; direction < directions.size(); ++direction) {
       if (votes.isEmpty (direction))
         continue;
-      const auto beside = directions.beside (direction);
+      const auto [to_north, to_south, to_west, to_east] = directions.beside (direction);
       const float* own = votes[direction];
-      const float* north = votes[beside[0]];
-      const float* south = votes[beside[1]];
-      const float* west = votes[beside[2]];
-      const float* east = votes[beside[3]];
-      float* const result = smoothed.write (direction);
+      const float* north = votes[to_north];
+      const float* south = votes[to_south];
+      const float* west = votes[to_west];
+      const float* east = votes[to_east];
+      float* const result = smoothed.columnToWrite (direction);
       for (int bin = 0; bin < space.rho_num; ++bin) {
         const float neighbors = own[bin - 1] + own[bin + 1] + north[bin] + south[bin] +
                                 west[bin] + east[bin];
         const float sum = own_weight * own[bin] + neighbor_weight * neighbors;
         result[bin] = own[bin] > 0.0f ? sum : 0.0f;
       }
+      // At the center bin 0 of the opposite direction is a neighbor of bin 0.
       if (own[0] > 0.0f)
         result[0] += neighbor_weight * votes[directions.opposite (direction)][0];
     }

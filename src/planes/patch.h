@@ -19,10 +19,10 @@ struct Patch {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   /** \brief Columns: unit vectors along the rectangle, across it, and its normal. */
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  /** \brief Half the length (along) and half the width (across) [m]. */
-  Eigen::Vector2d half = Eigen::Vector2d::Zero();
+  /** \brief Half the length (along) and half_sides the width (across) [m]. */
+  Eigen::Vector2d half_sides = Eigen::Vector2d::Zero();
   /** \brief Mean squared distance of the points to the plane [m^2]. */
-  double noise = 0.0;
+  double mean_squared_distance = 0.0;
 
   Eigen::Vector3d
   normal () const
@@ -32,11 +32,12 @@ struct Patch {
   double
   area () const
   {
-    return 4.0 * half.prod();
+    return 4.0 * half_sides.prod();
   }
 };
 
-/** \return nothing for fewer than three points, or if all are equal or on one line */
+/** \brief Returns the rectangle that has the moments of a plane.
+ * \return nothing for fewer than three points, or if all are equal or on one line */
 inline std::optional<Patch>
 patchOf (const PlaneSegment& plane)
 {
@@ -58,10 +59,10 @@ patchOf (const PlaneSegment& plane)
   patch.center = middle - plane.normal.dot (middle - plane.centroid) * plane.normal;
   patch.axes << in_plane * along, in_plane * across, plane.normal;
   // Points spread evenly over a side of length 2 h have the variance h^2 / 3.
-  patch.half = {std::sqrt (std::max (0.0, 3.0 * along.dot (spread * along))),
-                std::sqrt (std::max (0.0, 3.0 * across.dot (spread * across)))};
+  patch.half_sides = {std::sqrt (std::max (0.0, 3.0 * along.dot (spread * along))),
+                      std::sqrt (std::max (0.0, 3.0 * across.dot (spread * across)))};
   const double rms = plane.rms();
-  patch.noise = rms * rms;
+  patch.mean_squared_distance = rms * rms;
   return patch;
 }
 
@@ -94,15 +95,15 @@ moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
 inline std::array<Eigen::Vector3d, 4>
 cornersOf (const Patch& patch)
 {
-  const Eigen::Vector3d along = patch.half.x() * patch.axes.col (0);
-  const Eigen::Vector3d across = patch.half.y() * patch.axes.col (1);
+  const Eigen::Vector3d along = patch.half_sides.x() * patch.axes.col (0);
+  const Eigen::Vector3d across = patch.half_sides.y() * patch.axes.col (1);
   return {patch.center + along + across,
           patch.center - along + across,
           patch.center - along - across,
           patch.center + along - across};
 }
 
-/** \brief Clips a convex polygon to the half plane sign * point[axis] <= bound
+/** \brief Clips a convex polygon to the half_sides plane sign * point[axis] <= bound
  * (Sutherland & Hodgman, "Reentrant polygon clipping", 1974). */
 inline std::vector<Eigen::Vector2d>
 clipped (const std::vector<Eigen::Vector2d>& polygon,
@@ -135,7 +136,7 @@ commonArea (const Patch& first, const Patch& second)
     corners.push_back (axes.transpose() * (corner - first.center));
   for (const Eigen::Index axis : {0, 1})
     for (const double sign : {1.0, -1.0})
-      corners = clipped (corners, axis, sign, first.half[axis]);
+      corners = clipped (corners, axis, sign, first.half_sides[axis]);
   // The area is negative if the normals are opposed: the corners then run clockwise.
   return std::abs (areaOf (corners));
 }

@@ -21,6 +21,7 @@ namespace pcl_ops::internal {
  * counter-clockwise, the first corner not repeated. */
 using Ring = boost::geometry::model::ring<Eigen::Vector2d, false, false>;
 
+/** \brief Returns the points without those with a NaN or infinite coordinate. */
 inline PlanarPoints
 finiteOf (const PlanarPoints& points)
 {
@@ -31,10 +32,10 @@ finiteOf (const PlanarPoints& points)
   return finite;
 }
 
-/** \brief Factor that scales points for the predicates of Boost.Geometry: 1 if the
- * largest coordinate is 0 or from 1 to 10^6, else the power of two that takes it to 1
- * .. 2. Below 1 the predicates have an absolute tolerance; above 10^6 they fail for
- * points over many decades. */
+/** \brief Returns the factor that scales points for the predicates of Boost.Geometry: 1
+ * if the largest coordinate is 0 or from 1 to 10^6, else the power of two that scales
+ * it to between 1 and 2. For coordinates below 1 the predicates have an absolute
+ * tolerance; above 10^6 they fail for points over many decades. */
 inline double
 unitScale (const PlanarPoints& points)
 {

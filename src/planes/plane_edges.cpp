@@ -61,11 +61,13 @@ struct Body {
   PlanarPoints points;
   /** \brief Bounding box of the finite points. */
   Eigen::AlignedBox2d box;
+  /** \brief Rms distance of the points to the plane [m]. */
   double rms;
   /** \brief Mean distance between neighboring points [m]. */
   double spacing;
 };
 
+// \param[in] shift origin of the cloud's frame in the frame of the plane
 std::optional<Body>
 bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift)
 {
@@ -138,20 +140,21 @@ meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_s
 
 /** \brief Coordinates along a line of those points that are within \p reach of it. */
 std::vector<double>
-placesBeside (const Body& body, const Line& line, double reach)
+coordinatesBeside (const Body& body, const Line& line, double reach)
 {
   const Eigen::Vector2d origin = body.frame.toPlane (line.origin());
   const Eigen::Vector2d along = body.frame.toPlane (line.pointAt (1.0)) - origin;
   const double radius = 0.5 * body.box.diagonal().norm();
   if (std::abs (cross (along, body.box.center() - origin)) > radius + reach)
     return {};
-  std::vector<double> places;
+  std::vector<double> coordinates;
   for (const Eigen::Vector2d& point : body.points)
     if (std::abs (cross (along, point - origin)) <= reach)
-      places.push_back (along.dot (point - origin));
-  return places;
+      coordinates.push_back (along.dot (point - origin));
+  return coordinates;
 }
 
+/** \brief Returns how two planes meet; nothing if they do not. */
 std::optional<Meeting>
 meetingOf (const std::vector<PlaneSegment>& planes,
            const std::vector<std::optional<Body>>& bodies,
@@ -174,19 +177,20 @@ meetingOf (const std::vector<PlaneSegment>& planes,
       meetingLine (planes[first], planes[second], std::sin (parameters.min_angle));
   if (!line)
     return {};
-  const double gap = parameters.max_gap.value_or (reaches_of_gap * reach);
-  const double length = parameters.min_length.value_or (reaches_of_length * reach);
+  const double max_gap = parameters.max_gap.value_or (reaches_of_gap * reach);
+  const double min_length = parameters.min_length.value_or (reaches_of_length * reach);
   // The smaller plane first: if it has no points there, the larger is not searched.
   const bool is_first_smaller = one.points.size() < other.points.size();
   const Body& smaller = is_first_smaller ? one : other;
   const Body& larger = is_first_smaller ? other : one;
-  Intervals common = intervalsOf (placesBeside (smaller, *line, reach), gap);
+  Intervals common = intervalsOf (coordinatesBeside (smaller, *line, reach), max_gap);
   if (!common.empty())
-    common = inCommon (
-        common, intervalsOf (placesBeside (larger, *line, reach), gap), length);
+    common = inCommon (common,
+                       intervalsOf (coordinatesBeside (larger, *line, reach), max_gap),
+                       min_length);
   if (common.empty())
     return {};
-  return Meeting{first, second, *line, angle, gap, std::move (common)};
+  return Meeting{first, second, *line, angle, max_gap, std::move (common)};
 }
 
 /** \brief The intersection point of three planes, each two of which meet.
@@ -214,13 +218,16 @@ meetingPoint (const PlaneSegment& first,
   return middle - normals.inverse() * distances;
 }
 
+/** \brief Whether an edge of a meeting holds a point of its line, or ends within the
+ * bridged gap of it. */
 bool
 comesTo (const Meeting& meeting, const Vector3d& point)
 {
-  const double place = meeting.line.direction().dot (point - meeting.line.origin());
+  const double coordinate =
+      meeting.line.direction().dot (point - meeting.line.origin());
   for (const Interval& interval : meeting.intervals)
-    if (place >= interval.from - meeting.max_gap &&
-        place <= interval.to + meeting.max_gap)
+    if (coordinate >= interval.from - meeting.max_gap &&
+        coordinate <= interval.to + meeting.max_gap)
       return true;
   return false;
 }
@@ -237,14 +244,18 @@ cornersOf (const std::vector<Meeting>& meetings,
   for (auto first = meetings.begin(); first != meetings.end(); ++first)
     for (auto next = first + 1; next != meetings.end() && next->first == first->first;
          ++next) {
-      const auto [i, j, k] = std::tie (first->first, first->second, next->second);
+      // Three planes: two meetings of i, with j and with k, and perhaps one of j and k.
+      const std::size_t i = first->first;
+      const std::size_t j = first->second;
+      const std::size_t k = next->second;
       const auto last =
-          std::find_if (next, meetings.end(), [j = j, k = k] (const Meeting& meeting) {
+          std::find_if (next, meetings.end(), [j, k] (const Meeting& meeting) {
             return meeting.first == j && meeting.second == k;
           });
       if (last == meetings.end())
         continue;
-      const auto point = meetingPoint (planes[i], planes[j], planes[k], min_sine);
+      const std::optional<Vector3d> point =
+          meetingPoint (planes[i], planes[j], planes[k], min_sine);
       if (point && comesTo (*first, *point) && comesTo (*next, *point) &&
           comesTo (*last, *point))
         corners.push_back ({{i, j, k}, *point});
@@ -255,27 +266,28 @@ cornersOf (const std::vector<Meeting>& meetings,
 /** \brief The corner of a meeting that is nearest to an end, if it is no farther than
  * the bridged gap; else the end itself. */
 Vector3d
-drawn (const Vector3d& end,
-       const Meeting& meeting,
-       const std::vector<PlaneCorner>& corners)
+movedToCorner (const Vector3d& end,
+               const Meeting& meeting,
+               const std::vector<PlaneCorner>& corners)
 {
   Vector3d nearest = end;
-  double least = meeting.max_gap;
+  double least_distance = meeting.max_gap;
   for (const PlaneCorner& corner : corners) {
     const auto has = [&] (std::size_t plane) {
       return std::count (corner.planes.begin(), corner.planes.end(), plane) > 0;
     };
     const double distance = (corner.position - end).norm();
-    if (distance <= least && has (meeting.first) && has (meeting.second)) {
-      least = distance;
+    if (distance <= least_distance && has (meeting.first) && has (meeting.second)) {
+      least_distance = distance;
       nearest = corner.position;
     }
   }
   return nearest;
 }
 
-/** \brief Makes an edge of an interval. Both ends move to the corners near them if some
- * length is left, else the end with the shorter way alone, if some is left then. */
+/** \brief Makes an edge of an interval. Both ends move to the corners near them if the
+ * edge keeps a length above 0. Else only the end nearer to its corner moves, if the
+ * edge keeps a length then. */
 PlaneEdge
 edgeOf (const Interval& interval,
         const Meeting& meeting,
@@ -285,16 +297,16 @@ edgeOf (const Interval& interval,
                  meeting.line.pointAt (interval.from),
                  meeting.line.pointAt (interval.to),
                  meeting.angle};
-  const Vector3d from = drawn (edge.from, meeting, corners);
-  const Vector3d to = drawn (edge.to, meeting, corners);
-  const auto is_edge = [&] (const Vector3d& begin, const Vector3d& end) {
+  const Vector3d from = movedToCorner (edge.from, meeting, corners);
+  const Vector3d to = movedToCorner (edge.to, meeting, corners);
+  const auto hasLength = [&] (const Vector3d& begin, const Vector3d& end) {
     return meeting.line.direction().dot (end - begin) > 0.0;
   };
   const bool is_begin_nearer = (from - edge.from).norm() <= (to - edge.to).norm();
-  const bool is_long = is_edge (from, to);
-  if (is_long || (is_begin_nearer && is_edge (from, edge.to)))
+  const bool can_move_both = hasLength (from, to);
+  if (can_move_both || (is_begin_nearer && hasLength (from, edge.to)))
     edge.from = from;
-  if (is_long || (!is_begin_nearer && is_edge (edge.from, to)))
+  if (can_move_both || (!is_begin_nearer && hasLength (edge.from, to)))
     edge.to = to;
   return edge;
 }

@@ -93,7 +93,7 @@ PlanarPoints
 innerHull (const PlanarPoints& points)
 {
   constexpr std::size_t sample_size = 2048;
-  constexpr std::size_t one_outside_in = 32; // points of the sample
+  constexpr std::size_t one_outside_in = 32; // one of 32 points of the sample
   if (points.size() <= sample_size)
     return {};
   RandomGenerator generator; // default seed: users give none
@@ -112,16 +112,16 @@ innerHull (const PlanarPoints& points)
 
 /** \brief Removes the outermost points: the corners of the hull around all, and the
  * points nearest to its border.
- * \param[in] fewest how many points to remove at least
+ * \param[in] min_removed how many points to remove at least
  * \return how many points were removed */
 std::size_t
-takeOffLayer (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest)
+takeOffLayer (PlanarPoints& points, const PlanarPoints& hull, std::size_t min_removed)
 {
   if (points.empty())
     return 0;
   const std::vector<double> depths = depthsWithin (hull, points);
   std::vector<double> ordered = depths;
-  const auto last = ordered.begin() + std::min (fewest, ordered.size()) - 1;
+  const auto last = ordered.begin() + std::min (min_removed, ordered.size()) - 1;
   std::nth_element (ordered.begin(), last, ordered.end());
   return splitOff (points, depths, std::max (*last, depthOfCorners (hull))).size();
 }
@@ -210,9 +210,9 @@ convexHull (const PlanarPoints& points, double max_outside)
   // Number of layers that use up the points allowed outside: each layer has enough
   // points to measure a density.
   constexpr std::size_t layers = 16;
-  PlanarPoints rim = finiteOf (points);
+  PlanarPoints rim = finiteOf (points); // the points that may still be corners
   const auto all = static_cast<double> (rim.size());
-  const auto budget = static_cast<std::size_t> (max_outside * all);
+  const auto max_points_outside = static_cast<std::size_t> (max_outside * all);
   // Points inside the inner hull stay, and are not looked at again.
   const PlanarPoints inner_hull = innerHull (rim);
   if (!inner_hull.empty())
@@ -224,19 +224,21 @@ convexHull (const PlanarPoints& points, double max_outside)
   };
   PlanarPoints hull = hull_of_rest();
   for (std::size_t outside = 0; !hull.empty();) {
-    const std::size_t layer = takeOffLayer (rim, hull, budget / layers + 1);
-    outside += layer;
-    if (outside > budget)
+    const std::size_t layer_points =
+        takeOffLayer (rim, hull, max_points_outside / layers + 1);
+    outside += layer_points;
+    if (outside > max_points_outside)
       break;
-    const PlanarPoints next = hull_of_rest();
-    const double area = areaOf (next);
-    const double lost = areaOf (hull) - area;
-    // layer / lost is the density of the layer, all / area that of all points.
-    const bool is_fringe =
-        static_cast<double> (layer) * area < edge_density * all * lost;
-    if (next.empty() || !is_fringe)
+    const PlanarPoints next_hull = hull_of_rest();
+    const double area = areaOf (next_hull);
+    const double layer_area = areaOf (hull) - area;
+    // The density of the layer is layer_points / layer_area, that of all points
+    // all / area.
+    const bool is_sparse =
+        static_cast<double> (layer_points) * area < edge_density * all * layer_area;
+    if (next_hull.empty() || !is_sparse)
       break;
-    hull = next;
+    hull = next_hull;
   }
   return hull;
 }

@@ -12,10 +12,11 @@ namespace {
 
 using namespace internal;
 
-using Count = std::size_t DroppedPlanes::*;
+/** \brief The counter of one test. */
+using Counter = std::size_t DroppedPlanes::*;
 
 bool
-isSize (double number)
+isFiniteAndNotNegative (double number)
 {
   return number >= 0.0 && std::isfinite (number);
 }
@@ -30,20 +31,21 @@ isDirection (const Eigen::Vector3d& vector)
 bool
 areBounds (double low, double high)
 {
-  return isSize (low) && isSize (high) && low <= high;
+  return isFiniteAndNotNegative (low) && isFiniteAndNotNegative (high) && low <= high;
 }
 
 /** \param[in] size two sides in any order, and a tolerance [m] */
 bool
 hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
 {
-  const auto [low, high] = std::minmax (size[0], size[1]);
-  return std::abs (extent.length - high) <= size[2] &&
-         std::abs (extent.width - low) <= size[2];
+  const auto [shorter, longer] = std::minmax (size[0], size[1]);
+  const double tolerance = size[2];
+  return std::abs (extent.length - longer) <= tolerance &&
+         std::abs (extent.width - shorter) <= tolerance;
 }
 
 /** \return the counter of the first test that fails; nullptr if all succeed */
-Count
+Counter
 failureOf (const PlaneExtent& extent, const PlaneFilter& filter)
 {
   if (extent.area < filter.min_area)
@@ -61,7 +63,7 @@ failureOf (const PlaneExtent& extent, const PlaneFilter& filter)
 
 /** \return the counter of the first test that a plane fails; nullptr if it passes all
  * \param[in] filter with directions of length 1 */
-Count
+Counter
 failureOf (const PlaneSegment& plane,
            const PlaneFilter& filter,
            const ExtentOfPlane& extent_of)
@@ -99,15 +101,16 @@ validate (const PlaneFilter& filter)
   if (filter.slope && !(areBounds ((*filter.slope)[0], (*filter.slope)[1]) &&
                         (*filter.slope)[1] <= right_angle))
     return "the slope must be two angles between 0 and pi/2 (radians), rising";
-  if (!isSize (filter.min_area))
+  if (!isFiniteAndNotNegative (filter.min_area))
     return "the smallest area must be a number from 0";
-  if (!isSize (filter.min_width))
+  if (!isFiniteAndNotNegative (filter.min_width))
     return "the smallest width must be a length from 0";
   if (filter.max_area && !areBounds (filter.min_area, *filter.max_area))
     return "the largest area must be a number from the smallest area on";
   if (filter.max_width && !areBounds (filter.min_width, *filter.max_width))
     return "the largest width must be a length from the smallest width on";
-  if (filter.size && !std::all_of (filter.size->begin(), filter.size->end(), isSize))
+  if (filter.size &&
+      !std::all_of (filter.size->begin(), filter.size->end(), isFiniteAndNotNegative))
     return "the size must be two lengths and a tolerance from 0";
   return {};
 }
@@ -120,14 +123,14 @@ keptPlanes (const std::vector<PlaneSegment>& planes,
 {
   detail::throwOn (validate (filter));
   dropped = {};
-  PlaneFilter unit = filter;
+  PlaneFilter unit = filter; // with directions of length 1
   unit.up_axis.stableNormalize();
   if (unit.direction)
     unit.direction->stableNormalize();
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    if (const Count count = failureOf (planes[i], unit, extent_of))
-      ++(dropped.*count);
+    if (const Counter failed = failureOf (planes[i], unit, extent_of))
+      ++(dropped.*failed);
     else
       kept.push_back (i);
   if (filter.max_planes && kept.size() > *filter.max_planes) {

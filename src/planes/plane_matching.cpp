@@ -30,24 +30,32 @@ covarianceOf (const Patch& patch)
 {
   // Rounding of coordinates in single precision, relative to the size.
   constexpr double rounding = 1e-5;
-  const double size = patch.half.maxCoeff();
-  const double noise = patch.noise + rounding * rounding * size * size;
-  const Eigen::Array2d spread = patch.half.array().square() / 3.0;
-  return Vector3d (noise / spread.x(), noise / spread.y(), noise).asDiagonal();
+  const double size = patch.half_sides.maxCoeff();
+  const double height_variance =
+      patch.mean_squared_distance + rounding * rounding * size * size;
+  // Points spread evenly over a side of length 2 h have the variance h^2 / 3.
+  const Eigen::Array2d spread = patch.half_sides.array().square() / 3.0;
+  return Vector3d (height_variance / spread.x(),
+                   height_variance / spread.y(),
+                   height_variance)
+      .asDiagonal();
 }
 
-/** \brief Matrix that transfers (slope, slope, height) to other axes and another place.
- * \param[in] place coordinates along the old axes [m] */
+/** \brief Returns the matrix that transfers (slope, slope, height) to other axes and
+ * another position.
+ * \param[in] turn from the old axes to the new ones
+ * \param[in] position coordinates along the old axes [m] */
 Matrix3d
-transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& place)
+transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& position)
 {
   Matrix3d result = Matrix3d::Identity();
   result.topLeftCorner<2, 2>() = turn;
-  result.bottomLeftCorner<1, 2>() = place.transpose();
+  result.bottomLeftCorner<1, 2>() = position.transpose();
   return result;
 }
 
-/** \param[in] motion rotation vector [rad] about the moved frame's origin, shift [m] */
+/** \brief Returns a pose corrected by a motion.
+ * \param[in] motion rotation vector [rad] about the moved frame's origin, shift [m] */
 Eigen::Isometry3d
 turnedAndShifted (Eigen::Isometry3d pose, const Eigen::Matrix<double, 6, 1>& motion)
 {
@@ -64,11 +72,11 @@ turnedAndShifted (Eigen::Isometry3d pose, const Eigen::Matrix<double, 6, 1>& mot
 struct Mismatch {
   /** \brief Slopes along the two axes of the first patch, and the height of the second
    * patch's center over the first patch [m]. */
-  Vector3d heights;
-  /** \brief Covariance of \ref heights by the errors of both patches. */
+  Vector3d slopes_and_height;
+  /** \brief Covariance of \ref slopes_and_height by the errors of both patches. */
   Matrix3d covariance;
-  /** \brief Jacobian of \ref heights: by a rotation vector about the origin of the
-   * second patch's frame, and by a shift. */
+  /** \brief Jacobian of \ref slopes_and_height: by a rotation vector about the origin
+   * of the second patch's frame, and by a shift. */
   Eigen::Matrix<double, 3, 6> by_motion;
 };
 
@@ -102,7 +110,7 @@ struct PoseEstimate {
     // The quotient is the same for either sign of the normal.
     const Eigen::Vector2d slopes =
         -axes.transpose() * over.normal() / over.normal().dot (normal);
-    mismatch.heights << slopes, normal.dot (between);
+    mismatch.slopes_and_height << slopes, normal.dot (between);
     const Matrix3d of_fixed =
         transfer (Eigen::Matrix2d::Identity(), axes.transpose() * between);
     const Matrix3d of_seen =
@@ -130,8 +138,8 @@ struct PoseEstimate {
   squaredDistance (const Mismatch& mismatch) const
   {
     const Vector3d weighted =
-        expectedCovariance (mismatch).ldlt().solve (mismatch.heights);
-    return mismatch.heights.dot (weighted);
+        expectedCovariance (mismatch).ldlt().solve (mismatch.slopes_and_height);
+    return mismatch.slopes_and_height.dot (weighted);
   }
 
   /** \brief Corrects the pose by two patches of one plane (the update of an iterated
@@ -150,7 +158,7 @@ struct PoseEstimate {
                                                    .ldlt()
                                                    .solve (jacobian * covariance)
                                                    .transpose();
-      motion = -gain * (mismatch.heights - jacobian * motion);
+      motion = -gain * (mismatch.slopes_and_height - jacobian * motion);
       pose = turnedAndShifted (before, motion);
       explained = gain * jacobian * covariance;
     }
@@ -181,14 +189,15 @@ struct Frames {
   double min_overlap;
 };
 
-/** \brief Positions of two planes that may be one. */
+/** \brief Two planes that may be one, by their indices. */
 struct Pair {
   std::size_t previous, current;
   /** \brief Intersection over union times the root of the likelihood, up to 1. */
   double score;
 };
 
-/** \return nothing for planes that cannot be one */
+/** \brief Returns the previous plane p and the current plane c as a pair; nothing if
+ * they cannot be one plane. */
 std::optional<Pair>
 pairOf (const Frames& frames, std::size_t p, std::size_t c, const PoseEstimate& belief)
 {
@@ -199,22 +208,25 @@ pairOf (const Frames& frames, std::size_t p, std::size_t c, const PoseEstimate& 
   const Patch over = moved (belief.pose, seen);
   if (std::abs (over.normal().dot (fixed.normal())) < min_cosine)
     return std::nullopt;
-  const double distance = belief.squaredDistance (belief.mismatchOf (fixed, seen));
-  if (!(distance <= largest_squared_distance))
+  const double squared_distance =
+      belief.squaredDistance (belief.mismatchOf (fixed, seen));
+  if (!(squared_distance <= largest_squared_distance))
     return std::nullopt;
-  const double common = commonArea (fixed, over);
+  const double common_area = commonArea (fixed, over);
   constexpr double but_for_rounding = 1.0 - 1e-9;
-  const double needed = frames.min_overlap * std::min (fixed.area(), over.area());
-  if (!(common > 0.0 && common >= but_for_rounding * needed))
+  const double min_area = frames.min_overlap * std::min (fixed.area(), over.area());
+  if (!(common_area > 0.0 && common_area >= but_for_rounding * min_area))
     return std::nullopt;
-  const double overlap = common / (fixed.area() + over.area() - common);
+  const double intersection_over_union =
+      common_area / (fixed.area() + over.area() - common_area);
   // Frames cut out different parts of a surface, and its planes differ by more than
-  // noise. So the overlap counts, too, and of the likelihood only the root.
-  return Pair{p, c, overlap * std::exp (-0.25 * distance)};
+  // noise. So the overlap counts, too, and of the likelihood exp (-d^2 / 2) only the
+  // root.
+  return Pair{p, c, intersection_over_union * std::exp (-0.25 * squared_distance)};
 }
 
-/** \brief Corrects the pose by the planes, the largest first: a pose that is not sure
- * yet needs planes that cannot be mistaken. */
+/** \brief Corrects the pose by the planes, the largest first: while the pose is not
+ * sure yet, it needs planes that are not mistaken for others. */
 PoseEstimate
 registered (const Frames& frames, PoseEstimate belief)
 {

@@ -16,12 +16,13 @@ namespace pcl_ops {
 using namespace internal;
 namespace {
 
-/** \brief The finite inliers of a plane, sorted by their places on it: the pieces do
- * not depend on the order of the points in the cloud. */
+/** \brief The finite inliers of a plane, projected onto it and sorted by their places,
+ * the distinct positions there. So the pieces do not depend on the order of the points
+ * in the cloud. */
 struct PlacedInliers {
   /** \brief Indices into the cloud. */
   pcl::Indices indices;
-  /** \brief For each of \ref indices its place, as a position in \ref places. */
+  /** \brief For each of \ref indices the index of its place in \ref places. */
   std::vector<std::uint32_t> place_of;
   /** \brief Distinct positions on the plane [m]. */
   PlanarPoints places;
@@ -183,7 +184,9 @@ graphOf (const PlanarPoints& places, unsigned threads)
   return graph;
 }
 
-/** \brief For each place the number of its piece: the smallest number of its places. */
+/** \brief Returns for each place the label of its piece: the smallest index of the
+ * places of the piece.
+ * \param[in] points_at number of points at each place */
 std::vector<std::uint32_t>
 pieceOfEachPlace (const PlanarPoints& places,
                   const std::vector<std::size_t>& points_at,
@@ -192,7 +195,7 @@ pieceOfEachPlace (const PlanarPoints& places,
 {
   const PlaceGraph graph = graphOf (places, threads);
   DisjointSets pieces (points_at);
-  std::vector<Link> wide;
+  std::vector<Link> wide; // links over gaps
   for (std::uint32_t i = 0; i < places.size(); ++i)
     for (std::size_t o = 0; o < octants; ++o) {
       const std::uint32_t j = graph.neighbors[i].points[o];
@@ -205,15 +208,16 @@ pieceOfEachPlace (const PlanarPoints& places,
       else
         wide.push_back ({length, std::min (i, j), std::max (i, j)});
     }
+  // Joins small pieces over gaps, the narrowest first.
   std::sort (wide.begin(), wide.end());
   for (const Link& link : wide)
     if (std::min (pieces.sizeOf (link.first), pieces.sizeOf (link.second)) <
         parameters.min_points)
       pieces.join (link.first, link.second);
-  std::vector<std::uint32_t> numbers;
+  std::vector<std::uint32_t> labels;
   for (std::uint32_t i = 0; i < places.size(); ++i)
-    numbers.push_back (pieces.find (i));
-  return numbers;
+    labels.push_back (pieces.find (i));
+  return labels;
 }
 
 /** \brief A piece of a plane.
@@ -249,20 +253,22 @@ piecesOf (const CloudView& cloud,
   std::vector<std::size_t> points_at (inliers.places.size(), 0);
   for (const std::uint32_t place : inliers.place_of)
     ++points_at[place];
-  const std::vector<std::uint32_t> numbers =
+  const std::vector<std::uint32_t> label_of_place =
       pieceOfEachPlace (inliers.places, points_at, parameters, threads);
-  std::vector<pcl::Indices> indices (inliers.places.size());
+  std::vector<pcl::Indices> inliers_of_label (inliers.places.size());
   for (std::size_t i = 0; i < inliers.indices.size(); ++i)
-    indices[numbers[inliers.place_of[i]]].push_back (inliers.indices[i]);
-  indices.erase (
-      std::remove_if (indices.begin(),
-                      indices.end(),
-                      [] (const auto& of_piece) { return of_piece.empty(); }),
-      indices.end());
-  if (indices.size() <= 1)
+    inliers_of_label[label_of_place[inliers.place_of[i]]].push_back (
+        inliers.indices[i]);
+  // Most labels have no piece.
+  inliers_of_label.erase (
+      std::remove_if (inliers_of_label.begin(),
+                      inliers_of_label.end(),
+                      [] (const pcl::Indices& of_piece) { return of_piece.empty(); }),
+      inliers_of_label.end());
+  if (inliers_of_label.size() <= 1)
     return {plane};
   std::vector<PlaneSegment> pieces;
-  for (pcl::Indices& of_piece : indices)
+  for (pcl::Indices& of_piece : inliers_of_label)
     pieces.push_back (pieceOf (cloud, plane, std::move (of_piece)));
   return pieces;
 }

@@ -10,8 +10,8 @@
 namespace pcl_ops {
 namespace {
 
-/** \brief Factor on the old moments in each new frame: the moments are mainly those of
- * the last three frames or so. */
+/** \brief Factor of the old moments in each new frame: the weights of frames sum up to
+ * those of 1 / (1 - 0.7), about three frames. */
 constexpr double kept_share = 0.7;
 
 /** \brief Normalizes the rotation of a motion: rounding would add up over frames. */
@@ -96,14 +96,14 @@ PlaneTracker::track (const std::vector<PlaneSegment>& planes,
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const PlaneSegment seen = internal::moved (pose_, planes[i]);
-    auto match = static_cast<std::size_t> (matches.previous[i]);
-    if (matches.previous[i] == no_plane) {
-      match = remembered_.size();
+    const bool is_new = matches.previous[i] == no_plane;
+    if (is_new)
       remembered_.push_back ({++last_number_, seen, {}, frames_});
-    }
-    else
-      renew (remembered_[match].plane, seen);
-    TrackedPlane& tracked = remembered_[match];
+    TrackedPlane& tracked =
+        is_new ? remembered_.back()
+               : remembered_[static_cast<std::size_t> (matches.previous[i])];
+    if (!is_new)
+      renew (tracked.plane, seen);
     widen (tracked.extent, seen);
     tracked.last_seen = frames_;
     ++tracked.times_seen;

@@ -21,9 +21,9 @@ struct Face {
   Vector3d normal, centroid;
   Matrix3d covariance;
   /** \brief Its share of the points on all planes. */
-  double points;
-  /** \brief Its share by the square root of the number of points: a near plane has far
-   * more points than a far one of the same size. */
+  double share_of_points;
+  /** \brief Its share of the sum over planes of the square root of the number of
+   * points: a near plane has far more points than a far one of the same size. */
   double weight;
 };
 
@@ -59,13 +59,14 @@ facesOf (const std::vector<PlaneSegment>& planes)
     weights += weight;
   }
   for (Face& face : faces.each) {
-    face.points /= points;
+    face.share_of_points /= points;
     face.weight /= weights;
-    faces.mean += face.points * face.centroid;
+    faces.mean += face.share_of_points * face.centroid;
   }
   for (const Face& face : faces.each) {
     const Vector3d offset = face.centroid - faces.mean;
-    faces.covariance += face.points * (face.covariance + offset * offset.transpose());
+    faces.covariance +=
+        face.share_of_points * (face.covariance + offset * offset.transpose());
   }
   return faces;
 }
@@ -75,8 +76,9 @@ facesOf (const std::vector<PlaneSegment>& planes)
 double
 closeness (double deviation, double limit)
 {
-  const double rest = 1.0 - (deviation / limit) * (deviation / limit);
-  return deviation >= limit ? 0.0 : rest * rest;
+  const double ratio = deviation / limit;
+  const double below_limit = 1.0 - ratio * ratio;
+  return deviation >= limit ? 0.0 : below_limit * below_limit;
 }
 
 /** \brief How horizontal a plane is if \p axis is up. */
@@ -101,9 +103,10 @@ uprightness (const Face& face, const Vector3d& axis, double limit)
 Vector3d
 fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
 {
+  // Factors of the tolerance: at first planes farther off count, too.
   for (const double widening : {3.0, 2.0, 1.0, 1.0, 1.0}) {
-    constexpr double widest = 0.5; // [rad]
-    const double limit = std::sin (std::min (widening * tolerance, widest));
+    constexpr double max_angle = 0.5; // [rad]
+    const double limit = std::sin (std::min (widening * tolerance, max_angle));
     Matrix3d scatter = Matrix3d::Zero();
     for (const Face& face : faces.each)
       scatter += face.weight *
@@ -116,7 +119,7 @@ fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
   return axis;
 }
 
-/** \brief The items by falling value. */
+/** \brief Returns items in descending order of one of their members. */
 template <typename Item>
 std::vector<Item>
 sorted (std::vector<Item> items, double Item::*value)
@@ -127,7 +130,8 @@ sorted (std::vector<Item> items, double Item::*value)
   return items;
 }
 
-/** \brief Normals of the largest planes, and cross products of two, if long enough. */
+/** \brief Normals of the largest planes, and cross products of two of them at a large
+ * enough angle. */
 std::vector<Vector3d>
 axesToTry (const Faces& faces)
 {
@@ -213,18 +217,19 @@ evidenceFor (const Vector3d& up,
   for (const Face& face : faces.each) {
     vertical += face.weight * uprightness (face, up, limit);
     const double height = up.dot (face.centroid - faces.mean);
-    const double spread = up.dot (face.covariance * up);
-    third_moment += face.points * (height * height * height + 3.0 * height * spread);
+    const double variance = up.dot (face.covariance * up);
+    third_moment +=
+        face.share_of_points * (height * height * height + 3.0 * height * variance);
   }
   const double variance = up.dot (faces.covariance * up);
-  const double spread = faces.covariance.trace();
+  const double total_variance = faces.covariance.trace();
   const Vector3d gaze = faces.mean - viewpoint;
   const double along_gaze =
-      gaze.dot (up) * gaze.dot (up) / (spread + gaze.squaredNorm());
+      gaze.dot (up) * gaze.dot (up) / (total_variance + gaze.squaredNorm());
   const double skewness = third_moment / std::pow (variance, 1.5);
   // Weights by maximum likelihood on 300 simulated rooms, with a weak prior towards 0.
   return 13.0 * facingShare (faces, up, limit) + 1.5 * vertical - 13.0 * along_gaze -
-         11.0 * variance / spread + 0.8 * std::clamp (skewness, -2.0, 2.0);
+         11.0 * variance / total_variance + 0.8 * std::clamp (skewness, -2.0, 2.0);
 }
 
 /** \brief Whether a scan in all directions has seen floor and ceiling. Then furniture

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace pcl_ops {
@@ -16,32 +16,47 @@ namespace {
 
 using namespace internal;
 
-/** \brief A point as seen from a place: the cell of its direction on a cube around the
- * place, and its range [m]. */
-using Sighting = std::pair<std::uint64_t, double>;
+/** \brief A point as seen from a position. */
+struct Sighting {
+  /** \brief Cell of its direction on a cube around the position. */
+  std::uint64_t cell;
+  double range; // [m]
+
+  bool
+  operator<(const Sighting& other) const
+  {
+    return std::tie (cell, range) < std::tie (other.cell, other.range);
+  }
+
+  bool
+  operator!= (const Sighting& other) const
+  {
+    return cell != other.cell || range != other.range;
+  }
+};
 
 /** \brief Returns by how much directions and ranges to a scene differ less than if its
- * center were four times its radius away; 1 for closer ones.
- * \param[in] place from where the scene is looked at */
+ * center were four times its radius away; 1 for closer ones. */
 double
-magnificationFrom (const Eigen::Vector3d& place, const Coordinates& points)
+magnificationFrom (const Eigen::Vector3d& position, const Coordinates& scene)
 {
   constexpr double max_radii = 4.0;
+  constexpr double largest = 1e7; // so that the index of a cell fits into 64 bits
   Moments moments;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    moments.add (points.x[i], points.y[i], points.z[i]);
+  for (std::size_t i = 0; i < scene.size(); ++i)
+    moments.add (scene.x[i], scene.y[i], scene.z[i]);
   const double radius = std::sqrt (moments.covariance().trace());
-  const double distance = (moments.centroid() - place).norm();
-  // No more than what fits into the number of a cell.
-  constexpr double largest = 1e7;
+  const double distance = (moments.centroid() - position).norm();
   return std::clamp (distance / (max_radii * radius), 1.0, largest);
 }
 
+// Returns the index of the cell that an offset from the center of the cube points to. A
+// face of the cube has room for cells_of_side x cells_of_side cells.
 std::uint64_t
 cellOf (const Eigen::Vector3d& offset, double magnification)
 {
   const double cells_per_radian = 80.0 * magnification;
-  const auto face_cells =
+  const auto cells_of_side =
       static_cast<std::uint64_t> (right_angle * cells_per_radian) + 1u;
   Eigen::Index axis = 0;
   const double depth = offset.cwiseAbs().maxCoeff (&axis);
@@ -51,23 +66,24 @@ cellOf (const Eigen::Vector3d& offset, double magnification)
   };
   const auto face =
       2 * static_cast<std::uint64_t> (axis) + (offset[axis] < 0.0 ? 1u : 0u);
-  return (face * face_cells + along (axis + 1)) * face_cells + along (axis + 2);
+  return (face * cells_of_side + along (axis + 1)) * cells_of_side + along (axis + 2);
 }
 
+// Returns the sightings of points, sorted by cell and range.
 std::vector<Sighting>
-sightingsFrom (const Eigen::Vector3d& place,
+sightingsFrom (const Eigen::Vector3d& position,
                const Coordinates& points,
                double magnification)
 {
   std::vector<Sighting> sightings;
   sightings.reserve (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d offset = points[i] - place;
+    const Eigen::Vector3d offset = points[i] - position;
     if (const double range = offset.norm(); range > 0.0)
-      sightings.emplace_back (cellOf (offset, magnification), range);
+      sightings.push_back ({cellOf (offset, magnification), range});
   }
   std::sort (sightings.begin(), sightings.end());
-  // A sensor may give all missing readings one place, which must not count as often.
+  // A sensor may give all missing readings one position, which must not count so often.
   constexpr std::size_t max_equal = 256;
   std::size_t kept = 0;
   for (const Sighting& sighting : sightings)
@@ -80,13 +96,14 @@ sightingsFrom (const Eigen::Vector3d& place,
 /** \brief Whether sorted ranges have a gap with a fifth or more of them on each side:
  * one surface behind another, rather than one surface seen at a low angle. */
 bool
-areOfTwoSurfaces (const Sighting* first, std::size_t number, double magnification)
+areOfTwoSurfaces (const Sighting* sorted, std::size_t count, double magnification)
 {
-  const double smallest_ratio = 1.0 + 0.15 / magnification;
-  constexpr std::size_t min_share = 5;
-  const std::size_t least = (number + min_share - 1) / min_share;
-  for (std::size_t i = least; i <= number - least; ++i)
-    if (first[i].second > smallest_ratio * first[i - 1].second)
+  // of the ranges behind and before the gap
+  const double min_ratio = 1.0 + 0.15 / magnification;
+  constexpr std::size_t least_part = 5; // a fifth
+  const std::size_t min_on_side = (count + least_part - 1) / least_part;
+  for (std::size_t i = min_on_side; i <= count - min_on_side; ++i)
+    if (sorted[i].range > min_ratio * sorted[i - 1].range)
       return true;
   return false;
 }
@@ -97,27 +114,28 @@ pointsDown (const PlaneSegment& plane, const Eigen::Vector3d& up)
   return plane.orientation != Orientation::Vertical && plane.normal.dot (up) < 0.0;
 }
 
-/** \brief Whether a plane is edge-on from a place, and so cannot be seen from there. */
+/** \brief Whether a plane is edge-on from a position, and so cannot be seen from there.
+ */
 bool
-isPassing (const PlaneSegment& plane, const Eigen::Vector3d& place)
+isPassing (const PlaneSegment& plane, const Eigen::Vector3d& position)
 {
   constexpr double min_sine = 0.02;
-  return std::abs (plane.plane().distance (place)) <
-         min_sine * (plane.centroid - place).norm();
+  return std::abs (plane.plane().distance (position)) <
+         min_sine * (plane.centroid - position).norm();
 }
 
-/** \brief Whether a place is too far from the planes to be where a sensor was. */
+/** \brief Whether a position is too far from the planes to be where a sensor was. */
 bool
-isFarFrom (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& place)
+isFarFrom (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& position)
 {
-  constexpr double max_distance_by_reach = 500.0;
+  constexpr double max_distance = 500.0; // in units of the size of the scene
   const Eigen::Vector3d& center = planes.front().centroid;
-  double reach = 0.0;
+  double scene_size = 0.0;
   for (const PlaneSegment& plane : planes) {
     const double spread = std::sqrt (plane.moments.covariance().trace());
-    reach = std::max (reach, (plane.centroid - center).norm() + spread);
+    scene_size = std::max (scene_size, (plane.centroid - center).norm() + spread);
   }
-  return (center - place).norm() > max_distance_by_reach * reach;
+  return (center - position).norm() > max_distance * scene_size;
 }
 
 } // namespace
@@ -125,43 +143,47 @@ isFarFrom (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& place
 double
 detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint)
 {
-  constexpr std::size_t looked_at = 60000;
-  constexpr std::size_t fewest = 5;
+  constexpr std::size_t sample_size = 60000;
+  constexpr std::size_t min_points_of_cell = 5;
   if (!viewpoint.allFinite())
     return 0.0;
   const Points points = finitePoints (cloud, 1);
-  const Eigen::Vector3d place = viewpoint - points.origin;
-  const Coordinates sample = samplePoints (points, looked_at);
-  const double magnification = magnificationFrom (place, sample);
-  const std::vector<Sighting> sightings = sightingsFrom (place, sample, magnification);
-  std::size_t hidden = 0;
-  std::size_t told = 0;
-  for (std::size_t first = 0, last = 0; first < sightings.size(); first = last) {
-    while (last < sightings.size() && sightings[last].first == sightings[first].first)
-      ++last;
-    const std::size_t number = last - first;
-    if (number < fewest)
+  const Coordinates sample = samplePoints (points, sample_size);
+  const Eigen::Vector3d position = viewpoint - points.origin;
+  const double magnification = magnificationFrom (position, sample);
+  const std::vector<Sighting> sightings =
+      sightingsFrom (position, sample, magnification);
+  std::size_t counted = 0;  // points in cells with enough points
+  std::size_t occluded = 0; // those of them in cells with two surfaces
+  for (std::size_t begin = 0, end = 0; begin < sightings.size(); begin = end) {
+    while (end < sightings.size() && sightings[end].cell == sightings[begin].cell)
+      ++end;
+    const std::size_t points_of_cell = end - begin;
+    if (points_of_cell < min_points_of_cell)
       continue;
-    told += number;
-    if (areOfTwoSurfaces (&sightings[first], number, magnification))
-      hidden += number;
+    counted += points_of_cell;
+    if (areOfTwoSurfaces (&sightings[begin], points_of_cell, magnification))
+      occluded += points_of_cell;
   }
-  return told > 0 ? static_cast<double> (hidden) / static_cast<double> (told) : 0.0;
+  return counted > 0 ? static_cast<double> (occluded) / static_cast<double> (counted)
+                     : 0.0;
 }
 
 bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
 {
-  constexpr double next_to_none = 0.01;
-  constexpr double largest_share = 0.05;
+  constexpr double max_sure_fraction = 0.01;
+  constexpr double max_fraction = 0.05; // if the steps cannot tell
   if (!viewpoint.allFinite())
     return false;
-  const double hidden = detail::occludedFraction (cloud, viewpoint);
-  if (hidden <= next_to_none)
+  const double occluded = detail::occludedFraction (cloud, viewpoint);
+  if (occluded <= max_sure_fraction)
     return true;
-  const Points points = finitePoints (cloud, 1);
-  const StepsSay seen = seenByItsSteps (points, viewpoint - points.origin);
-  return seen == StepsSay::CannotTell ? hidden <= largest_share : seen == StepsSay::Yes;
+  constexpr unsigned one_thread = 1;
+  const Points points = finitePoints (cloud, one_thread);
+  const StepsSay steps_say = seenByItsSteps (points, viewpoint - points.origin);
+  return steps_say == StepsSay::CannotTell ? occluded <= max_fraction
+                                           : steps_say == StepsSay::Yes;
 }
 
 void

@@ -17,12 +17,12 @@ root = pathlib.Path(__file__).parents[2]
 
 
 def version():
-    """That of the CMake project, the only place it is said."""
+    """The version of the CMake project, which is not written anywhere else."""
     return re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text())[1]
 
 
 def metadata():
-    """As PyPI has it, of pyproject.toml."""
+    """The contents of the file METADATA, from pyproject.toml."""
     try:
         import tomllib
     except ImportError:
@@ -31,8 +31,8 @@ def metadata():
     lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version()}",
              f"Summary: {project['description']}", f"License: {project['license']['text']}",
              f"Requires-Python: {project['requires-python']}",
-             *(f"Requires-Dist: {one}" for one in project["dependencies"]),
-             *(f"Classifier: {one}" for one in project["classifiers"]),
+             *(f"Requires-Dist: {dependency}" for dependency in project["dependencies"]),
+             *(f"Classifier: {classifier}" for classifier in project["classifiers"]),
              "Description-Content-Type: text/markdown", "",
              (root / project["readme"]).read_text(encoding="utf-8")]
     return "\n".join(lines)
@@ -44,11 +44,12 @@ def wheel_tag():
 
 
 def dist_info():
+    """The name of the folder of a wheel that describes it."""
     return f"pcl_ops-{version()}.dist-info"
 
 
-def information():
-    """The files of dist-info but for the list of all, with their contents."""
+def dist_info_files():
+    """Names and contents of the files in dist_info(), except for RECORD."""
     wheel = ("Wheel-Version: 1.0\nGenerator: pcl_ops\nRoot-Is-Purelib: false\n"
              f"Tag: {wheel_tag()}\n")
     return {"METADATA": metadata().encode(), "WHEEL": wheel.encode(),
@@ -56,29 +57,30 @@ def information():
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    """What pip asks first; without it pip builds a wheel to look into, and then another."""
+    """What pip calls first. Without it pip would build one wheel for its metadata, and another.
+    """
     folder = pathlib.Path(metadata_directory, dist_info())
     folder.mkdir()
-    for name, content in information().items():
+    for name, content in dist_info_files().items():
         (folder / name).write_bytes(content)
     return folder.name
 
 
 def write_wheel(package, wheel_directory):
-    """A wheel of the folder of a built package; its name."""
+    """Writes a wheel of the folder of a built package; returns its name."""
     info = dist_info()
-    files = {f"pcl_ops/{one.name}": one.read_bytes()
-             for one in sorted(package.iterdir()) if one.is_file()}
-    files.update({f"{info}/{name}": content for name, content in information().items()})
+    files = {f"pcl_ops/{file.name}": file.read_bytes()
+             for file in sorted(package.iterdir()) if file.is_file()}
+    files.update({f"{info}/{name}": content for name, content in dist_info_files().items()})
     record = ""
-    for place, content in files.items():
+    for path, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
-        record += f"{place},sha256={digest},{len(content)}\n"
+        record += f"{path},sha256={digest},{len(content)}\n"
     files[f"{info}/RECORD"] = f"{record}{info}/RECORD,,\n".encode()
     name = f"pcl_ops-{version()}-{wheel_tag()}.whl"
     with zipfile.ZipFile(pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as archive:
-        for place, content in files.items():
-            archive.writestr(place, content)
+        for path, content in files.items():
+            archive.writestr(path, content)
     return name
 
 
@@ -102,12 +104,12 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """The files that git knows."""
+    """Writes an archive of the files that git knows; returns its name."""
     name = f"pcl_ops-{version()}"
     with tempfile.TemporaryDirectory() as folder:
-        information = pathlib.Path(folder, "PKG-INFO")
-        information.write_text(metadata(), encoding="utf-8")
-        subprocess.run(["git", "archive", f"--prefix={name}/", f"--add-file={information}",
+        package_information = pathlib.Path(folder, "PKG-INFO")
+        package_information.write_text(metadata(), encoding="utf-8")
+        subprocess.run(["git", "archive", f"--prefix={name}/", f"--add-file={package_information}",
                         f"--output={pathlib.Path(sdist_directory, name).absolute()}.tar.gz",
                         "HEAD"], cwd=root, check=True)
     return f"{name}.tar.gz"

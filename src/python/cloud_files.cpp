@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The programs' readers and writers of files. They are an extension of their own, as
-// they load a library of PCL where PCL is installed.
+// Reads and writes files as the programs do. An extension of its own, as it loads a
+// library of PCL if PCL is installed.
 #include "interpreter.h"
 #include <cli/errors.h>
 #include <io/cloud_file.h>
@@ -45,8 +45,8 @@ vectorOf (const py::array_t<Number, Flags>& numbers)
   return {numbers.data(), numbers.data() + numbers.size()};
 }
 
-/** \brief Works on files while other threads of Python run.
- * \param[in] error exception that Python raises for a ProgramError */
+/** \brief Does work on files while other threads of Python run.
+ * \param[in] error type of the exception that Python raises for a ProgramError */
 template <typename Work>
 void
 onFiles (PyObject* error, const Work& work)
@@ -103,7 +103,9 @@ using Field = std::tuple<std::string, std::uint8_t, pcl::uindex_t>;
 
 /** \brief Writes a .pcd or .ply.
  * \param[in] viewpoint, orientation of the sensor, the latter as w, x, y, z
- * \param[in] labels, distances of all points, or empty */
+ * \param[in] labels, distances of all points, or empty
+ * \param[in] keeps_color points keep the colors of the cloud, else get those of planes
+ */
 void
 writeCloud (const std::string& file,
             const std::vector<Field>& fields,
@@ -125,13 +127,13 @@ writeCloud (const std::string& file,
   cloud.points.row_step = cloud.points.point_step * cloud.points.width;
   cloud.origin = viewpoint;
   cloud.orientation = {orientation[0], orientation[1], orientation[2], orientation[3]};
-  const auto of_planes = vectorOf (labels);
-  const auto apart = vectorOf (distances);
+  const auto plane_labels = vectorOf (labels);
+  const auto distances_of_points = vectorOf (distances);
   onFiles (PyExc_OSError, [&] {
-    if (of_planes.empty())
+    if (plane_labels.empty())
       saveCloud (file, cloud);
     else
-      saveLabelledCloud (file, cloud, of_planes, apart, keeps_color);
+      saveLabelledCloud (file, cloud, plane_labels, distances_of_points, keeps_color);
   });
 }
 
@@ -144,23 +146,24 @@ writeLas (const std::string& file,
           const Labels& labels,
           const Distances& distances)
 {
-  const double* place = points.data();
-  const auto number = static_cast<std::uint64_t> (points.shape (0));
-  const auto of_planes = vectorOf (labels);
-  const auto apart = vectorOf (distances);
+  const double* next_point = points.data();
+  const auto point_count = static_cast<std::uint64_t> (points.shape (0));
+  const auto plane_labels = vectorOf (labels);
+  const auto distances_of_points = vectorOf (distances);
   std::shared_ptr<LasFile> las;
   onFiles (PyExc_ValueError, [&] {
     las = openLas (source);
-    const std::string problem = las->validate (
-        apart.empty() ? std::vector<LasField>{label_field}
-                      : std::vector<LasField>{label_field, distance_field});
+    const std::string problem =
+        las->validate (distances_of_points.empty()
+                           ? std::vector<LasField>{label_field}
+                           : std::vector<LasField>{label_field, distance_field});
     if (!problem.empty())
       throw WorkError (source, problem);
-    bool is_same = las->size() == number;
+    bool is_same = las->size() == point_count;
     if (is_same)
-      las->forPlaces ([&] (const Eigen::Vector3d& there) {
-        is_same &= there == Eigen::Map<const Eigen::Vector3d> (place);
-        place += 3;
+      las->forPositions ([&] (const Eigen::Vector3d& point_of_source) {
+        is_same &= point_of_source == Eigen::Map<const Eigen::Vector3d> (next_point);
+        next_point += 3;
       });
     if (!is_same)
       throw WorkError (
@@ -168,7 +171,8 @@ writeLas (const std::string& file,
           "has other points than the cloud, and a .las is written with all "
           "that is in the one it was read from; write a .pcd or .ply");
   });
-  onFiles (PyExc_OSError, [&] { saveLabelledLas (file, *las, of_planes, apart); });
+  onFiles (PyExc_OSError,
+           [&] { saveLabeledLas (file, *las, plane_labels, distances_of_points); });
 }
 
 } // namespace

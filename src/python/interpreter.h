@@ -15,7 +15,7 @@ namespace pcl_ops::python {
  *
  * If Python ends meanwhile, PyEval_RestoreThread unwinds the thread to end it. Then
  * destructors in the callers would release Python's objects without the GIL.
- * The thread sleeps instead until the process has ended. */
+ * So the thread sleeps until the process has ended. */
 template <typename Work>
 void
 whileOthersRun (const Work& work)

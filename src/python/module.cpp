@@ -155,10 +155,10 @@ pieces (const PointRows& points,
   return {std::move (found.pieces), std::move (found.planes)};
 }
 
-/** \brief A plane as in a cloud that has only its inliers.
+/** \brief A plane in the frame of a cloud that has only its inliers, in their order.
  * \param[in] origin zero of that cloud in the frame of the plane */
 PlaneSegment
-ofItsInliers (PlaneSegment plane, const Eigen::Vector3d& origin)
+inCloudOfInliers (PlaneSegment plane, const Eigen::Vector3d& origin)
 {
   plane.moveBy (-origin);
   std::iota (plane.inliers.begin(), plane.inliers.end(), 0);
@@ -173,7 +173,7 @@ extent (const PointRows& inliers,
         const PlaneSegment& plane)
 {
   const PlaneExtent found =
-      planeExtent (viewOf (inliers), ofItsInliers (plane, origin));
+      planeExtent (viewOf (inliers), inCloudOfInliers (plane, origin));
   return std::make_tuple (found.hull, found.area, found.length, found.width);
 }
 
@@ -187,7 +187,7 @@ concaveExtent (const PointRows& inliers,
                double alpha)
 {
   const PlaneExtent found =
-      concavePlaneExtent (viewOf (inliers), ofItsInliers (plane, origin), alpha);
+      concavePlaneExtent (viewOf (inliers), inCloudOfInliers (plane, origin), alpha);
   return std::make_pair (found.rings(), found.area);
 }
 
@@ -199,34 +199,36 @@ merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
   for (const PlaneSegment& plane : planes)
     moments.push_back (plane.moments);
   const MergedPlanes merged = mergePlanes (moments, parameters.merging);
-  PlaneSegments all;
+  PlaneSegments merged_planes;
   for (std::size_t i = 0; i < merged.fits.size(); ++i) {
     const auto& [plane, centroid, variances] = merged.fits[i];
-    all.push_back (
+    merged_planes.push_back (
         {centroid, plane.normal, {}, merged.moments[i].about (centroid), {}});
   }
-  std::vector<double> largest (all.size());
+  std::vector<double> most_points (merged_planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (merged.merged_into[i] == no_plane)
       continue;
     const std::size_t into = merged.merged_into[i];
-    PlaneSegment& whole = all[into];
+    PlaneSegment& merged_plane = merged_planes[into];
     // The merged plane has the side and the noise of its largest part.
-    if (planes[i].moments.count > largest[into]) {
-      largest[into] = planes[i].moments.count;
-      whole.noise = planes[i].noise;
-      if (planes[i].normal.dot (whole.normal) < 0.0)
-        whole.normal = -whole.normal;
+    if (planes[i].moments.count > most_points[into]) {
+      most_points[into] = planes[i].moments.count;
+      merged_plane.noise = planes[i].noise;
+      if (planes[i].normal.dot (merged_plane.normal) < 0.0)
+        merged_plane.normal = -merged_plane.normal;
     }
-    whole.inliers.insert (
-        whole.inliers.end(), planes[i].inliers.begin(), planes[i].inliers.end());
+    merged_plane.inliers.insert (
+        merged_plane.inliers.end(), planes[i].inliers.begin(), planes[i].inliers.end());
   }
-  for (PlaneSegment& whole : all)
-    std::sort (whole.inliers.begin(), whole.inliers.end());
-  nameOrientations (all, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
-  return {std::move (all), merged.merged_into};
+  for (PlaneSegment& merged_plane : merged_planes)
+    std::sort (merged_plane.inliers.begin(), merged_plane.inliers.end());
+  nameOrientations (
+      merged_planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
+  return {std::move (merged_planes), merged.merged_into};
 }
 
+/** \param[in] values pairs of name and value */
 template <typename NamedValues>
 py::dict
 dictOf (const NamedValues& values)
@@ -309,6 +311,8 @@ regularize (const PlaneSegments& planes,
   return {std::move (found.planes), moves};
 }
 
+/** \return for each current plane the position of its previous one, or no_plane; and
+ * the corrected pose */
 std::pair<Labels, Eigen::Matrix4d>
 match (const PlaneSegments& previous,
        const PlaneSegments& current,
@@ -339,14 +343,15 @@ edges (const PointRows& points,
        const PlaneEdgeParameters& parameters)
 {
   const PlaneEdges found = findPlaneEdges (viewOf (points), planes, parameters, origin);
-  std::pair<py::list, py::list> all;
+  std::pair<py::list, py::list> edges_and_corners;
   for (const auto& [of_planes, from, to, angle] : found.edges)
-    all.first.append (py::make_tuple (of_planes, from, to, angle));
+    edges_and_corners.first.append (py::make_tuple (of_planes, from, to, angle));
   for (const auto& [of_planes, position] : found.corners)
-    all.second.append (py::make_tuple (of_planes, position));
-  return all;
+    edges_and_corners.second.append (py::make_tuple (of_planes, position));
+  return edges_and_corners;
 }
 
+/** \brief The kind of a name of \ref kinds. */
 PlaneKind
 kindCalled (const std::string& name)
 {
@@ -462,6 +467,8 @@ warningsOn (const PointRows& points,
   return all;
 }
 
+/** \brief Defines Tracker, whose planes are (number, segment, last_seen, first_seen,
+ * times_seen, hull, area, length, width). */
 void
 defineTracker (py::module_& module)
 {
@@ -530,18 +537,15 @@ evaluate (const PlaneNumbers& truth,
   return named;
 }
 
-} // namespace
+using Ops = OrientedPointSamplingParameters;
+using Fspf = FastSamplingPlaneFilteringParameters;
+using Kht = KernelHoughTransformParameters;
 
-} // namespace pcl_ops::python
-
-PYBIND11_MODULE (_pcl_ops, module)
+/** \brief Defines the structs of parameters of all functions, by the function's name.
+ */
+void
+defineAllParameters (py::module_& module)
 {
-  using namespace pcl_ops;
-  using namespace pcl_ops::python;
-  using Ops = OrientedPointSamplingParameters;
-  using Fspf = FastSamplingPlaneFilteringParameters;
-  using Kht = KernelHoughTransformParameters;
-  module.attr ("__version__") = PCL_OPS_VERSION;
   defineParameters<Ops> (module, "ops").def_static ("paper", &Ops::paper);
   defineParameters<Fspf> (module, "fspf").def_static ("paper", &Fspf::paper);
   defineParameters<Kht> (module, "kht").def_static ("paper", &Kht::paper);
@@ -553,6 +557,18 @@ PYBIND11_MODULE (_pcl_ops, module)
   defineParameters<PlaneEdgeParameters> (module, "find_plane_edges");
   defineParameters<PlaneRegularizationParameters> (module, "regularize_planes");
   defineParameters<FloorPlanParameters> (module, "floor_plan");
+}
+
+} // namespace
+
+} // namespace pcl_ops::python
+
+PYBIND11_MODULE (_pcl_ops, module)
+{
+  using namespace pcl_ops;
+  using namespace pcl_ops::python;
+  module.attr ("__version__") = PCL_OPS_VERSION;
+  defineAllParameters (module);
   defineSegment (module);
   defineTracker (module);
   defineContext (module);
@@ -566,8 +582,8 @@ PYBIND11_MODULE (_pcl_ops, module)
               [] (const PointRows& inliers,
                   const Eigen::Vector3d& origin,
                   const PlaneSegment& plane) {
-                return matrixOf (
-                    planeCovariance (viewOf (inliers), ofItsInliers (plane, origin)));
+                return matrixOf (planeCovariance (viewOf (inliers),
+                                                  inCloudOfInliers (plane, origin)));
               });
   module.def ("merge", &merge);
   module.def ("filter", &filter);

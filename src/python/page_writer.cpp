@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The programs' writer of pages, an extension of its own like that of files.
+// Writes pages as the programs do. An extension of its own, which is loaded only if a
+// page is written.
 #include "interpreter.h"
 #include <cli/errors.h>
 #include <page/page.h>
@@ -12,8 +13,11 @@ namespace py = pybind11;
 
 namespace {
 
-/** \param[in] points relative to \p shift
- * \param[in] labels 0 for no plane, else the position of the plane plus 1 */
+/** \param[in] description what the page says of the planes, as JSON
+ * \param[in] points relative to \p shift, of shape (N, 3)
+ * \param[in] labels 0 for no plane, else the position of the plane plus 1
+ * \param[in] planes number of planes
+ * \param[in] max_points of more points a sample is shown */
 void
 save (const std::string& file,
       const std::string& description,
@@ -23,16 +27,19 @@ save (const std::string& file,
       std::size_t planes,
       std::size_t max_points)
 {
-  const auto numbers = points.unchecked<2>();
-  const auto place = [&] (std::size_t i) {
+  const auto coordinates = points.unchecked<2>();
+  const auto position_of = [&] (std::size_t i) {
     const auto row = static_cast<py::ssize_t> (i);
-    return Eigen::Vector3d (numbers (row, 0), numbers (row, 1), numbers (row, 2));
+    return Eigen::Vector3d (
+        coordinates (row, 0), coordinates (row, 1), coordinates (row, 2));
   };
   try {
     pcl_ops::python::whileOthersRun ([&] {
       using namespace pcl_ops::apps;
-      savePage (
-          file, description, groupPoints (labels, planes, place, max_points), shift);
+      savePage (file,
+                description,
+                groupPoints (labels, planes, position_of, max_points),
+                shift);
     });
   }
   catch (const pcl_ops::apps::ProgramError& error) {

@@ -23,6 +23,7 @@ using PaperStrategy = PaperParameters::Strategy;
 using PaperVerification = PaperParameters::Verification;
 using LocalInliers = FastSamplingPlaneFilteringParameters::Local::Inliers;
 
+/** \brief Words, each with the value of an enumeration that it stands for. */
 template <typename E>
 using Words = std::vector<std::pair<std::string, E>>;
 
@@ -47,6 +48,7 @@ inline const std::tuple words = {
 /** \brief Parameters of merging, and of the orientations of merged planes. */
 struct MergePlanesParameters : PlaneDetectorParameters {};
 
+/** \brief Makes one function object of several, whose overloads they become. */
 template <typename... Lambdas>
 struct Overloaded : Lambdas... {
   using Lambdas::operator()...;
@@ -54,12 +56,14 @@ struct Overloaded : Lambdas... {
 template <typename... Lambdas>
 Overloaded (Lambdas...) -> Overloaded<Lambdas...>;
 
-inline const auto visit_named = [] (PlaneDetectorParameters& p, const auto& visit) {
+/** \brief Visits the parameters by which orientations of planes are named. */
+inline const auto visit_orientations = [] (PlaneDetectorParameters& p,
+                                           const auto& visit) {
   visit ("up", p.up_axis);
   visit ("angle_tolerance", p.angle_tolerance);
 };
 
-/** \brief Visits the parameters that all detectors have, after their own. */
+/** \brief Visits the parameters that all detectors have. */
 inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& visit) {
   visit ("distance_threshold", p.distance_threshold);
   visit ("min_points", p.min_points);
@@ -69,19 +73,19 @@ inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& vis
   visit ("merging_angle_threshold", p.merging.angle_threshold);
   visit ("merging_distance_threshold", p.merging.distance_threshold);
   visit ("merging_noise_factor", p.merging.noise_factor);
-  visit_named (p, visit);
+  visit_orientations (p, visit);
 };
 
 /** \brief Calls visit (name in Python, member) for each parameter of a struct. Names of
  * members of a nested struct mostly begin with the name of that struct. */
 inline const Overloaded visit_parameters = {
-    visit_named,
+    visit_orientations,
     [] (MergePlanesParameters& p, const auto& visit) {
       visit ("enabled", p.merging.enabled);
       visit ("angle_threshold", p.merging.angle_threshold);
       visit ("distance_threshold", p.merging.distance_threshold);
       visit ("noise_factor", p.merging.noise_factor);
-      visit_named (p, visit);
+      visit_orientations (p, visit);
     },
     [] (OrientedPointSamplingParameters& p, const auto& visit) {
       visit ("sampling", p.sampling);

@@ -6,7 +6,8 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#if defined(PYBIND11_HAS_NATIVE_ENUM) // pybind11 3 has a caster of its own
+// pybind11 3 has a caster of enumerations of its own, which this turns off.
+#if defined(PYBIND11_HAS_NATIVE_ENUM)
 template <typename E>
 struct pybind11::detail::
     type_caster_enum_type_enabled<E, std::enable_if_t<std::is_enum_v<E>>>
@@ -29,10 +30,10 @@ struct pybind11::detail::type_caster<E, std::enable_if_t<std::is_enum_v<E>>> {
     return false;
   }
   static handle
-  cast (E meant, return_value_policy, handle)
+  cast (E enum_value, return_value_policy, handle)
   {
     for (const auto& [word, meaning] : std::get<Words<E>> (pcl_ops::python::words))
-      if (meaning == meant)
+      if (meaning == enum_value)
         return str (word).release();
     return none().release();
   }
@@ -46,24 +47,24 @@ namespace pcl_ops::python {
 
 namespace py = pybind11;
 
-/** \brief Python's annotation for one of the words of an enumeration. */
+/** \brief Python's annotation for a parameter that is a word of an enumeration. */
 template <typename WordsOfEnum>
 std::string
 literalOf (const WordsOfEnum& words_of_enum)
 {
   std::string all;
-  for (const auto& named : words_of_enum)
-    all += (all.empty() ? "'" : ", '") + std::string (named.first) + "'";
+  for (const auto& [word, value] : words_of_enum)
+    all += (all.empty() ? "'" : ", '") + std::string (word) + "'";
   return "Literal[" + all + "]";
 }
 
 /** \brief Python's annotation for the type of a parameter. */
 template <typename T>
 std::string
-kindOf ()
+annotationOf ()
 {
   if constexpr (std::is_assignable_v<T&, std::nullopt_t>)
-    return "Optional[" + kindOf<typename T::value_type>() + "]";
+    return "Optional[" + annotationOf<typename T::value_type>() + "]";
   else if constexpr (std::is_enum_v<T>)
     return literalOf (std::get<Words<T>> (words));
   else if constexpr (std::is_same_v<T, std::array<double, 2>>)
@@ -77,10 +78,11 @@ kindOf ()
 }
 
 /** \brief A value for Python, with a vector as a tuple and not an array. numpy releases
- * the GIL to copy an array; if Python ended meanwhile, it would unwind this thread. */
+ * the GIL to copy an array; if Python ended meanwhile, it would unwind this thread. An
+ * optional vector is None by default, and an array if it is set. */
 template <typename T>
 py::object
-valueOf (const T& member)
+pythonValueOf (const T& member)
 {
   if constexpr (std::is_base_of_v<Eigen::MatrixBase<T>, T>)
     return py::make_tuple (member[0], member[1], member[2]);
@@ -91,9 +93,9 @@ valueOf (const T& member)
 /** \brief Defines a struct of parameters, which Python copies, reads and sets. */
 template <typename P>
 py::class_<P>
-defineParameters (py::module_& module, const char* name)
+defineParameters (py::module_& module, const char* name_of_struct)
 {
-  return py::class_<P> (module, name)
+  return py::class_<P> (module, name_of_struct)
       .def (py::init<>())
       .def (py::init<const P&>())
       .def ("problem", [] (const P& p) { return validate (p); })
@@ -102,13 +104,14 @@ defineParameters (py::module_& module, const char* name)
               py::dict all;
               visit_parameters (p, [&] (const char* key, const auto& member) {
                 using Member = std::decay_t<decltype (member)>;
-                all[key] = py::make_tuple (valueOf (member), kindOf<Member>());
+                all[key] =
+                    py::make_tuple (pythonValueOf (member), annotationOf<Member>());
               });
               return all;
             })
-      .def ("set", [] (P& p, const std::string& wanted, const py::object& value) {
+      .def ("set", [] (P& p, const std::string& name, const py::object& value) {
         visit_parameters (p, [&] (const char* key, auto& member) {
-          if (key == wanted)
+          if (key == name)
             member = value.cast<std::decay_t<decltype (member)>>();
         });
       });

@@ -19,18 +19,18 @@ def is_private(node):
 
 
 def name_parameters(node, function):
-    """In place of **parameters, those that the function shows."""
-    for one in inspect.signature(function).parameters.values():
-        if one.kind == one.KEYWORD_ONLY and isinstance(one.annotation, str):
-            node.args.kwonlyargs.append(ast.arg(one.name, ast.Name(one.annotation)))
+    """Replaces **parameters by the named ones that the function shows."""
+    for parameter in inspect.signature(function).parameters.values():
+        if parameter.kind == parameter.KEYWORD_ONLY and isinstance(parameter.annotation, str):
+            node.args.kwonlyargs.append(ast.arg(parameter.name, ast.Name(parameter.annotation)))
             node.args.kw_defaults.append(ast.Constant(...))
     node.args.kwarg = None
     node.decorator_list.clear()
 
 
 def stub_of(tree, owner):
-    """Strips a module or class, of which owner is what was imported, of its code."""
-    tree.body = [one for one in tree.body if not is_private(one)]
+    """Removes the code of a module or class from its tree; owner is the imported object."""
+    tree.body = [node for node in tree.body if not is_private(node)]
     for node in tree.body:
         if isinstance(node, ast.ClassDef):
             stub_of(node, getattr(owner, node.name))
@@ -49,7 +49,7 @@ sys.path.insert(0, str(folder.parent))
 for file in folder.glob("*.py"):
     module = importlib.import_module(f"pcl_ops.{file.stem}")
     stub = ast.fix_missing_locations(stub_of(ast.parse(file.read_text(encoding="utf-8")), module))
-    # What annotations of the extension need.
+    # Annotations that the extension writes need these names.
     text = f"from typing import Literal, Optional, Tuple, Union\n{ast.unparse(stub)}\n"
     file.with_suffix(".pyi").write_text(text, encoding="utf-8")
 (folder / "_pcl_ops.pyi").write_text("__version__: str\nclass Segment: ...\n")

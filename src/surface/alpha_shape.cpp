@@ -24,31 +24,34 @@ using Diagram = boost::polygon::voronoi_diagram<double>;
  */
 using Side = std::pair<std::size_t, std::size_t>;
 
-/** \brief Points as integers, for which Boost finds neighbors without rounding. */
-struct WholeNumbers {
+/** \brief Points rounded to integers, whose Voronoi diagram Boost finds without further
+ * rounding. */
+struct IntegerPoints {
   std::vector<Site> sites;
   /** \brief Integer steps per meter [1/m]. */
   double scale = 1.0;
 };
 
-WholeNumbers
-wholeNumbersOf (const PlanarPoints& points)
+/** \brief Scales points to the range of integers from -2^30 to 2^30 and rounds them. */
+IntegerPoints
+integerPointsOf (const PlanarPoints& points)
 {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& point : points)
     box.extend (point);
-  constexpr double largest = 1U << 30U;
+  constexpr double largest_integer = 1U << 30U;
   const double half_extent = 0.5 * box.sizes().maxCoeff();
-  WholeNumbers whole;
+  IntegerPoints integers;
   if (!(half_extent > 0.0))
-    return whole;
-  whole.scale = largest / half_extent;
+    return integers;
+  integers.scale = largest_integer / half_extent;
   for (const Eigen::Vector2d& point : points) {
-    const Eigen::Vector2d place = whole.scale * (point - box.center());
-    whole.sites.emplace_back (static_cast<std::int32_t> (std::lround (place.x())),
-                              static_cast<std::int32_t> (std::lround (place.y())));
+    const Eigen::Vector2d scaled_point = integers.scale * (point - box.center());
+    integers.sites.emplace_back (
+        static_cast<std::int32_t> (std::lround (scaled_point.x())),
+        static_cast<std::int32_t> (std::lround (scaled_point.y())));
   }
-  return whole;
+  return integers;
 }
 
 /** \brief The points around a vertex of the Voronoi diagram, counter-clockwise: the
@@ -66,19 +69,20 @@ pointsAround (const Diagram::vertex_type& vertex)
   return points;
 }
 
-/** \brief The sides that only one triangle has among those with a circumscribed circle
- * of radius alpha or less; ascending. */
+/** \brief The sides that only one triangle has, among the triangles whose circumscribed
+ * circle has a radius of alpha or less; ascending. */
 std::vector<Side>
-outerSides (const WholeNumbers& whole, double alpha)
+outerSides (const IntegerPoints& integers, double alpha)
 {
   Diagram diagram;
-  boost::polygon::construct_voronoi (whole.sites.begin(), whole.sites.end(), &diagram);
+  boost::polygon::construct_voronoi (
+      integers.sites.begin(), integers.sites.end(), &diagram);
   std::vector<Side> sides;
   for (const Diagram::vertex_type& vertex : diagram.vertices()) {
     const std::vector<std::size_t> points = pointsAround (vertex);
-    const Site& corner = whole.sites[points.front()];
-    if (std::hypot (vertex.x() - corner.x(), vertex.y() - corner.y()) >
-        alpha * whole.scale)
+    const Site& corner = integers.sites[points.front()];
+    const double radius = std::hypot (vertex.x() - corner.x(), vertex.y() - corner.y());
+    if (radius > alpha * integers.scale)
       continue;
     for (std::size_t i = 0; i < points.size(); ++i)
       sides.emplace_back (points[i], points[(i + 1) % points.size()]);
@@ -97,38 +101,39 @@ outerSides (const WholeNumbers& whole, double alpha)
 std::vector<PlanarPoints>
 alphaShapeRings (const PlanarPoints& points, double alpha)
 {
-  constexpr std::size_t not_passed = std::numeric_limits<std::size_t>::max();
-  const std::vector<Side> sides = outerSides (wholeNumbersOf (points), alpha);
-  std::multimap<std::size_t, std::size_t> next (sides.begin(), sides.end());
-  std::vector<std::size_t> position (points.size(), not_passed);
+  constexpr std::size_t not_in_path = std::numeric_limits<std::size_t>::max();
+  const std::vector<Side> sides = outerSides (integerPointsOf (points), alpha);
+  // The sides that are not yet in a ring: from first to last point.
+  std::multimap<std::size_t, std::size_t> sides_left (sides.begin(), sides.end());
+  std::vector<std::size_t> position_in_path (points.size(), not_in_path);
   std::vector<std::size_t> path;
   std::vector<PlanarPoints> rings;
   // As many sides lead to a point as from it: a path always comes back to one of its
   // points and closes a ring.
-  while (!next.empty()) {
+  while (!sides_left.empty()) {
     if (path.empty()) {
-      path.push_back (next.begin()->first);
-      position[path.back()] = 0;
+      path.push_back (sides_left.begin()->first);
+      position_in_path[path.back()] = 0;
     }
-    const auto side = next.find (path.back());
+    const auto side = sides_left.find (path.back());
     const std::size_t point = side->second;
-    next.erase (side);
-    if (position[point] == not_passed) {
-      position[point] = path.size();
+    sides_left.erase (side);
+    if (position_in_path[point] == not_in_path) {
+      position_in_path[point] = path.size();
       path.push_back (point);
       continue;
     }
     PlanarPoints& ring = rings.emplace_back();
-    const std::size_t first = position[point];
-    for (std::size_t i = first; i < path.size(); ++i) {
+    const std::size_t first_of_ring = position_in_path[point];
+    for (std::size_t i = first_of_ring; i < path.size(); ++i) {
       ring.push_back (points[path[i]]);
-      position[path[i]] = not_passed;
+      position_in_path[path[i]] = not_in_path;
     }
-    path.resize (first);
+    path.resize (first_of_ring);
     // The path goes on from this point, unless it is empty and the point has no more
     // sides.
-    if (next.count (point) > 0 || !path.empty()) {
-      position[point] = path.size();
+    if (sides_left.count (point) > 0 || !path.empty()) {
+      position_in_path[point] = path.size();
       path.push_back (point);
     }
   }

@@ -17,6 +17,7 @@ namespace {
 
 namespace geometry = boost::geometry;
 
+/** \brief The points in an outline or on it. */
 PlanarPoints
 pointsWithin (const PlanarPoints& outline, const PlanarPoints& points)
 {
@@ -34,26 +35,30 @@ struct WeightedPoints {
   std::vector<std::size_t> weights;
 };
 
+/** \brief A square cell of a grid, by column and row. */
 using Cell = std::pair<std::int64_t, std::int64_t>;
+/** \brief The indices of the points in each cell. */
 using Cells = std::map<Cell, std::vector<std::size_t>>;
 
 /** \brief Thins the points inside: keeps one point of each square cell whose eight
  * neighbor cells all have points, and all points of the other cells, near the rim.
- * \param[in] cell side of a cell, in the unit of the points */
+ * \param[in] edge of a cell, in the unit of the points */
 WeightedPoints
-thinInside (const PlanarPoints& points, double cell)
+thinInside (const PlanarPoints& points, double edge)
 {
   Cells cells;
   for (std::size_t i = 0; i < points.size(); ++i)
-    cells[{std::llround (points[i].x() / cell), std::llround (points[i].y() / cell)}]
+    cells[{std::llround (points[i].x() / edge), std::llround (points[i].y() / edge)}]
         .push_back (i);
   WeightedPoints thinned;
-  for (const auto& [place, members] : cells) {
+  for (const auto& [cell, members] : cells) {
+    const auto [column, row] = cell;
     bool is_inside = true;
-    for (const std::int64_t x : {-1, 0, 1})
-      for (const std::int64_t y : {-1, 0, 1})
-        is_inside &= cells.count ({place.first + x, place.second + y}) > 0;
-    for (std::size_t m = 0; m < (is_inside ? 1 : members.size()); ++m) {
+    for (const std::int64_t dx : {-1, 0, 1})
+      for (const std::int64_t dy : {-1, 0, 1})
+        is_inside &= cells.count ({column + dx, row + dy}) > 0;
+    const std::size_t kept = is_inside ? 1 : members.size();
+    for (std::size_t m = 0; m < kept; ++m) {
       thinned.points.push_back (points[members[m]]);
       thinned.weights.push_back (is_inside ? members.size() : 1);
     }
@@ -86,6 +91,8 @@ ringsOf (const PlanarPoints& points, double alpha)
   return rings;
 }
 
+/** \brief The corners of a ring without those within \p tolerance of a line between
+ * others. */
 PlanarPoints
 cornersOf (const Ring& ring, double tolerance)
 {
@@ -98,18 +105,20 @@ cornersOf (const Ring& ring, double tolerance)
 /** \brief The first ring as outline, and the rings inside it as its holes; a ring
  * inside a hole is left out.
  * \param[in] rings counter-clockwise, by falling area; at least one
- * \param[in] least smallest area of a hole, in the squared unit of the points
+ * \param[in] min_hole_area in the squared unit of the points
  * \param[in] tolerance of the simplification of rings */
 PlanarRings
-withHoles (const std::vector<Ring>& rings, double least, double tolerance)
+withHoles (const std::vector<Ring>& rings, double min_hole_area, double tolerance)
 {
   std::vector<Ring> holes;
   for (auto ring = rings.begin() + 1; ring != rings.end(); ++ring) {
     const auto holds = [&] (const Ring& other) {
       return geometry::covered_by (*ring, other);
     };
-    if (geometry::area (*ring) >= least && geometry::is_valid (*ring) &&
-        holds (rings.front()) && std::none_of (holes.begin(), holes.end(), holds))
+    const bool is_hole = geometry::area (*ring) >= min_hole_area &&
+                         geometry::is_valid (*ring) && holds (rings.front()) &&
+                         std::none_of (holes.begin(), holes.end(), holds);
+    if (is_hole)
       holes.push_back (*ring);
   }
   PlanarRings outline = {cornersOf (rings.front(), tolerance)};
@@ -123,7 +132,7 @@ withHoles (const std::vector<Ring>& rings, double least, double tolerance)
 /** \brief Number of different points, of which equal ones follow each other. Repeated
  * points, as of rounded coordinates, say nothing about the spacing. */
 std::size_t
-numberOfPlaces (PlanarPoints points)
+countDistinctPoints (PlanarPoints points)
 {
   return std::unique (points.begin(), points.end()) - points.begin();
 }
@@ -136,35 +145,49 @@ scaled (double factor, PlanarPoints points)
   return points;
 }
 
+/** \brief Largest share of points that the convex hull leaves out as strays. */
+constexpr double max_outside_convex = 0.005;
+
+/** \brief Smallest share of all points that an outline has to hold. */
+constexpr double min_inside = 0.99;
+
+/** \brief The alpha that is tried first, in units of the spacing of the points. */
+constexpr double spacings_per_alpha = 6.0;
+
+/** \brief Cells along a length of alpha when points are thinned. */
+constexpr double cells_per_alpha = 2.0;
+
+/** \brief While the outline holds too few points, alpha grows by this factor; after so
+ * many attempts the convex hull is the outline. */
+constexpr double growth_of_alpha = 1.5;
+constexpr int max_attempts = 8;
+
+/** \brief Corners within this many spacings of a line between others are left out. */
+constexpr double straight = 1e-3;
+
 /** \brief The concave outline of points that were sorted, and scaled by \ref unitScale.
- */
+ * \param[in] alpha not above 0: it follows from the spacing of the points */
 PlanarRings
 outlineAround (const PlanarPoints& points, double alpha)
 {
-  constexpr double min_inside = 0.99;
-  constexpr double max_outside_convex = 0.005;
-  constexpr double spacings_per_alpha = 6.0;
-  constexpr double cells_per_alpha = 2.0;
-  constexpr double growth = 1.5;
-  constexpr int max_attempts = 8;
   const PlanarPoints convex = convexHull (points, max_outside_convex);
   if (convex.empty())
     return {};
   const auto number = static_cast<double> (points.size());
   const PlanarPoints inside = pointsWithin (convex, points);
   const double spacing =
-      std::sqrt (areaOf (convex) / static_cast<double> (numberOfPlaces (inside)));
+      std::sqrt (areaOf (convex) / static_cast<double> (countDistinctPoints (inside)));
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
   const WeightedPoints thinned = thinInside (inside, radius / cells_per_alpha);
+  const auto holds_enough = [&] (const Ring& ring) {
+    return static_cast<double> (weightWithin (ring, thinned)) >= min_inside * number;
+  };
   for (int attempt = 0; attempt < max_attempts; ++attempt) {
     const std::vector<Ring> rings = ringsOf (thinned.points, radius);
     if (!rings.empty() && geometry::is_valid (rings.front()) &&
-        static_cast<double> (weightWithin (rings.front(), thinned)) >=
-            min_inside * number) {
-      constexpr double straight = 1e-3;
+        holds_enough (rings.front()))
       return withHoles (rings, radius * radius, straight * spacing);
-    }
-    radius *= growth;
+    radius *= growth_of_alpha;
   }
   return {convex};
 }

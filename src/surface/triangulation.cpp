@@ -15,16 +15,23 @@ namespace {
 
 using namespace internal;
 
-using Numbers = std::vector<std::size_t>;
+/** \brief A ring, by the indices of its corners in a list of corners. */
+using CornerIndices = std::vector<std::size_t>;
 
-/** \brief Where a ray to the right first meets a ring around its start: the place of
- * that side in the ring, and the x coordinate of the intersection. */
-std::pair<std::size_t, double>
-landingOf (const Eigen::Vector2d& from,
-           const Numbers& ring,
-           const PlanarPoints& corners)
+/** \brief Where a ray meets a ring: a side, by the position of its first corner in the
+ * ring, and the x coordinate of the intersection. */
+struct Intersection {
+  std::size_t side = 0;
+  double x = std::numeric_limits<double>::infinity();
+};
+
+/** \brief Where a ray to the right first meets a ring around its start. */
+Intersection
+firstIntersection (const Eigen::Vector2d& from,
+                   const CornerIndices& ring,
+                   const PlanarPoints& corners)
 {
-  std::pair landing (std::size_t (0), std::numeric_limits<double>::infinity());
+  Intersection nearest;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     // The ring is counter-clockwise: a side where the ray leaves it runs upwards.
     const Eigen::Vector2d& low = corners[ring[i]];
@@ -33,55 +40,57 @@ landingOf (const Eigen::Vector2d& from,
       continue;
     const double share = (from.y() - low.y()) / (high.y() - low.y());
     const double x = low.x() + share * (high.x() - low.x());
-    if (x >= from.x() && x < landing.second)
-      landing = {i, x};
+    if (x >= from.x() && x < nearest.x)
+      nearest = {i, x};
   }
-  return landing;
+  return nearest;
 }
 
 /** \brief Whether the segment from a corner of a ring to a point starts inside the
  * ring. */
 bool
-leadsInside (const Numbers& ring,
-             std::size_t place,
+leadsInside (const CornerIndices& ring,
+             std::size_t position,
              const Eigen::Vector2d& to,
              const PlanarPoints& corners)
 {
-  const Eigen::Vector2d& at = corners[ring[place]];
-  const Eigen::Vector2d& next = corners[ring[(place + 1) % ring.size()]];
-  const Eigen::Vector2d& last = corners[ring[(place + ring.size() - 1) % ring.size()]];
-  const bool is_left_of_next = twiceTheArea (at, next, to) >= 0.0;
-  const bool is_right_of_last = twiceTheArea (at, last, to) <= 0.0;
-  const bool is_convex = twiceTheArea (last, at, next) >= 0.0;
+  const Eigen::Vector2d& corner = corners[ring[position]];
+  const Eigen::Vector2d& next = corners[ring[(position + 1) % ring.size()]];
+  const Eigen::Vector2d& previous =
+      corners[ring[(position + ring.size() - 1) % ring.size()]];
+  const bool is_left_of_next = twiceTheArea (corner, next, to) >= 0.0;
+  const bool is_right_of_last = twiceTheArea (corner, previous, to) <= 0.0;
+  const bool is_convex = twiceTheArea (previous, corner, next) >= 0.0;
   return is_convex ? is_left_of_next && is_right_of_last
                    : is_left_of_next || is_right_of_last;
 }
 
-/** \brief A corner of the ring that is visible from a point inside. A ray to the right
- * hits a side; its end with the larger x is visible, unless corners lie in the triangle
- * in between: then the corner at the smallest angle to the ray is visible. */
+/** \brief The position of a corner of the ring that is visible from a point inside. A
+ * ray to the right hits a side; its end with the larger x is visible, unless corners
+ * lie in the triangle in between: then the corner at the smallest angle to the ray is
+ * visible. */
 std::size_t
 visibleFrom (const Eigen::Vector2d& from,
-             const Numbers& ring,
+             const CornerIndices& ring,
              const PlanarPoints& corners)
 {
-  const auto [side, x] = landingOf (from, ring, corners);
+  const auto [side, x] = firstIntersection (from, ring, corners);
   const Eigen::Vector2d on_side (x, from.y());
   const std::size_t next = (side + 1) % ring.size();
   std::size_t visible = corners[ring[side]].x() > corners[ring[next]].x() ? side : next;
   const Eigen::Vector2d& end = corners[ring[visible]];
-  double steepest = std::numeric_limits<double>::infinity();
+  double smallest_slope = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d& corner = corners[ring[i]];
-    const Eigen::Vector2d way = corner - from;
-    const double slope = std::abs (way.y()) / way.x();
+    const Eigen::Vector2d offset = corner - from;
+    const double slope = std::abs (offset.y()) / offset.x();
     const bool is_candidate = corner == end || isWithin (corner, from, on_side, end);
-    if (!is_candidate || !(way.x() > 0.0) || !leadsInside (ring, i, from, corners))
+    if (!is_candidate || !(offset.x() > 0.0) || !leadsInside (ring, i, from, corners))
       continue;
     const bool is_nearer =
-        slope == steepest && way.x() < (corners[ring[visible]] - from).x();
-    if (slope < steepest || is_nearer) {
-      steepest = slope;
+        slope == smallest_slope && offset.x() < (corners[ring[visible]] - from).x();
+    if (slope < smallest_slope || is_nearer) {
+      smallest_slope = slope;
       visible = i;
     }
   }
@@ -93,19 +102,20 @@ visibleFrom (const Eigen::Vector2d& from,
  * \param[in] rings the outline, then its holes; no ring touches another one
  * \param[in] corners of all rings, ring after ring
  * \return indices of the corners; the ends of bridges are repeated */
-Numbers
+CornerIndices
 joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
 {
-  Numbers ring (rings.front().size());
+  CornerIndices ring (rings.front().size());
   std::iota (ring.begin(), ring.end(), 0);
-  std::vector<Numbers> holes;
+  std::vector<CornerIndices> holes;
   std::size_t first = ring.size();
   const auto is_left = [&] (std::size_t a, std::size_t b) {
     return corners[a].x() < corners[b].x();
   };
-  for (std::size_t r = 1; r < rings.size(); first += rings[r++].size()) {
-    Numbers hole (rings[r].size());
+  for (std::size_t r = 1; r < rings.size(); ++r) {
+    CornerIndices hole (rings[r].size());
     std::iota (hole.begin(), hole.end(), first);
+    first += rings[r].size();
     // The hole starts at its rightmost corner, where the bridge begins.
     std::rotate (
         hole.begin(), std::max_element (hole.begin(), hole.end(), is_left), hole.end());
@@ -115,7 +125,7 @@ joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
   std::stable_sort (holes.begin(), holes.end(), [&] (const auto& a, const auto& b) {
     return is_left (b.front(), a.front());
   });
-  for (Numbers& hole : holes) {
+  for (CornerIndices& hole : holes) {
     const std::size_t visible = visibleFrom (corners[hole.front()], ring, corners);
     hole.push_back (hole.front());
     hole.push_back (ring[visible]);
@@ -124,15 +134,19 @@ joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
   return ring;
 }
 
+/** \brief The triangle of a corner and its two neighbors in the ring. */
 Triangle
-triangleAt (const Numbers& ring, std::size_t place)
+triangleAt (const CornerIndices& ring, std::size_t position)
 {
   const std::size_t size = ring.size();
-  return {ring[(place + size - 1) % size], ring[place], ring[(place + 1) % size]};
+  return {
+      ring[(position + size - 1) % size], ring[position], ring[(position + 1) % size]};
 }
 
+/** \brief Whether the corner in the middle of a triangle of the ring is convex and no
+ * other corner lies in the triangle. */
 bool
-isEar (const Triangle& triangle, const Numbers& ring, const PlanarPoints& corners)
+isEar (const Triangle& triangle, const CornerIndices& ring, const PlanarPoints& corners)
 {
   const Eigen::Vector2d& a = corners[triangle[0]];
   const Eigen::Vector2d& b = corners[triangle[1]];
@@ -141,21 +155,21 @@ isEar (const Triangle& triangle, const Numbers& ring, const PlanarPoints& corner
     return false;
   return std::none_of (ring.begin(), ring.end(), [&] (std::size_t other) {
     const Eigen::Vector2d& corner = corners[other];
-    // Corners with a bridge are repeated at the same place.
+    // Corners with a bridge are repeated.
     return corner != a && corner != b && corner != c && isWithin (corner, a, b, c);
   });
 }
 
-/** \brief The first place in the ring, from \p from on and around, whose triangle
+/** \brief The first position in the ring, from \p from on and around, whose triangle
  * passes a test; nothing if no triangle does. */
 template <typename Test>
 std::optional<std::size_t>
-nextPlace (const Numbers& ring, std::size_t from, Test&& holds)
+nextPosition (const CornerIndices& ring, std::size_t from, Test&& holds)
 {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const std::size_t place = (from + i) % ring.size();
-    if (holds (triangleAt (ring, place)))
-      return place;
+    const std::size_t position = (from + i) % ring.size();
+    if (holds (triangleAt (ring, position)))
+      return position;
   }
   return {};
 }
@@ -166,18 +180,18 @@ nextPlace (const Numbers& ring, std::size_t from, Test&& holds)
  * its contour triangulator and Delaunay filter lose parts of outlines with many holes.
  * \return counter-clockwise triangles; not all of them if the ring runs out of ears */
 std::vector<Triangle>
-clipEars (Numbers ring, const PlanarPoints& corners)
+clipEars (CornerIndices ring, const PlanarPoints& corners)
 {
   constexpr std::size_t corners_of_triangle = 3;
   std::vector<Triangle> triangles;
-  std::size_t place = 0;
+  std::size_t position = 0;
   while (ring.size() >= corners_of_triangle) {
-    const auto ear = nextPlace (ring, place, [&] (const Triangle& triangle) {
+    const auto ear = nextPosition (ring, position, [&] (const Triangle& triangle) {
       return isEar (triangle, ring, corners);
     });
     // A corner in line with its neighbors covers no area, but may block ears.
     const auto clipped =
-        ear ? ear : nextPlace (ring, place, [&] (const Triangle& triangle) {
+        ear ? ear : nextPosition (ring, position, [&] (const Triangle& triangle) {
           const auto& [a, b, c] = triangle;
           return twiceTheArea (corners[a], corners[b], corners[c]) == 0.0;
         });
@@ -186,7 +200,7 @@ clipEars (Numbers ring, const PlanarPoints& corners)
     if (ear)
       triangles.push_back (triangleAt (ring, *ear));
     ring.erase (ring.begin() + *clipped);
-    place = *clipped + 1; // every other ear: no fans of slivers
+    position = *clipped + 1; // every other ear: no fans of slivers
   }
   return triangles;
 }
@@ -196,20 +210,20 @@ clipEars (Numbers ring, const PlanarPoints& corners)
 std::vector<Triangle>
 triangulate (const PlanarRings& rings)
 {
-  constexpr double tolerance = 1e-6;
+  constexpr double tolerance = 1e-6; // share of the area that triangles may miss
   if (rings.empty() || rings.front().empty())
     return {};
-  PlanarRings filled;
+  PlanarRings nonempty;
   PlanarPoints corners;
   double area = 0.0;
   for (const PlanarPoints& ring : rings) {
     if (!ring.empty())
-      filled.push_back (ring);
+      nonempty.push_back (ring);
     corners.insert (corners.end(), ring.begin(), ring.end());
     area += areaOf (ring);
   }
   const std::vector<Triangle> triangles =
-      clipEars (joinByBridges (filled, corners), corners);
+      clipEars (joinByBridges (nonempty, corners), corners);
   double covered = 0.0;
   for (const auto& [a, b, c] : triangles)
     covered += 0.5 * twiceTheArea (corners[a], corners[b], corners[c]);

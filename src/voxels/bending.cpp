@@ -15,10 +15,14 @@ namespace {
 
 using Terms = Eigen::Matrix<double, 6, 1>;
 
-// Normal equations of the fit of heights [m]; u and v in units of the half extents.
-struct Equations {
-  Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
-  Terms products = Terms::Zero();
+constexpr int first_order_terms = 3;  // 1, u, v
+constexpr int second_order_terms = 6; // and u^2, u v, v^2
+
+// Normal equations A x = b of the fit of heights [m] by the six terms; u and v are in
+// units of the half extents.
+struct NormalEquations {
+  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Terms right_side = Terms::Zero();
   double squared_heights = 0.0;
 
   void
@@ -26,19 +30,19 @@ struct Equations {
   {
     Terms terms;
     terms << 1.0, u, v, u * u, u * v, v * v;
-    squares += weight * terms * terms.transpose();
-    products += weight * height * terms;
+    matrix += weight * terms * terms.transpose();
+    right_side += weight * height * terms;
     squared_heights += weight * height * height;
   }
 
   /** \brief Residual sum of squares of the fit by the first \p number terms [m^2]. */
   template <int number>
   double
-  left () const
+  residual () const
   {
     const Eigen::Matrix<double, number, number> a =
-        squares.topLeftCorner<number, number>();
-    const Eigen::Matrix<double, number, 1> b = products.head<number>();
+        matrix.topLeftCorner<number, number>();
+    const Eigen::Matrix<double, number, 1> b = right_side.head<number>();
     const Eigen::Matrix<double, number, 1> x = a.ldlt().solve (b);
     return std::max (0.0, squared_heights - b.dot (x));
   }
@@ -54,11 +58,46 @@ struct PatchAxes {
 PatchAxes
 axesOf (const Moments& moments, const Plane& plane)
 {
+  // Above 0, as heights are divided by half extents.
+  constexpr double smallest_variance = 1e-300;
+  // Eigenvalues ascend: along the normal, along v, along u.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (moments.covariance());
+  // A rectangle of half extent h has the variance h^2 / 3.
   const Eigen::Vector3d half_extents =
-      std::sqrt (3.0) * axes.eigenvalues().cwiseMax (1e-300).cwiseSqrt();
+      std::sqrt (3.0) * axes.eigenvalues().cwiseMax (smallest_variance).cwiseSqrt();
   const Eigen::Vector3d u = axes.eigenvectors().col (2);
   return {u, plane.normal.cross (u), half_extents[2], half_extents[1]};
+}
+
+NormalEquations
+equationsOf (const std::vector<Moments>& moments,
+             const Indices& voxels,
+             const PlaneFit& fit,
+             const PatchAxes& axes)
+{
+  NormalEquations equations;
+  for (const std::uint32_t voxel : voxels) {
+    const Eigen::Vector3d offset = moments[voxel].centroid() - fit.centroid;
+    const double height = fit.plane.normal.dot (offset);
+    equations.add (moments[voxel].count,
+                   axes.u.dot (offset) / axes.half_u,
+                   axes.v.dot (offset) / axes.half_v,
+                   height);
+  }
+  return equations;
+}
+
+// Adjusted R^2 of the second-order terms: residual variances have as many degrees of
+// freedom as there are voxels more than terms.
+double
+explainedShare (const NormalEquations& equations, double voxels)
+{
+  const double flat = equations.residual<first_order_terms>();
+  const double curved = equations.residual<second_order_terms>();
+  if (!(flat > 0.0))
+    return 0.0;
+  return 1.0 - (curved / (voxels - second_order_terms)) /
+                   (flat / (voxels - first_order_terms));
 }
 
 } // namespace
@@ -70,29 +109,21 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
   constexpr std::size_t min_voxels = 8;
   if (voxels.size() < min_voxels)
     return bending;
-  const std::vector<Moments>& moments = grid.moments;
-  const PatchAxes axes = axesOf (momentsOf (moments, voxels), fit.plane);
-  Equations equations;
-  for (const std::uint32_t voxel : voxels) {
-    const Eigen::Vector3d offset = moments[voxel].centroid() - fit.centroid;
-    const double height = fit.plane.normal.dot (offset);
-    equations.add (moments[voxel].count,
-                   axes.u.dot (offset) / axes.half_u,
-                   axes.v.dot (offset) / axes.half_v,
-                   height);
-  }
-  const auto number = static_cast<double> (voxels.size());
-  const double flat = equations.left<3>();
-  const double curved = equations.left<6>();
-  if (flat > 0.0)
-    bending.explained = 1.0 - (curved / (number - 6.0)) / (flat / (number - 3.0));
-  const Terms x = equations.squares.ldlt().solve (equations.products);
+  const PatchAxes axes = axesOf (momentsOf (grid.moments, voxels), fit.plane);
+  const NormalEquations equations = equationsOf (grid.moments, voxels, fit, axes);
+  bending.explained = explainedShare (equations, static_cast<double> (voxels.size()));
+  const Terms coefficients = equations.matrix.ldlt().solve (equations.right_side);
+  const double u_squared = coefficients[3];
+  const double half_mixed = 0.5 * coefficients[4];
+  const double v_squared = coefficients[5];
   Eigen::Matrix2d second_order;
-  second_order << x[3], 0.5 * x[4], 0.5 * x[4], x[5];
+  second_order << u_squared, half_mixed, half_mixed, v_squared;
+  // Eigenvalues are the second-order heights [m] at the half extents along the axes.
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bends;
   bends.computeDirect (second_order); // compute() takes four seconds to compile
   const int largest =
       std::abs (bends.eigenvalues()[0]) > std::abs (bends.eigenvalues()[1]) ? 0 : 1;
+  // In units of the half extents.
   const Eigen::Vector2d direction = bends.eigenvectors().col (largest);
   bending.amplitude = std::abs (bends.eigenvalues()[largest]);
   bending.half_extent =
@@ -103,9 +134,9 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
 bool
 isCurved (const Bending& bending)
 {
-  constexpr double smallest_share = 0.4;
-  constexpr double smallest_slope = 0.01;
-  return bending.explained > smallest_share &&
+  constexpr double smallest_explained = 0.4;
+  constexpr double smallest_slope = 0.01; // amplitude over half extent
+  return bending.explained > smallest_explained &&
          bending.amplitude > smallest_slope * bending.half_extent;
 }
 

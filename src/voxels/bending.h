@@ -20,7 +20,7 @@ struct Bending {
 
 /** \brief Fits 1, u, v, u^2, u v and v^2, with u and v along the plane, to the mean
  * heights of voxels over it by least squares. A voxel weighs as much as its points.
- * \param[in] voxels numbers of the voxels of the patch
+ * \param[in] voxels indices of the voxels of the patch
  * \return all zero for fewer than eight voxels */
 Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit);

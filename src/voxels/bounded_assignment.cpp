@@ -13,8 +13,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Voxels of a chunk. Each chunk has moments of all planes: so chunks are few and large.
-constexpr std::size_t voxels_at_once = 4096;
+// Large, so that chunks are few: each one sums moments of all planes.
+constexpr std::size_t voxels_per_chunk = 4096;
 
 // The input of the assignment, and the labels that it writes.
 struct Assignment {
@@ -22,8 +22,8 @@ struct Assignment {
   const VoxelGrid& grid;
   const BoundedPlanes& planes;
   const std::vector<PlaneBand>& bands;
-  // A given threshold holds for each point: each is tested, even if its voxel fits.
-  bool every_point_counts;
+  // With a given threshold each point is tested, even if its voxel fits as a whole.
+  bool tests_every_point;
   Labels& labels;
 
   /** \brief Finds the planes of a voxel and its neighbors, each once. */
@@ -38,18 +38,18 @@ struct Assignment {
   /** \brief Whether the points of a voxel are so near to a plane on average that noise
    * explains it, and that no single point has to be tested. */
   bool
-  isAllOn (std::int32_t plane, std::size_t voxel) const
+  isWhollyOn (std::int32_t plane, std::size_t voxel) const
   {
-    const double limit = like_noise * planes.noise[plane];
-    return !every_point_counts &&
+    const double largest_distance = like_noise * planes.noise[plane];
+    return !tests_every_point &&
            meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) <
-               limit * limit;
+               largest_distance * largest_distance;
   }
 
   void
   assign (std::size_t voxel, const Labels& around, std::vector<Moments>& moments) const
   {
-    if (around.size() == 1 && isAllOn (around[0], voxel)) {
+    if (around.size() == 1 && isWhollyOn (around[0], voxel)) {
       for (const std::uint32_t point : grid.pointsOf (voxel))
         labels[point] = around[0];
       moments[around[0]].addAligned (grid.moments[voxel]);
@@ -67,7 +67,7 @@ struct Assignment {
 std::vector<PlaneBand>
 bandsOf (const BoundedPlanes& planes,
          double smallest_noise,
-         double largest_band,
+         double largest_distance,
          double noise_factor)
 {
   std::vector<PlaneBand> bands;
@@ -75,7 +75,7 @@ bandsOf (const BoundedPlanes& planes,
     // A plane without voxels in this grid has noise 0.
     const double noise = std::max (planes.noise[p], smallest_noise);
     bands.emplace_back (
-        planes.planes[p], noise, std::min (noise_factor * noise, largest_band));
+        planes.planes[p], noise, std::min (noise_factor * noise, largest_distance));
   }
   return bands;
 }
@@ -92,14 +92,14 @@ assignToBoundedPlanes (const Coordinates& points,
                        const std::vector<char>& is_left_out,
                        AssignedPoints& assigned)
 {
-  const double limit =
+  const double largest_distance =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   const std::vector<PlaneBand> bands =
-      bandsOf (planes, smallestNoise (grid), limit, noise_factor);
+      bandsOf (planes, smallestNoise (grid), largest_distance, noise_factor);
   const Assignment assignment{
       points, grid, planes, bands, distance_threshold.has_value(), assigned.labels};
-  const auto pieces =
-      parallelChunks (threads, grid.size(), voxels_at_once, [&] (auto begin, auto end) {
+  const auto moments_of_chunks = parallelChunks (
+      threads, grid.size(), voxels_per_chunk, [&] (auto begin, auto end) {
         std::vector<Moments> moments (planes.size());
         Labels around;
         for (std::size_t voxel = begin; voxel < end; ++voxel)
@@ -111,9 +111,9 @@ assignToBoundedPlanes (const Coordinates& points,
         return moments;
       });
   assigned.moments.resize (planes.size());
-  for (const std::vector<Moments>& piece : pieces)
-    for (std::size_t p = 0; p < piece.size(); ++p)
-      assigned.moments[p].addAligned (piece[p]);
+  for (const std::vector<Moments>& of_chunk : moments_of_chunks)
+    for (std::size_t p = 0; p < of_chunk.size(); ++p)
+      assigned.moments[p].addAligned (of_chunk[p]);
 }
 
 } // namespace pcl_ops::internal

@@ -11,9 +11,9 @@ namespace pcl_ops::internal {
 
 /** \brief Assigns each point to the likeliest plane (\ref likeliestOf) among the planes
  * of its voxel and of the neighbors of its voxel.
- * \param[in] distance_threshold largest distance of a point to its plane [m]. Not
- * given: the noise alone limits it, and a voxel that fits the only plane around it
- * gives all its points to this plane
+ * \param[in] distance_threshold largest distance of a point to its plane [m]. If it is
+ * not given, the noise alone limits the distance, and a voxel that fits the only plane
+ * around it gives all its points to this plane
  * \param[in] noise_factor largest distance in units of the plane's noise
  * \param[in] is_left_out not 0 for voxels whose points keep their labels; empty: none
  * \param[in,out] assigned labels are overwritten, but for points in voxels left out or

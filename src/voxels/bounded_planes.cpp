@@ -35,7 +35,8 @@ refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes)
 void
 renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes)
 {
-  relabel (planes.plane_of_voxel, merged.merged_into, 1);
+  constexpr unsigned one_thread = 1;
+  relabel (planes.plane_of_voxel, merged.merged_into, one_thread);
   std::vector<Moments> elsewhere (merged.fits.size());
   for (std::size_t p = 0; p < planes.moments_elsewhere.size(); ++p)
     if (merged.merged_into[p] != no_plane)
@@ -51,21 +52,22 @@ void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
   const Labels& plane_of = planes.plane_of_voxel;
-  std::vector<float> distances (grid.size());
+  // Of each voxel on a plane the mean over its points [m^2].
+  std::vector<float> squared_distances (grid.size());
   forEach (threads, grid.size(), [&] (std::size_t i) {
     if (plane_of[i] != no_plane)
-      distances[i] = static_cast<float> (
+      squared_distances[i] = static_cast<float> (
           meanSquaredDistance (grid.moments[i], planes.planes[plane_of[i]]));
   });
-  std::vector<std::vector<float>> of_plane (planes.size());
+  std::vector<std::vector<float>> of_each_plane (planes.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (plane_of[i] != no_plane)
-      of_plane[plane_of[i]].push_back (distances[i]);
+      of_each_plane[plane_of[i]].push_back (squared_distances[i]);
   planes.noise.resize (planes.size(), smallestNoise (grid));
   for (std::size_t p = 0; p < planes.size(); ++p)
-    if (!of_plane[p].empty())
+    if (!of_each_plane[p].empty())
       planes.noise[p] =
-          std::max (std::sqrt (static_cast<double> (medianOf (of_plane[p]))),
+          std::max (std::sqrt (static_cast<double> (medianOf (of_each_plane[p]))),
                     smallestNoise (grid));
 }
 

@@ -18,8 +18,8 @@ struct BoundedPlanes {
   std::vector<double> noise;
   /** \brief Plane of each voxel, or no_plane. */
   Labels plane_of_voxel;
-  /** \brief Moments of the points that each plane has outside these voxels. May be
-   * shorter than \ref planes: the planes after its end have no points elsewhere. */
+  /** \brief Moments of the points that each plane has outside these voxels. The list
+   * may be shorter than \ref planes: planes after its end have no points elsewhere. */
   std::vector<Moments> moments_elsewhere;
 
   std::size_t
@@ -49,12 +49,12 @@ inline constexpr double min_points_of_noise = 16.0;
 inline double
 smallestNoise (const VoxelGrid& grid)
 {
-  constexpr double share_of_a_voxel = 0.03;
-  return share_of_a_voxel * grid.voxel_size;
+  constexpr double share_of_voxel_size = 0.03;
+  return share_of_voxel_size * grid.voxel_size;
 }
 
-/** \brief Measures the noise of each plane: the rms distance of the points of a voxel
- * to the plane, the median over its voxels, at least \ref smallestNoise. A plane
+/** \brief Measures the noise of each plane: the median over its voxels of the rms
+ * distance of the voxel's points to the plane, at least \ref smallestNoise. A plane
  * without voxels in this grid keeps its noise. */
 void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);

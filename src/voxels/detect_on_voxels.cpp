@@ -23,12 +23,13 @@ namespace {
 
 using Parameters = OrientedPointSamplingParameters;
 
-// Neighborhoods may hold k / times_k points: small CAD models have no more around a
-// voxel. A neighborhood with fewer than times_k * k points is sparse.
-constexpr double times_k = 2.0;
+// The neighborhood of a normal holds at least k divided by this factor: small CAD
+// models have no more points around a voxel. One with fewer than k times the factor is
+// sparse.
+constexpr double neighborhood_factor = 2.0;
 
 VoxelLevels
-divide (const Points& points, const Parameters& parameters)
+divideIntoVoxels (const Points& points, const Parameters& parameters)
 {
   const std::optional<double> given = parameters.surfels.voxel_size;
   VoxelLevels voxels =
@@ -39,13 +40,14 @@ divide (const Points& points, const Parameters& parameters)
 }
 
 std::vector<std::optional<Surfel>>
-orient (const VoxelGrid& grid,
-        const Parameters& parameters,
-        const Labels& plane_of_voxel)
+surfelsOf (const VoxelGrid& grid,
+           const Parameters& parameters,
+           const Labels& plane_of_voxel)
 {
   const SurfelParameters& surfels = parameters.surfels;
-  const double min_points = std::max (
-      parameters.k / times_k, surfels.min_average_voxels * meanPointsPerVoxel (grid));
+  const double min_points =
+      std::max (parameters.k / neighborhood_factor,
+                surfels.min_average_voxels * meanPointsPerVoxel (grid));
   return findSurfels (
       grid, surfels.resolutions, min_points, parameters.threads, plane_of_voxel);
 }
@@ -60,7 +62,7 @@ findPlanes (const VoxelGrid& grid,
 {
   StageClock clock;
   const std::vector<std::optional<Surfel>> surfels =
-      orient (grid, parameters, planes.plane_of_voxel);
+      surfelsOf (grid, parameters, planes.plane_of_voxel);
   clock.lap (durations.normals);
   extractSurfelPlanes (grid, surfels, parameters, max_thickness, planes);
   measureNoise (grid, parameters.threads, planes);
@@ -68,7 +70,8 @@ findPlanes (const VoxelGrid& grid,
   clock.lap (durations.extraction);
 }
 
-// Real walls are not flat: by default planes are merged by their noise.
+// By default planes are merged by their noise and not by a distance, as real walls are
+// not flat.
 MergingParameters
 mergingByNoise (MergingParameters merging)
 {
@@ -77,7 +80,7 @@ mergingByNoise (MergingParameters merging)
   return merging;
 }
 
-// Merges planes that are one: pieces divided by noise, then pieces divided by a gap.
+// Merges parts of one plane: first those divided by noise, then those divided by a gap.
 MergedPlanes
 mergedPlanes (const VoxelGrid& grid,
               const Parameters& parameters,
@@ -90,9 +93,9 @@ mergedPlanes (const VoxelGrid& grid,
   for (std::size_t p = 0; p < parts.size(); ++p)
     moments[absorbed[p]].addAligned (parts[p]);
   MergedPlanes merged = mergePlanes (moments, mergingByNoise (parameters.merging));
-  const Labels of_absorbers = merged.merged_into;
+  const Labels merged_into_of_absorbers = merged.merged_into;
   for (std::size_t p = 0; p < parts.size(); ++p)
-    merged.merged_into[p] = of_absorbers[absorbed[p]];
+    merged.merged_into[p] = merged_into_of_absorbers[absorbed[p]];
   return merged;
 }
 
@@ -136,17 +139,17 @@ assign (const Points& points,
   return assigned;
 }
 
-// What labelPoints reports besides the labels.
+// What labelPoints reports about its result, besides the labels.
 struct Tally {
   std::size_t planes_before_merging = 0;
   UsedLengths used;
 };
 
-// The median over all planes of the largest distance of an inlier to its plane [m].
+// The median over all planes of the largest distance that their points may have [m].
 std::optional<double>
-usualDistance (const BoundedPlanes& planes,
-               const Refinement& finer,
-               const Parameters& parameters)
+usualDistanceLimit (const BoundedPlanes& planes,
+                    const Refinement& finer,
+                    const Parameters& parameters)
 {
   std::vector<double> distances;
   for (std::size_t p = 0; p < planes.size(); ++p) {
@@ -163,32 +166,34 @@ usualDistance (const BoundedPlanes& planes,
   return *middle;
 }
 
+// Defined below. It calls itself by way of detectAmong, each time for at most half of
+// the points.
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,
              StageDurations& durations,
              Tally& tally);
 
-// Finds planes among the given points, in voxels of a size that suits these points.
+// Finds planes among the points of these indices, in voxels of a size that suits them.
 void
-labelAnew (const Points& points,
-           const Indices& numbers,
-           const Parameters& parameters,
-           StageDurations& durations,
-           AssignedPoints& assigned)
+detectAmong (const Points& points,
+             const Indices& indices,
+             const Parameters& parameters,
+             StageDurations& durations,
+             AssignedPoints& assigned)
 {
   Points sparse;
-  static_cast<Coordinates&> (sparse) = selected (points, numbers);
+  static_cast<Coordinates&> (sparse) = selected (points, indices);
   sparse.origin = points.origin;
-  Tally of_sparse;
-  AssignedPoints more = labelPoints (sparse, parameters, durations, of_sparse);
-  rejectMist (assigned.moments, parameters.threads, more);
-  const auto before = static_cast<std::int32_t> (assigned.moments.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (more.labels[i] != no_plane)
-      assigned.labels[numbers[i]] = before + more.labels[i];
+  Tally tally_of_sparse;
+  AssignedPoints found = labelPoints (sparse, parameters, durations, tally_of_sparse);
+  rejectMist (assigned.moments, parameters.threads, found);
+  const auto planes_before = static_cast<std::int32_t> (assigned.moments.size());
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (found.labels[i] != no_plane)
+      assigned.labels[indices[i]] = planes_before + found.labels[i];
   assigned.moments.insert (
-      assigned.moments.end(), more.moments.begin(), more.moments.end());
+      assigned.moments.end(), found.moments.begin(), found.moments.end());
   // Merges planes again: a ground continues where its points become sparse.
   MergedPlanes merged =
       mergePlanes (assigned.moments, mergingByNoise (parameters.merging));
@@ -208,20 +213,21 @@ labelSparsePoints (const Points& points,
   if (parameters.surfels.voxel_size)
     return;
   const VoxelGrid& grid = voxels.coarse;
-  const Indices sparse = sparseVoxels (grid, times_k * parameters.k);
-  const auto open = [&] { return openPoints (grid, sparse, assigned.labels); };
-  const Indices numbers = sparsePoints (open(), points.size());
-  if (!numbers.empty())
-    labelAnew (points, numbers, parameters, durations, assigned);
+  const Indices sparse = sparseVoxels (grid, neighborhood_factor * parameters.k);
+  const auto open_points = [&] { return openPoints (grid, sparse, assigned.labels); };
+  const Indices indices = sparsePoints (open_points(), points.size());
+  if (!indices.empty())
+    detectAmong (points, indices, parameters, durations, assigned);
   extendPlanes (points,
                 grid,
-                open(),
+                open_points(),
                 parameters.surfels.resolutions,
                 parameters.distance_threshold,
                 assigned);
 }
 
-// The stages of OPS on voxels, one after the other.
+// The stages of OPS on voxels, one after the other. P, P_s, n_i, Pi and theta_h are the
+// symbols of the paper, which "section" refers to, too.
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,
@@ -230,8 +236,8 @@ labelPoints (const Points& points,
 {
   const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
-  // P_s: the voxels of a grid
-  const VoxelLevels voxels = divide (points, parameters);
+  // P_s, the samples: the voxels of a grid
+  const VoxelLevels voxels = divideIntoVoxels (points, parameters);
   const VoxelGrid& grid = voxels.coarse;
   if (grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
@@ -239,10 +245,10 @@ labelPoints (const Points& points,
   BoundedPlanes planes;
   planes.plane_of_voxel.assign (grid.size(), no_plane);
   clock.lap (durations.search);
-  // n_i and Pi: normals from the moments around, planes grown over voxels alike
+  // n_i, the normals: from the moments around; Pi, the planes: grown over voxels
   findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
-  clock = StageClock();
-  // what no plane explains, in voxels of half the edge
+  clock = StageClock(); // findPlanes has added its own time
+  // points that no plane explains, again, in voxels of half the edge
   Refinement finer = refine (voxels, planes, parameters.threads);
   clock.lap (durations.search);
   findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
@@ -250,9 +256,9 @@ labelPoints (const Points& points,
   tally.planes_before_merging = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h
   joinPlanes (grid, parameters, planes, finer);
-  tally.used.distance_threshold = usualDistance (planes, finer, parameters);
+  tally.used.distance_threshold = usualDistanceLimit (planes, finer, parameters);
   clock.lap (durations.merging);
-  // assigns every point of P, not of P_s alone, to a plane
+  // assigns every point of P to a plane
   AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
   clock.lap (durations.assignment);
   labelSparsePoints (points, voxels, parameters, durations, assigned);
@@ -274,7 +280,7 @@ detectOnVoxels (const Points& points,
 {
   Tally tally;
   AssignedPoints assigned = labelPoints (points, parameters, durations, tally);
-  // Fits each plane to its points; planes that are one have been merged already.
+  // Only fits each plane to its points: planes have been merged already.
   MergingParameters keep_apart;
   keep_apart.enabled = false;
   LabelledPlanes found =

@@ -17,7 +17,7 @@ coarsestVoxel (const SurfelParameters& surfels);
 
 /** \brief Detects planes by Sampling::Surfels. The samples are the flat voxels of a
  * grid, with normals from the moments around them; planes end where their voxels end.
- * Points that no plane explains are looked at again, in voxels of half the edge.
+ * Points that no plane explains are searched again, in voxels of half the edge.
  * \param[in,out] durations the time of each stage is added [ms] */
 LabelledPlanes
 detectOnVoxels (const Points& points,

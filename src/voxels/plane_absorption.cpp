@@ -12,63 +12,64 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief A plane with the data that decide about its absorption. */
-struct Region {
+/** \brief A plane with the data that decide about its absorption: a node of the graph
+ * of planes that touch each other. */
+struct PlaneNode {
   Plane plane;
   Moments moments;
   /** \brief Squared noise of the plane [m^2]. */
   double squared_noise = 0.0;
-  /** \brief Numbers of the planes that it touches, ascending. */
+  /** \brief Indices of the planes that it touches, ascending, each once. */
   std::vector<std::size_t> neighbors;
   /** \brief Whether it has got points since its plane was fitted. */
   bool has_grown = false;
 };
 
 void
-sortNeighbors (Region& region)
+makeNeighborsUnique (PlaneNode& node)
 {
-  std::vector<std::size_t>& all = region.neighbors;
+  std::vector<std::size_t>& all = node.neighbors;
   std::sort (all.begin(), all.end());
   all.erase (std::unique (all.begin(), all.end()), all.end());
 }
 
-std::vector<Region>
-regionsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
+// The graph of planes: two planes touch if they have adjacent voxels.
+std::vector<PlaneNode>
+nodesOf (const VoxelGrid& grid, const BoundedPlanes& planes)
 {
   const std::vector<Moments> moments = momentsOfPlanes (grid, planes);
-  std::vector<Region> regions;
+  std::vector<PlaneNode> nodes;
   for (std::size_t p = 0; p < planes.size(); ++p)
-    regions.push_back (
+    nodes.push_back (
         {planes.planes[p], moments[p], planes.noise[p] * planes.noise[p], {}, false});
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const std::int32_t own = planes.plane_of_voxel[i];
     if (own == no_plane)
       continue;
-    std::int32_t last = own;
+    std::int32_t last_other = own; // successive neighbors mostly are on the same plane
     for (const std::uint32_t neighbor : grid.neighbors[i]) {
       const std::int32_t other = planes.plane_of_voxel[neighbor];
-      if (other != no_plane && other != own && other != last)
-        regions[own].neighbors.push_back (other);
-      last = other;
+      if (other != no_plane && other != own && other != last_other)
+        nodes[own].neighbors.push_back (other);
+      last_other = other;
     }
   }
-  std::for_each (regions.begin(), regions.end(), sortNeighbors);
-  return regions;
+  std::for_each (nodes.begin(), nodes.end(), makeNeighborsUnique);
+  return nodes;
 }
 
 // Mean squared distance of a plane's points to it [m^2], at least its squared noise.
 double
-squaredRms (const Region& region)
+squaredRms (const PlaneNode& node)
 {
-  return std::max (region.squared_noise,
-                   meanSquaredDistance (region.moments, region.plane));
+  return std::max (node.squared_noise, meanSquaredDistance (node.moments, node.plane));
 }
 
-// Mean squared distance of the points of the smaller plane to the larger one, over its
-// limit: below 1 both are one plane. The limit is a few times the noise, as points that
-// err together make bumps of this height.
+// Mean squared distance of the points of the smaller plane to the larger one, divided
+// by the largest one allowed: below 1 both are one plane. A few times the noise is
+// allowed, as points that err alike make bumps of this height.
 double
-misfitTo (const Region& larger, const Region& smaller, double noise_factor)
+misfitTo (const PlaneNode& larger, const PlaneNode& smaller, double noise_factor)
 {
   return meanSquaredDistance (smaller.moments, larger.plane) /
          (noise_factor * noise_factor *
@@ -77,51 +78,50 @@ misfitTo (const Region& larger, const Region& smaller, double noise_factor)
 
 // The larger neighbor that the plane p fits best; p itself if it fits none.
 std::size_t
-absorberOf (const std::vector<Region>& regions, std::size_t p, double noise_factor)
+absorberOf (const std::vector<PlaneNode>& nodes, std::size_t p, double noise_factor)
 {
-  const Region& own = regions[p];
+  const PlaneNode& own = nodes[p];
   std::size_t absorber = p;
-  double best = 1.0;
+  double least_misfit = 1.0;
   for (const std::size_t other : own.neighbors) {
-    const double count = regions[other].moments.count;
+    const double count = nodes[other].moments.count;
     const bool is_larger =
         count > own.moments.count || (count == own.moments.count && other < p);
     if (!is_larger)
       continue;
-    const double misfit = misfitTo (regions[other], own, noise_factor);
-    if (!(misfit < best))
+    const double misfit = misfitTo (nodes[other], own, noise_factor);
+    if (!(misfit < least_misfit))
       continue;
-    best = misfit;
+    least_misfit = misfit;
     absorber = other;
   }
   return absorber;
 }
 
-// Adds regions to the regions that absorb them, and leaves them empty.
+// Adds absorbed nodes to the nodes that absorb them, and leaves them empty.
 void
-join (const std::vector<std::size_t>& goes_into, std::vector<Region>& regions)
+mergeAbsorbed (const std::vector<std::size_t>& goes_into, std::vector<PlaneNode>& nodes)
 {
-  for (std::size_t p = 0; p < regions.size(); ++p) {
+  for (std::size_t p = 0; p < nodes.size(); ++p) {
     if (goes_into[p] == p)
       continue;
-    Region& to = regions[goes_into[p]];
+    PlaneNode& to = nodes[goes_into[p]];
     to.has_grown = true;
-    to.moments.addAligned (regions[p].moments);
+    to.moments.addAligned (nodes[p].moments);
     to.neighbors.insert (
-        to.neighbors.end(), regions[p].neighbors.begin(), regions[p].neighbors.end());
-    regions[p] = Region();
+        to.neighbors.end(), nodes[p].neighbors.begin(), nodes[p].neighbors.end());
+    nodes[p] = PlaneNode();
   }
-  for (std::size_t p = 0; p < regions.size(); ++p) {
-    Region& region = regions[p];
-    for (std::size_t& neighbor : region.neighbors)
+  for (std::size_t p = 0; p < nodes.size(); ++p) {
+    PlaneNode& node = nodes[p];
+    for (std::size_t& neighbor : node.neighbors)
       neighbor = goes_into[neighbor];
-    sortNeighbors (region);
-    region.neighbors.erase (
-        std::remove (region.neighbors.begin(), region.neighbors.end(), p),
-        region.neighbors.end());
-    if (const auto fit = region.has_grown ? fitPlane (region.moments) : std::nullopt)
-      region.plane = fit->plane;
-    region.has_grown = false;
+    makeNeighborsUnique (node);
+    node.neighbors.erase (std::remove (node.neighbors.begin(), node.neighbors.end(), p),
+                          node.neighbors.end());
+    if (const auto fit = node.has_grown ? fitPlane (node.moments) : std::nullopt)
+      node.plane = fit->plane;
+    node.has_grown = false;
   }
 }
 
@@ -130,27 +130,27 @@ join (const std::vector<std::size_t>& goes_into, std::vector<Region>& regions)
 Labels
 absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& planes)
 {
-  std::vector<Region> regions = regionsOf (grid, planes);
-  Labels absorbed (planes.size());
-  std::iota (absorbed.begin(), absorbed.end(), 0);
+  std::vector<PlaneNode> nodes = nodesOf (grid, planes);
+  Labels absorber_of (planes.size());
+  std::iota (absorber_of.begin(), absorber_of.end(), 0);
   std::vector<std::size_t> goes_into (planes.size());
   bool has_changed = true;
   while (has_changed) {
-    for (std::size_t p = 0; p < regions.size(); ++p)
-      goes_into[p] = absorberOf (regions, p, noise_factor);
+    for (std::size_t p = 0; p < nodes.size(); ++p)
+      goes_into[p] = absorberOf (nodes, p, noise_factor);
     // Follows chains of absorptions to their end: each absorber is larger.
     for (std::size_t& to : goes_into)
       while (goes_into[to] != to)
         to = goes_into[to];
     has_changed = false;
-    for (std::int32_t& to : absorbed) {
+    for (std::int32_t& to : absorber_of) {
       const std::size_t next = goes_into[to];
       has_changed |= next != static_cast<std::size_t> (to);
       to = static_cast<std::int32_t> (next);
     }
-    join (goes_into, regions);
+    mergeAbsorbed (goes_into, nodes);
   }
-  return absorbed;
+  return absorber_of;
 }
 
 } // namespace pcl_ops::internal

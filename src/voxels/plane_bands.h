@@ -14,11 +14,12 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane with the noise of its points, and how far they may be from it. */
+/** \brief A plane with the noise of its points, and how far they may be from it: the
+ * points that it can take lie in a band of space. */
 struct PlaneBand {
   FloatPlane surface;
   /** \brief Distance below which the plane takes points [m]; 0: it takes no point. */
-  float band = 0.0f;
+  float half_width = 0.0f;
   /** \brief 1 / sigma^2 of the noise [1/m^2]. */
   float inverse_variance = 0.0f;
   /** \brief 2 ln sigma, sigma in m. */
@@ -29,17 +30,18 @@ struct PlaneBand {
   /** \param[in] noise sigma [m], above 0 */
   PlaneBand (const Plane& plane, double noise, double largest_distance)
   : surface (plane)
-  , band (static_cast<float> (largest_distance))
+  , half_width (static_cast<float> (largest_distance))
   , inverse_variance (static_cast<float> (1.0 / (noise * noise)))
   , log_variance (static_cast<float> (2.0 * std::log (noise)))
   {}
 };
 
 /** \brief The plane that a point most likely belongs to; no_plane if it lies in no
- * band. Of the others it is the one with the least d^2 / sigma^2 + 2 ln sigma, d its
- * distance. With d / sigma alone a noisy plane would take points of a clean plane that
- * it meets.
- * \param[in] planes the candidates, as positions in \p bands */
+ * band. Among the planes in whose band it lies it is the one with the least
+ * d^2 / sigma^2 + 2 ln sigma, d its distance. With d / sigma alone a noisy plane would
+ * take points of a clean plane that it meets.
+ * \param[in] planes the candidates, as positions in \p bands
+ * \param[in] point index of the point in \p points */
 inline std::int32_t
 likeliestOf (const Labels& planes,
              const std::vector<PlaneBand>& bands,
@@ -47,16 +49,16 @@ likeliestOf (const Labels& planes,
              std::uint32_t point)
 {
   std::int32_t likeliest = no_plane;
-  float best = std::numeric_limits<float>::infinity();
+  float least_cost = std::numeric_limits<float>::infinity();
   for (const std::int32_t plane : planes) {
     const PlaneBand& candidate = bands[plane];
     const float distance =
         candidate.surface.distance (points.x[point], points.y[point], points.z[point]);
     const float cost =
         candidate.inverse_variance * distance * distance + candidate.log_variance;
-    const bool is_likelier = distance < candidate.band && cost < best;
+    const bool is_likelier = distance < candidate.half_width && cost < least_cost;
     likeliest = is_likelier ? plane : likeliest;
-    best = is_likelier ? cost : best;
+    least_cost = is_likelier ? cost : least_cost;
   }
   return likeliest;
 }

@@ -15,13 +15,13 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Planes narrower than a voxel get an empty band, and are not extended: else a plane of
-// a car would continue across the street.
+// Planes narrower than a voxel get a band of width 0, and are not extended: else a
+// plane of a car would continue across the street.
 std::vector<PlaneBand>
 bandsOf (const std::vector<Moments>& planes,
          double voxel_size,
          double smallest_noise,
-         double limit)
+         double largest_distance)
 {
   std::vector<PlaneBand> bands (planes.size());
   for (std::size_t p = 0; p < planes.size(); ++p) {
@@ -30,14 +30,15 @@ bandsOf (const std::vector<Moments>& planes,
     if (!fit || 12.0 * fit->variances[1] < voxel_size * voxel_size)
       continue;
     const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
-    bands[p] = PlaneBand (fit->plane, noise, std::min (like_noise * noise, limit));
+    bands[p] =
+        PlaneBand (fit->plane, noise, std::min (like_noise * noise, largest_distance));
   }
   return bands;
 }
 
-// For each larger voxel the planes of its points.
+// For each larger voxel the planes of its points, from the labels of all points.
 std::vector<Labels>
-planesIn (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& labels)
+planesInLarger (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& labels)
 {
   std::vector<Labels> planes (larger.codes.size());
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
@@ -51,8 +52,9 @@ planesIn (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& label
   return planes;
 }
 
+// The same from the planes in the smaller voxels.
 std::vector<Labels>
-planesIn (const LargerVoxels& larger, const std::vector<Labels>& planes)
+planesInLarger (const LargerVoxels& larger, const std::vector<Labels>& planes)
 {
   std::vector<Labels> joined (larger.codes.size());
   for (std::size_t voxel = 0; voxel < planes.size(); ++voxel)
@@ -100,26 +102,28 @@ void
 extendPlanes (const Coordinates& points,
               const VoxelGrid& grid,
               std::vector<OpenPoint> open,
-              int levels,
+              int doublings,
               std::optional<double> distance_threshold,
               AssignedPoints& assigned)
 {
   if (open.empty())
     return;
   Labels& labels = assigned.labels;
-  const double limit =
+  const double largest_distance =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   double voxel_size = grid.voxel_size;
-  std::vector<Labels> planes;
-  const auto wanted = static_cast<std::size_t> (levels);
-  for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
-    const LargerVoxels& larger = grid.larger[l];
+  std::vector<Labels> planes; // of each voxel of the level
+  const auto wanted = static_cast<std::size_t> (doublings);
+  for (std::size_t level = 0; level < std::min (wanted, grid.larger.size()); ++level) {
+    const LargerVoxels& larger = grid.larger[level];
     voxel_size *= 2.0;
     const std::vector<PlaneBand> bands =
-        bandsOf (assigned.moments, voxel_size, smallestNoise (grid), limit);
-    planes = l == 0 ? planesIn (larger, grid, labels) : planesIn (larger, planes);
-    for (OpenPoint& at : open)
-      at.voxel = larger.holding[at.voxel];
+        bandsOf (assigned.moments, voxel_size, smallestNoise (grid), largest_distance);
+    planes = level == 0 ? planesInLarger (larger, grid, labels)
+                        : planesInLarger (larger, planes);
+    // From the voxel of the level below to that of this level.
+    for (OpenPoint& open_point : open)
+      open_point.voxel = larger.holding[open_point.voxel];
     extendToVoxels (points, open, larger, planes, bands, labels);
     for (const auto& [point, voxel] : open)
       addOnce (labels[point], planes[voxel]);

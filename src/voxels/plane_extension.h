@@ -16,14 +16,14 @@ namespace pcl_ops::internal {
  * no plane goes to the likeliest plane (\ref likeliestOf) in larger voxels around it,
  * first in those of twice the edge. Planes narrower than these voxels are not extended.
  * \param[in] open points on no plane in sparse voxels, voxel after voxel
- * \param[in] levels how many times the edge is doubled
+ * \param[in] doublings how many times the edge is doubled
  * \param[in,out] assigned labels of all points, and moments of each plane; points that
  * get a plane are added to both */
 void
 extendPlanes (const Coordinates& points,
               const VoxelGrid& grid,
               std::vector<OpenPoint> open,
-              int levels,
+              int doublings,
               std::optional<double> distance_threshold,
               AssignedPoints& assigned);
 

@@ -11,29 +11,30 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// The plane of a neighbor that the points of a voxel are nearest to, by rms distance
-// over the plane's limit [m]; no_plane if all are beyond their limits.
+// The plane of a neighbor that the points of a voxel are nearest to: the least ratio of
+// their rms distance to the largest one [m] that the plane allows. no_plane if all
+// ratios are above 1.
 std::int32_t
 nearestPlaneAround (const VoxelGrid& grid,
                     const BoundedPlanes& planes,
-                    const std::vector<double>& limits,
+                    const std::vector<double>& largest_rms_of_plane,
                     std::size_t voxel)
 {
   std::int32_t nearest = no_plane;
   // Successive neighbors mostly are on the same plane.
-  std::int32_t last = no_plane;
-  double best = 1.0;
+  std::int32_t last_plane = no_plane;
+  double least_squared_ratio = 1.0;
   for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
     const std::int32_t plane = planes.plane_of_voxel[neighbor];
-    if (plane == last || plane == no_plane)
+    if (plane == last_plane || plane == no_plane)
       continue;
-    last = plane;
-    const double ratio =
+    last_plane = plane;
+    const double squared_ratio =
         meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) /
-        (limits[plane] * limits[plane]);
-    if (ratio >= best)
+        (largest_rms_of_plane[plane] * largest_rms_of_plane[plane]);
+    if (squared_ratio >= least_squared_ratio)
       continue;
-    best = ratio;
+    least_squared_ratio = squared_ratio;
     nearest = plane;
   }
   return nearest;
@@ -74,16 +75,17 @@ growPlanes (const VoxelGrid& grid,
             unsigned threads,
             BoundedPlanes& planes)
 {
-  const double limit =
+  const double largest_rms =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
-  std::vector<double> limits;
+  std::vector<double> largest_rms_of_plane;
   for (const double noise : planes.noise)
-    limits.push_back (std::min (noises_of_a_voxel * noise, limit));
+    largest_rms_of_plane.push_back (
+        std::min (max_voxel_rms_in_noises * noise, largest_rms));
   Indices open = openVoxels (planes.plane_of_voxel);
   while (!open.empty()) {
     Labels nearest (open.size());
     forEach (threads, open.size(), [&] (std::size_t i) {
-      nearest[i] = nearestPlaneAround (grid, planes, limits, open[i]);
+      nearest[i] = nearestPlaneAround (grid, planes, largest_rms_of_plane, open[i]);
     });
     Indices taken;
     for (std::size_t i = 0; i < open.size(); ++i)

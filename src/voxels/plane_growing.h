@@ -10,11 +10,11 @@ namespace pcl_ops::internal {
 
 /** \brief Largest rms distance of a voxel's points to the plane that takes the voxel,
  * in units of the plane's noise: at the border of a plane voxels hold two surfaces. */
-constexpr double noises_of_a_voxel = 3.0;
+constexpr double max_voxel_rms_in_noises = 3.0;
 
 /** \brief Grows planes voxel by voxel. A voxel without a plane goes to the plane of a
  * neighbor that fits its points best: the least rms distance in units of the largest
- * one allowed, \ref noises_of_a_voxel times the noise of the plane.
+ * one allowed, \ref max_voxel_rms_in_noises times the noise of the plane.
  * \param[in] distance_threshold theta_h: upper bound of the rms distance [m], if given
  * \param[in,out] planes with their noise; refitted to their points in the end */
 void

@@ -29,7 +29,7 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   return is_refined;
 }
 
-// Numbers of the finest voxels in refined coarse voxels.
+// Indices of the finest voxels in refined coarse voxels.
 Indices
 voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
 {
@@ -41,35 +41,38 @@ voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
 }
 
 VoxelGrid
-selected (const VoxelGrid& grid, const Indices& voxels)
+partOf (const VoxelGrid& grid, const Indices& voxels)
 {
-  VoxelGrid some;
-  some.voxel_size = grid.voxel_size;
-  some.order = grid.order;
-  some.moments.reserve (voxels.size());
+  VoxelGrid part;
+  part.voxel_size = grid.voxel_size;
+  part.order = grid.order;
+  part.moments.reserve (voxels.size());
   for (const std::uint32_t voxel : voxels) {
-    some.codes.push_back (grid.codes[voxel]);
-    some.first_point.push_back (grid.first_point[voxel]);
-    some.moments.push_back (grid.moments[voxel]);
+    part.codes.push_back (grid.codes[voxel]);
+    part.first_point.push_back (grid.first_point[voxel]);
+    part.moments.push_back (grid.moments[voxel]);
   }
-  return some;
+  return part;
 }
 
-// For each finer voxel the plane of its coarse voxel if its points lie on that plane.
+// For each voxel of the grid finer the plane of its coarse voxel, if its points lie on
+// that plane. The grid has the finest voxels of the given indices.
 Labels
 inheritedPlanes (const BoundedPlanes& planes,
                  const Indices& coarse_of_finest,
-                 const Indices& voxels,
+                 const Indices& finest_voxels,
                  const VoxelGrid& finer,
                  unsigned threads)
 {
   Labels inherited (finer.size(), no_plane);
   forEach (threads, finer.size(), [&] (std::size_t i) {
-    const std::int32_t plane = planes.plane_of_voxel[coarse_of_finest[voxels[i]]];
+    const std::int32_t plane =
+        planes.plane_of_voxel[coarse_of_finest[finest_voxels[i]]];
     if (plane == no_plane)
       return;
-    const double limit = noises_of_a_voxel * planes.noise[plane];
-    if (meanSquaredDistance (finer.moments[i], planes.planes[plane]) < limit * limit)
+    const double largest_rms = max_voxel_rms_in_noises * planes.noise[plane];
+    if (meanSquaredDistance (finer.moments[i], planes.planes[plane]) <
+        largest_rms * largest_rms)
       inherited[i] = plane;
   });
   return inherited;
@@ -77,9 +80,9 @@ inheritedPlanes (const BoundedPlanes& planes,
 
 // For each plane the moments of its points in coarse voxels that are not refined.
 std::vector<Moments>
-momentsLeft (const VoxelGrid& coarse,
-             BoundedPlanes planes,
-             const std::vector<char>& is_refined)
+momentsInUnrefined (const VoxelGrid& coarse,
+                    BoundedPlanes planes,
+                    const std::vector<char>& is_refined)
 {
   for (std::size_t i = 0; i < coarse.size(); ++i)
     if (is_refined[i] != 0)
@@ -95,14 +98,15 @@ refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads
   const VoxelGrid& coarse = voxels.coarse;
   Refinement finer;
   finer.is_refined = voxelsToRefine (coarse, threads, planes.plane_of_voxel);
-  const Indices refined = voxelsIn (voxels.coarse_of_finest, finer.is_refined);
-  finer.grid = selected (voxels.finest, refined);
+  const Indices finest_voxels = voxelsIn (voxels.coarse_of_finest, finer.is_refined);
+  finer.grid = partOf (voxels.finest, finest_voxels);
   connect (finer.grid, threads);
   finer.planes.planes = planes.planes;
   finer.planes.noise = planes.noise;
-  finer.planes.moments_elsewhere = momentsLeft (coarse, planes, finer.is_refined);
-  finer.planes.plane_of_voxel =
-      inheritedPlanes (planes, voxels.coarse_of_finest, refined, finer.grid, threads);
+  finer.planes.moments_elsewhere =
+      momentsInUnrefined (coarse, planes, finer.is_refined);
+  finer.planes.plane_of_voxel = inheritedPlanes (
+      planes, voxels.coarse_of_finest, finest_voxels, finer.grid, threads);
   return finer;
 }
 

@@ -18,9 +18,9 @@ struct Refinement {
   BoundedPlanes planes;
 };
 
-/** \brief Divides coarse voxels of 8 points and more that have no plane, and their
- * neighbors, into voxels of half the edge. A finer voxel keeps the plane of the coarse
- * voxel that holds it if its points lie on that plane.
+/** \brief Divides coarse voxels that have no plane and enough points for one, and the
+ * neighbors of these voxels, into voxels of half the edge. A finer voxel keeps the
+ * plane of the coarse voxel that holds it if its points lie on that plane.
  * \param[in] planes found in the coarse voxels, with their noise */
 Refinement
 refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads);

@@ -13,8 +13,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Sparse points are left alone if they are fewer than one in this many.
-constexpr std::size_t min_share = 100;
+// Sparse points are left alone if they are fewer than one in this many of all points.
+constexpr std::size_t least_one_in = 100;
 
 // Number of points in a voxel and its neighbors.
 double
@@ -27,18 +27,20 @@ pointsAround (const VoxelGrid& grid, std::size_t voxel)
 }
 
 // Whether the points of a plane may be a mist: their rms distance to it is far above
-// that of most points of the cloud, and above a quarter of their spacing.
+// the noise of the other planes, and above a quarter of their spacing.
 bool
 isMist (const Moments& moments, double squared_noise)
 {
-  constexpr double spacings = 0.25;
+  constexpr double scatter_in_spacings = 0.25;
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)
     return false;
   // The edge of an evenly covered square is sqrt (12) standard deviations.
   const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
-  return fit->variances[0] > std::max (other_noise * other_noise * squared_noise,
-                                       spacings * spacings * area / moments.count);
+  const double squared_limit =
+      std::max (other_noise * other_noise * squared_noise,
+                scatter_in_spacings * scatter_in_spacings * area / moments.count);
+  return fit->variances[0] > squared_limit;
 }
 
 // Mean squared distance of points to their planes [m^2]; infinite without planes.
@@ -70,7 +72,7 @@ sparseVoxels (const VoxelGrid& grid, double min_points)
     sparse.push_back (i);
     points += grid.moments[i].count;
   }
-  return points * min_share < all_points ? Indices() : sparse;
+  return points * least_one_in < all_points ? Indices() : sparse;
 }
 
 std::vector<OpenPoint>
@@ -85,16 +87,16 @@ openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels)
 }
 
 Indices
-sparsePoints (const std::vector<OpenPoint>& open, std::size_t all)
+sparsePoints (const std::vector<OpenPoint>& open, std::size_t cloud_size)
 {
-  constexpr std::size_t max_share = 2;
+  constexpr std::size_t most_one_in = 2;
   Indices sparse;
-  if (open.size() * min_share < all || open.size() * max_share > all)
+  if (open.size() * least_one_in < cloud_size || open.size() * most_one_in > cloud_size)
     return sparse;
-  std::vector<char> is_open (all, 0);
+  std::vector<char> is_open (cloud_size, 0);
   for (const auto& [point, voxel] : open)
     is_open[point] = 1;
-  for (std::uint32_t point = 0; point < all; ++point)
+  for (std::uint32_t point = 0; point < cloud_size; ++point)
     if (is_open[point] != 0)
       sparse.push_back (point);
   return sparse;

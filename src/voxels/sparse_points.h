@@ -13,7 +13,7 @@
 namespace pcl_ops::internal {
 
 /** \brief The voxels that have, with their neighbors, fewer than \p min_points points.
- * \return their numbers; empty if they hold less than a hundredth of all points */
+ * \return their indices; empty if they hold less than a hundredth of all points */
 Indices
 sparseVoxels (const VoxelGrid& grid, double min_points);
 
@@ -29,15 +29,15 @@ openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels);
 
 /** \brief The points among which to detect planes anew, with a voxel size of their own.
  * \param[in] open points on no plane in the \ref sparseVoxels
- * \param[in] all number of points in the cloud
- * \return numbers, ascending; empty for less than a hundredth of all points, and for
- * more than half, as the voxel size is already theirs */
+ * \param[in] cloud_size number of points of the cloud
+ * \return indices, ascending; empty for less than a hundredth of all points, and for
+ * more than half, as the voxel size already suits them */
 Indices
-sparsePoints (const std::vector<OpenPoint>& open, std::size_t all);
+sparsePoints (const std::vector<OpenPoint>& open, std::size_t cloud_size);
 
 /** \brief Rejects planes of sparse points whose points scatter far more than those of
- * dense planes, and more than a quarter of their spacing: in voxels as large as sparse
- * points need, any mist makes a plane.
+ * dense planes, and more than a quarter of their spacing. Such points are a mist
+ * without a surface, which makes a plane in voxels as large as sparse points need.
  * \param[in,out] sparse a rejected plane gets empty moments, its points get no_plane */
 void
 rejectMist (const std::vector<Moments>& dense,

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -21,9 +20,10 @@ struct SurfelPatch {
   Moments moments;
 };
 
-/** \brief For each voxel, whether it has a surfel flat enough and no plane yet. */
+/** \brief For each voxel, whether it is open: with a surfel flat enough, on no plane.
+ */
 std::vector<char>
-openVoxels (const Surfels& surfels, double max_thickness, const Labels& plane_of_voxel)
+openSurfels (const Surfels& surfels, double max_thickness, const Labels& plane_of_voxel)
 {
   std::vector<char> is_open (surfels.size());
   for (std::size_t i = 0; i < surfels.size(); ++i)
@@ -37,25 +37,31 @@ struct SurfelSpread {
   const VoxelGrid& grid;
   const Surfels& surfels;
   double noise_factor, smallest_cosine;
+  /** \brief For each voxel; the caller closes those that are done. */
   std::vector<char> is_open;
-  std::vector<std::uint32_t> asked_in = std::vector<std::uint32_t> (grid.size(), 0);
-  std::uint32_t round = 0;
-  std::vector<double> noise_of = std::vector<double> (grid.size(), 0.0);
+  /** \brief For each voxel the number of the seed whose plane last tested its points.
+   */
+  std::vector<std::uint32_t> last_tested_by =
+      std::vector<std::uint32_t> (grid.size(), 0);
+  /** \brief Number of the seed in use, from 1 up. */
+  std::uint32_t seed_number = 0;
+  /** \brief Noise of each voxel of a patch [m], as it was limited by \ref take. */
+  std::vector<double> noise_of_taken = std::vector<double> (grid.size(), 0.0);
 
   /** \brief Grows a patch from a seed; refits its plane when it has grown by half. */
   SurfelPatch
-  from (std::uint32_t seed)
+  growFrom (std::uint32_t seed)
   {
-    constexpr std::size_t first_fit = 4;
-    std::size_t next_fit = first_fit;
-    ++round;
+    constexpr std::size_t voxels_of_first_fit = 4;
+    std::size_t next_fit = voxels_of_first_fit;
+    ++seed_number;
     Plane plane = surfels[seed]->plane;
     SurfelPatch patch;
     take (seed, plane, surfels[seed]->noise, patch);
     for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
       const std::uint32_t voxel = patch.voxels[i];
       for (const std::uint32_t neighbor : grid.neighbors[voxel])
-        take (neighbor, plane, noise_of[voxel], patch);
+        take (neighbor, plane, noise_of_taken[voxel], patch);
       if (patch.voxels.size() < next_fit)
         continue;
       next_fit = patch.voxels.size() * 3 / 2 + 1;
@@ -67,25 +73,25 @@ struct SurfelSpread {
 
 private:
   // Adds a voxel if its normal and its points fit the plane; tests its points once per
-  // seed. Surfels on two planes seem noisier than either: the noise of a voxel counts
-  // at most like_noise times that of the voxel the plane comes from.
+  // seed. Surfels on two planes seem noisier than either plane: so the noise of a voxel
+  // is limited to like_noise times that of the voxel from which the patch reaches it.
   void
   take (std::uint32_t voxel,
         const Plane& plane,
         double noise_next_to_it,
         SurfelPatch& patch)
   {
-    if (asked_in[voxel] == round || !is_open[voxel] ||
+    if (last_tested_by[voxel] == seed_number || !is_open[voxel] ||
         std::abs (plane.normal.dot (surfels[voxel]->plane.normal)) < smallest_cosine)
       return;
-    asked_in[voxel] = round;
+    last_tested_by[voxel] = seed_number;
     const double noise =
         std::max (std::min (surfels[voxel]->noise, like_noise * noise_next_to_it),
                   smallestNoise (grid));
     if (meanSquaredDistance (grid.moments[voxel], plane) >
         noise_factor * noise_factor * noise * noise)
       return;
-    noise_of[voxel] = noise;
+    noise_of_taken[voxel] = noise;
     patch.voxels.push_back (voxel);
     patch.moments.addAligned (grid.moments[voxel]);
   }
@@ -99,20 +105,22 @@ struct CurvedSurfaces {
   std::vector<char> is_curved = std::vector<char> (grid.size(), 0);
 
   /** \brief Adds a patch if it is curved together with the curved voxels next to it: a
-   * narrow strip that is left of a cylinder is flat by itself.
+   * narrow strip that remains of a cylinder is flat by itself.
    * \return whether the patch is curved */
   bool
-  take (const Indices& patch, const PlaneFit& fit)
+  addIfCurved (const Indices& patch, const PlaneFit& fit)
   {
-    if (!isCurved (bendingOf (grid, continued (patch, fit.plane), fit)))
+    if (!isCurved (bendingOf (grid, withCurvedNeighbors (patch, fit.plane), fit)))
       return false;
     for (const std::uint32_t voxel : patch)
       is_curved[voxel] = 1;
     return true;
   }
 
+private:
+  // Voxels in the list are marked as not curved meanwhile, so that it has each once.
   Indices
-  continued (Indices patch, const Plane& plane)
+  withCurvedNeighbors (Indices patch, const Plane& plane)
   {
     const std::size_t own = patch.size();
     for (std::size_t i = 0; i < own; ++i)
@@ -129,16 +137,19 @@ struct CurvedSurfaces {
   }
 };
 
-// Open voxels with their thickness, the thinnest first.
-std::vector<std::pair<double, std::uint32_t>>
-byThickness (const Surfels& surfels, const std::vector<char>& is_open)
+// The voxels with open surfels, the thinnest first; lower indices first among equal
+// ones.
+Indices
+seedsByThickness (const Surfels& surfels, const std::vector<char>& is_open)
 {
-  std::vector<std::pair<double, std::uint32_t>> order;
-  for (std::uint32_t i = 0; i < surfels.size(); ++i)
-    if (is_open[i] != 0)
-      order.emplace_back (surfels[i]->thickness, i);
-  std::sort (order.begin(), order.end());
-  return order;
+  Indices seeds;
+  for (std::uint32_t voxel = 0; voxel < surfels.size(); ++voxel)
+    if (is_open[voxel] != 0)
+      seeds.push_back (voxel);
+  std::stable_sort (seeds.begin(), seeds.end(), [&] (std::uint32_t a, std::uint32_t b) {
+    return surfels[a]->thickness < surfels[b]->thickness;
+  });
+  return seeds;
 }
 
 } // namespace
@@ -156,12 +167,12 @@ extractSurfelPlanes (const VoxelGrid& grid,
                       surfels,
                       parameters.surfels.noise_factor,
                       smallest_cosine,
-                      openVoxels (surfels, max_thickness, planes.plane_of_voxel)};
+                      openSurfels (surfels, max_thickness, planes.plane_of_voxel)};
   CurvedSurfaces curved{grid, surfels, smallest_cosine};
-  for (const auto& [thickness, seed] : byThickness (surfels, spread.is_open)) {
+  for (const std::uint32_t seed : seedsByThickness (surfels, spread.is_open)) {
     if (spread.is_open[seed] == 0)
       continue;
-    const SurfelPatch patch = spread.from (seed);
+    const SurfelPatch patch = spread.growFrom (seed);
     spread.is_open[seed] = 0;
     if (patch.voxels.size() < parameters.min_samples)
       continue;
@@ -170,7 +181,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
       continue;
     for (const std::uint32_t voxel : patch.voxels)
       spread.is_open[voxel] = 0;
-    if (curved.take (patch.voxels, *fit))
+    if (curved.addIfCurved (patch.voxels, *fit))
       continue;
     for (const std::uint32_t voxel : patch.voxels)
       planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.size());

@@ -18,27 +18,28 @@ namespace pcl_ops::internal {
 namespace {
 
 Surfel
-normalOf (const Moments& surroundings, const PrincipalAxes& axes)
+surfelOfNeighborhood (const Moments& surroundings, const PrincipalAxes& axes)
 {
   return {planeThrough (surroundings.centroid(), axes.normal),
           std::sqrt (axes.values[0]),
           std::sqrt (axes.values[0] / axes.values[1])};
 }
 
-// Thickness of a neighborhood below which no other is looked at.
-constexpr double flat_enough_of_voxels = 0.2;
+// Thickness below which a neighborhood is flat: no other one is searched.
+constexpr double flat_thickness = 0.2;
 
 // The voxels of one resolution, and the planes of their neighborhoods.
 struct GridLevel {
   const VoxelNeighbors& neighbors;
   double voxel_size;
   /** \brief The voxel that holds each finest voxel; empty for the finest level. */
-  Indices voxel_of_finest;
+  Indices voxel_of_each_finest;
+  /** \brief Number of voxels. */
   std::size_t size;
-  std::vector<std::optional<Surfel>> normals =
+  std::vector<std::optional<Surfel>> surfels =
       std::vector<std::optional<Surfel>> (size);
-  /** \brief Thickness of each of \ref normals, 1 where there is none. Apart, as most
-   * normals are read for their thickness only. */
+  /** \brief Thickness of each of \ref surfels, 1 where there is none. In a list of its
+   * own, as of most surfels only the thickness is read. */
   std::vector<double> thickness = std::vector<double> (size, 1.0);
   /** \brief For each voxel the thinnest among its neighbors and itself. */
   Indices flattest_around = Indices (size);
@@ -46,7 +47,8 @@ struct GridLevel {
   std::size_t
   voxelHolding (std::size_t finest_voxel) const
   {
-    return voxel_of_finest.empty() ? finest_voxel : voxel_of_finest[finest_voxel];
+    return voxel_of_each_finest.empty() ? finest_voxel
+                                        : voxel_of_each_finest[finest_voxel];
   }
 };
 
@@ -59,13 +61,13 @@ isSurface (const PrincipalAxes& axes, double voxel_size)
   return 12.0 * axes.values[1] >= voxel_size * voxel_size;
 }
 
-// Finds the normals of the voxels begin to end - 1.
+// Finds the surfels of the voxels begin to end - 1.
 void
-findNormals (const std::vector<Moments>& of_voxels,
-             double min_points,
-             std::size_t begin,
-             std::size_t end,
-             GridLevel& level)
+findSurfelsAmong (const std::vector<Moments>& of_voxels,
+                  double min_points,
+                  std::size_t begin,
+                  std::size_t end,
+                  GridLevel& level)
 {
   Indices voxels;
   std::vector<Moments> moments;
@@ -86,23 +88,23 @@ findNormals (const std::vector<Moments>& of_voxels,
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     if (axes[i].normal.isZero() || !isSurface (axes[i], level.voxel_size))
       continue;
-    const Surfel normal = normalOf (moments[i], axes[i]);
-    level.normals[voxels[i]] = normal;
-    level.thickness[voxels[i]] = normal.thickness;
+    const Surfel surfel = surfelOfNeighborhood (moments[i], axes[i]);
+    level.surfels[voxels[i]] = surfel;
+    level.thickness[voxels[i]] = surfel.thickness;
   }
 }
 
-// Finds the normals of all voxels of a level, and the flattest one around each.
+// Finds the surfels of all voxels of a level, and the flattest one around each.
 void
-findAllNormals (const std::vector<Moments>& moments,
-                double min_points,
-                unsigned threads,
-                GridLevel& level)
+findLevelSurfels (const std::vector<Moments>& moments,
+                  double min_points,
+                  unsigned threads,
+                  GridLevel& level)
 {
-  // So few that their buffers stay in the processor's first cache.
+  // So few that the buffers of findSurfelsAmong stay in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
   parallelFor (threads, level.size, voxels_at_once, [&] (auto begin, auto end) {
-    findNormals (moments, min_points, begin, end, level);
+    findSurfelsAmong (moments, min_points, begin, end, level);
   });
   forEach (threads, level.size, [&] (std::size_t i) {
     const IndexRange around = level.neighbors[i];
@@ -119,20 +121,20 @@ findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned 
 {
   std::vector<GridLevel> levels;
   levels.push_back ({grid.neighbors, grid.voxel_size, {}, grid.size()});
-  findAllNormals (grid.moments, min_points, threads, levels.back());
+  findLevelSurfels (grid.moments, min_points, threads, levels.back());
   std::vector<Moments> moments;
   const auto wanted = static_cast<std::size_t> (resolutions - 1);
   for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
     const LargerVoxels& larger = grid.larger[l];
     moments = momentsOf (l == 0 ? grid.moments : moments, larger);
-    Indices voxel_of_finest (grid.size());
+    Indices voxel_of_each_finest (grid.size());
     for (std::size_t i = 0; i < grid.size(); ++i)
-      voxel_of_finest[i] = larger.holding[levels.back().voxelHolding (i)];
+      voxel_of_each_finest[i] = larger.holding[levels.back().voxelHolding (i)];
     levels.push_back ({larger.neighbors,
                        2.0 * levels.back().voxel_size,
-                       std::move (voxel_of_finest),
+                       std::move (voxel_of_each_finest),
                        moments.size()});
-    findAllNormals (moments, min_points, threads, levels.back());
+    findLevelSurfels (moments, min_points, threads, levels.back());
   }
   return levels;
 }
@@ -141,21 +143,22 @@ findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned 
 struct FlattestPlane {
   const Moments& voxel;
   double smallest_noise;
-  const Surfel* best = nullptr;
+  const Surfel* flattest_surfel = nullptr;
+  /** \brief Thickness of \ref flattest_surfel; 1 if there is none. */
   double thickness = 1.0;
 
-  /** \brief Considers the planes of a voxel and its neighbors. The flattest mostly
-   * fits, and saves a look at the others. */
+  /** \brief Considers the planes of a voxel and its neighbors: first the flattest,
+   * which mostly fits and makes the others needless. */
   void
-  considerAll (const GridLevel& level, std::size_t at)
+  considerAll (const GridLevel& level, std::size_t own_voxel)
   {
-    const std::uint32_t flattest = level.flattest_around[at];
+    const std::uint32_t flattest = level.flattest_around[own_voxel];
     if (level.thickness[flattest] >= thickness)
       return;
     consider (level, flattest);
-    if (best == &*level.normals[flattest])
+    if (flattest_surfel == &*level.surfels[flattest])
       return;
-    for (const std::uint32_t candidate : level.neighbors[at])
+    for (const std::uint32_t candidate : level.neighbors[own_voxel])
       consider (level, candidate);
   }
 
@@ -164,35 +167,38 @@ struct FlattestPlane {
   {
     if (level.thickness[candidate] >= thickness)
       return;
-    const Surfel& normal = *level.normals[candidate];
-    const double limit = like_noise * std::max (normal.noise, smallest_noise);
-    if (meanSquaredDistance (voxel, normal.plane) >= limit * limit)
+    const Surfel& surfel = *level.surfels[candidate];
+    const double largest_rms = like_noise * std::max (surfel.noise, smallest_noise);
+    if (meanSquaredDistance (voxel, surfel.plane) >= largest_rms * largest_rms)
       return;
-    best = &normal;
-    thickness = normal.thickness;
+    flattest_surfel = &surfel;
+    thickness = surfel.thickness;
   }
 };
 
+// The surfel of one of the finest voxels: a flat one of the finest level that has one,
+// or else the flattest of all levels.
 std::optional<Surfel>
-surfelOf (std::size_t voxel,
-          const VoxelGrid& finest,
-          const std::vector<GridLevel>& levels)
+bestSurfelFor (std::size_t voxel,
+               const VoxelGrid& finest,
+               const std::vector<GridLevel>& levels)
 {
   FlattestPlane plane{finest.moments[voxel], smallestNoise (finest)};
   for (const GridLevel& level : levels) {
-    const std::size_t at = level.voxelHolding (voxel);
-    if (level.thickness[at] < flat_enough_of_voxels)
-      plane.consider (level, at);
+    const std::size_t own_voxel = level.voxelHolding (voxel);
+    if (level.thickness[own_voxel] < flat_thickness)
+      plane.consider (level, own_voxel);
     // If no plane around is flat enough, a coarser level likely has a better one.
-    if (plane.thickness >= flat_enough_of_voxels &&
-        level.thickness[level.flattest_around[at]] < flat_enough_of_voxels)
-      plane.considerAll (level, at);
-    if (plane.thickness < flat_enough_of_voxels)
-      return *plane.best;
+    if (plane.thickness >= flat_thickness &&
+        level.thickness[level.flattest_around[own_voxel]] < flat_thickness)
+      plane.considerAll (level, own_voxel);
+    if (plane.thickness < flat_thickness)
+      return *plane.flattest_surfel;
   }
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)
     plane.considerAll (*level, level->voxelHolding (voxel));
-  return plane.best ? std::optional<Surfel> (*plane.best) : std::nullopt;
+  return plane.flattest_surfel ? std::optional<Surfel> (*plane.flattest_surfel)
+                               : std::nullopt;
 }
 
 // Whether a voxel's surroundings are far noisier than its own points: then the cause is
@@ -223,16 +229,16 @@ findSurfels (const VoxelGrid& grid,
 {
   const std::vector<GridLevel> levels =
       findLevels (grid, resolutions, min_points, threads);
-  std::vector<std::optional<Surfel>> normals (grid.size());
+  std::vector<std::optional<Surfel>> surfels (grid.size());
   forEach (threads, grid.size(), [&] (std::size_t i) {
     if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)
       return;
-    normals[i] = surfelOf (i, grid, levels);
-    if (normals[i] &&
-        hidesSurfaces (*normals[i], grid.moments[i], smallestNoise (grid)))
-      normals[i].reset();
+    surfels[i] = bestSurfelFor (i, grid, levels);
+    if (surfels[i] &&
+        hidesSurfaces (*surfels[i], grid.moments[i], smallestNoise (grid)))
+      surfels[i].reset();
   });
-  return normals;
+  return surfels;
 }
 
 } // namespace pcl_ops::internal

@@ -24,8 +24,8 @@ struct Surfel {
 /** \brief The oriented samples of a grid: a surfel for each voxel, or nothing.
  *
  * A neighborhood is 3 x 3 x 3 voxels, at the finest of several resolutions where they
- * are flat and hold enough points: noise that grows with distance gets the larger
- * neighborhoods it needs. Next to an edge, where the neighborhood of a voxel bends, the
+ * are flat and hold enough points. So where noise grows with distance, neighborhoods
+ * grow as well. Next to an edge, where the neighborhood of a voxel is not flat, the
  * voxel gets the flattest neighborhood of an adjacent voxel whose plane fits its points
  * (the idea of Kuwahara's edge-preserving filter).
  * \param[in] resolutions number of grids, each of twice the voxel size before

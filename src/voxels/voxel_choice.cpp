@@ -21,7 +21,7 @@ namespace {
 double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
-  constexpr double smallest_share = 1e-4;
+  constexpr double smallest_noise_share = 1e-4; // of the voxel size
   std::vector<Eigen::Matrix3d> covariances;
   for (const Moments& voxel : grid.moments)
     if (voxel.count >= min_points_of_noise)
@@ -31,7 +31,7 @@ noiseOfFlatVoxels (const VoxelGrid& grid)
   std::vector<float> noise;
   for (const PrincipalAxes& voxel : axes)
     if (const double own = std::sqrt (voxel.values[0]);
-        own > smallest_share * grid.voxel_size)
+        own > smallest_noise_share * grid.voxel_size)
       noise.push_back (static_cast<float> (own));
   const auto quarter = noise.begin() + noise.size() / 4;
   std::nth_element (noise.begin(), quarter, noise.end());
@@ -39,7 +39,7 @@ noiseOfFlatVoxels (const VoxelGrid& grid)
 }
 
 // Number of points in the voxel of a point, on average over all points. It is far above
-// the average over voxels if some places of the cloud are far denser than others.
+// the average over voxels if some parts of the cloud are far denser than others.
 double
 meanPointsAroundPoints (const VoxelGrid& grid)
 {
@@ -56,24 +56,32 @@ meanPointsAroundPoints (const VoxelGrid& grid)
 // clouds voxels hold more points, as noise does not shrink with voxels. If there is
 // next to no noise, smaller voxels tell more. One size is too large near a lidar and
 // too small far from it: a cloud of uneven density gets the voxels that suit its dense
-// places, and sparse places are looked at by themselves, see \ref sparsePoints.
+// parts, and sparse parts are searched by themselves, see \ref sparsePoints.
 double
 voxelSizeByNoise (const VoxelGrid& grid)
 {
+  // Mean number of points in a voxel of the result, at least.
   constexpr double enough_points = 12.0;
+  // Voxels with fewer points on average stay; in a cloud of uneven density those with
+  // fewer than enough_points.
   constexpr double many_points = 128.0;
+  // Smallest ratio of the means over points and over voxels in a cloud of uneven
+  // density.
   constexpr double min_contrast = 1.7;
+  // Largest noise in units of the voxel size.
   constexpr double largest_noise_share = 0.014;
-  // However many points one place has, the voxels have to suit the whole cloud.
-  constexpr double smallest_share = 1.0 / 16.0;
+  // Smallest voxel size in units of that of the grid: however dense one part is, the
+  // voxels have to suit the whole cloud.
+  constexpr double smallest_size_share = 1.0 / 16.0;
   const double points = meanPointsAroundPoints (grid);
   const bool is_uneven = points > min_contrast * meanPointsPerVoxel (grid);
   if (points < (is_uneven ? enough_points : many_points))
     return grid.voxel_size;
-  const double by_points =
-      std::max (smallest_share, std::sqrt (enough_points / points));
+  // Points lie on surfaces: their number goes with the square of the voxel size.
+  const double size_share =
+      std::max (smallest_size_share, std::sqrt (enough_points / points));
   return roundNumber (std::clamp (noiseOfFlatVoxels (grid) / largest_noise_share,
-                                  by_points * grid.voxel_size,
+                                  size_share * grid.voxel_size,
                                   grid.voxel_size));
 }
 
@@ -83,6 +91,7 @@ double
 wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel)
 {
   constexpr double voxels_per_sample = 2.0 / 3.0;
+  // A cloud of this size has sampling_rate times as many samples.
   constexpr double reference_points = 300000.0;
   const auto number = static_cast<double> (points);
   const double samples =
@@ -114,14 +123,14 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
       points, wantedVoxels (points.size(), sampling_rate, min_points_per_voxel));
   if (!(size > 0.0))
     return {};
-  // In rounding steps: at least 8 per voxel after coarse voxels are halved.
+  // A finest voxel, half as large as a coarse one, has an edge of 8 steps or more.
   constexpr double smallest_in_steps = 2.0 * 8.0;
   const double smallest = smallest_in_steps * singlePrecisionStep (points);
   VoxelLevels voxels =
       coarsen (voxelize (points, 0.5 * std::max (size, smallest), threads));
-  const double finer = std::max (voxelSizeByNoise (voxels.coarse), smallest);
-  if (finer < voxels.coarse.voxel_size)
-    voxels = coarsen (voxelize (points, 0.5 * finer, threads));
+  const double size_by_noise = std::max (voxelSizeByNoise (voxels.coarse), smallest);
+  if (size_by_noise < voxels.coarse.voxel_size)
+    voxels = coarsen (voxelize (points, 0.5 * size_by_noise, threads));
   return voxels;
 }
 

@@ -7,15 +7,17 @@
 
 namespace pcl_ops::internal {
 
-/** \brief How many voxels to divide a cloud into. Measured on rooms of 50 k to 3 M
- * points: smaller planes need more voxels, but noise does not shrink with the voxels,
- * so that their number grows with the cube root of that of the points. */
+/** \brief How many voxels to divide a cloud into. Smaller planes need more voxels, but
+ * noise does not shrink with the voxels: so their number grows with the cube root of
+ * the number of points, as measured in rooms of 50 thousand to 3 million points.
+ * \param[in] sampling_rate alpha_s, which the number of voxels grows with
+ * \param[in] min_points_per_voxel an upper bound: so many points a voxel on average */
 double
 wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel);
 
 /** \brief Spacing of single-precision numbers at the largest coordinate of the cloud's
- * origin [m]: half a meter for northings of UTM. In voxels no larger than it,
- * coordinates rounded to these steps look like planes. */
+ * origin [m]: half a meter for northings of UTM. In voxels no larger than such a step
+ * rounded coordinates look like planes. */
 double
 singlePrecisionStep (const Points& points);
 

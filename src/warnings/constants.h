@@ -23,10 +23,10 @@ struct WarningConstants {
   double thick_share = 0.65;
 
   // Sampling of the cloud.
-  /** \brief Number of sampled points: shares are then right within one per cent, and
-   * the k-d tree takes some ten milliseconds. */
+  /** \brief Number of sampled points: shares are then right within one percent, and the
+   * k-d tree takes some ten milliseconds. */
   std::size_t sampled_points = 40000;
-  /** \brief Number of sampled points whose neighbors are looked up. */
+  /** \brief Number of sampled points whose neighbors are searched. */
   std::size_t probes = 2000;
 
   /** \brief Largest step between single precision coordinates, as a share of the
@@ -45,6 +45,7 @@ struct WarningConstants {
   /** \brief Levels are nearer to each other than this share of their width; stairs are
    * not. */
   double max_step_of_width = 0.1;
+  /** \brief Largest angle between levels [rad]. */
   double max_angle_of_levels = 1.0 * (M_PI / 180.0);
   /** \brief Smallest share of the points on planes that must be on levels. */
   double level_share = 0.05;
@@ -73,16 +74,18 @@ struct WarningConstants {
    * Planes with less than min_plane_share of all points do not count. */
   double gained_share = 0.2;
   double min_plane_share = 0.03;
-  /** \brief The largest advised sampling rate; higher ones give false planes. */
+  /** \brief The sampling rate that is tried and advised; higher ones give false planes.
+   */
   double high_sampling_rate = 0.3;
-  /** \brief Most finite points for a second search; with more it would take seconds. */
+  /** \brief Largest number of finite points for further searches; with more they would
+   * take seconds. */
   std::size_t max_searched_again = 100000;
-  /** \brief Before the search at high_sampling_rate, small places of points on no plane
-   * are searched: number of places, points of a place, and the share of its points that
-   * must be on planes at every place. */
-  std::size_t tried_places = 3;
-  std::size_t points_of_place = 2000;
-  double min_share_of_place = 0.5;
+  /** \brief Before the search at high_sampling_rate, small parts of the points on no
+   * plane are searched: number of parts, points of a part, and the share of its points
+   * that must be on planes in every part. */
+  std::size_t searched_parts = 3;
+  std::size_t points_of_part = 2000;
+  double min_share_of_part = 0.5;
 
   // Units.
   /** \brief A cloud of at least this extent along all three axes is in millimeters: no
@@ -98,10 +101,13 @@ struct WarningConstants {
 
   // Up.
   /** \brief A floor has at least min_floor_share of all points, at most
-   * max_share_below_floor of the points below it, and at most max_floor_slope [rad]. */
+   * max_share_below_floor of the points below it, and a slope of at most
+   * max_floor_slope [rad]. A point below it is lower by more than rms_below_floor times
+   * the rms distance of its points. */
   double min_floor_share = 0.03;
   double max_share_below_floor = 0.1;
   double max_floor_slope = 15.0 * (M_PI / 180.0);
+  double rms_below_floor = 3.0;
   /** \brief The view of a depth camera at zero that looks along z: at least
    * min_share_ahead of the points lie within max_angle_ahead of z, half of the widest
    * field of view of depth cameras [rad]. If a missing floor were enough, roofs and

@@ -30,13 +30,15 @@ vectorText (const Eigen::Vector3d& vector, int digits)
   std::ostringstream text;
   text.imbue (std::locale::classic());
   text.precision (digits);
+  // Adding 0 makes -0 positive.
   text << vector.x() + 0.0 << ',' << vector.y() + 0.0 << ',' << vector.z() + 0.0;
   return text.str();
 }
 
-/** \brief The parameter for the length of a meter, and the functions it belongs to. */
+/** \brief The parameter for the length of a meter, and in Python the functions it
+ * belongs to. */
 std::string
-meterOf (const std::string& length, const ParameterText& text)
+meterText (const std::string& length, const ParameterText& text)
 {
   return text.of ("meter", length) +
          (text.isPython() ? " to plane_kinds and floor_plan" : "");
@@ -65,7 +67,7 @@ extentWithoutStrays (std::vector<float> values)
 bool
 looksLikeDegrees (const LabelledSample& sample)
 {
-  const Eigen::Array2d max_degrees (180.0, 90.0);
+  const Eigen::Array2d max_degrees (180.0, 90.0); // longitude, latitude
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < sample.labels.size(); ++i)
     box.extend (sample[i]);
@@ -73,10 +75,11 @@ looksLikeDegrees (const LabelledSample& sample)
     return false;
   const Eigen::Array3d sides = box.sizes();
   const double width = sides.head<2>().maxCoeff();
-  return (box.min().head<2>().array() >= -max_degrees).all() &&
-         (box.max().head<2>().array() <= max_degrees).all() &&
-         sides.head<2>().minCoeff() > 0.0 &&
-         width < warning_constants.max_width_of_degrees &&
+  const bool are_degrees = (box.min().head<2>().array() >= -max_degrees).all() &&
+                           (box.max().head<2>().array() <= max_degrees).all();
+  const bool is_narrow = sides.head<2>().minCoeff() > 0.0 &&
+                         width < warning_constants.max_width_of_degrees;
+  return are_degrees && is_narrow &&
          sides.z() > warning_constants.min_height_of_width * width;
 }
 
@@ -88,14 +91,14 @@ isFloorAlong (const Eigen::Vector3d& up,
               const LabelledSample& sample)
 {
   const std::optional<PlaneFit> fit = fitPlane (plane.moments);
-  if (!fit ||
-      plane.moments.count <
-          warning_constants.min_floor_share * static_cast<double> (sample.finite) ||
+  const double min_points =
+      warning_constants.min_floor_share * static_cast<double> (sample.finite);
+  if (!fit || plane.moments.count < min_points ||
       slopeOf (fit->plane.normal, up) > warning_constants.max_floor_slope)
     return false;
-  constexpr double rms_below = 3.0;
   const double sign = fit->plane.normal.dot (up) > 0.0 ? 1.0 : -1.0;
-  const double lowest = -rms_below * std::sqrt (std::max (0.0, fit->variances[0]));
+  const double rms = std::sqrt (std::max (0.0, fit->variances[0]));
+  const double lowest = -warning_constants.rms_below_floor * rms;
   std::size_t below = 0;
   for (std::size_t i = 0; i < sample.labels.size(); ++i)
     below += sign * fit->plane.distance (sample[i]) < lowest ? 1 : 0;
@@ -111,8 +114,8 @@ looksLikeCamera (const LabelledSample& sample)
   const double min_cosine = std::cos (warning_constants.max_angle_ahead);
   std::size_t ahead = 0;
   for (std::size_t i = 0; i < sample.labels.size(); ++i) {
-    const Eigen::Vector3d place = sample[i];
-    ahead += place.z() >= min_cosine * place.norm() ? 1 : 0;
+    const Eigen::Vector3d position = sample[i];
+    ahead += position.z() >= min_cosine * position.norm() ? 1 : 0;
   }
   return static_cast<double> (ahead) >=
          warning_constants.min_share_ahead * static_cast<double> (sample.labels.size());
@@ -122,7 +125,7 @@ looksLikeCamera (const LabelledSample& sample)
 
 std::optional<ResultWarning>
 warnOfEmptyPlan (const ResultContext& context,
-                 const std::optional<ResultWarning>& on_unit,
+                 const std::optional<ResultWarning>& unit_warning,
                  const ParameterText& text)
 {
   const std::optional<PlanCounts>& plan = context.plan;
@@ -130,8 +133,8 @@ warnOfEmptyPlan (const ResultContext& context,
     return std::nullopt;
   const std::string walls = std::to_string (plan->wall_planes_found);
   std::string reason;
-  if (on_unit)
-    reason = on_unit->text;
+  if (unit_warning)
+    reason = unit_warning->text;
   else if (plan->wall_planes_found == 0)
     reason = std::string ("no plane is a wall") +
              (plan->has_floor ? "" : " and none a floor") + "; give " +
@@ -176,7 +179,7 @@ warnOfUnit (const LabelledSample& sample,
         "feet",
         "the reference system of the file is in feet, kinds and floor plans are made "
         "by rules in meters; give " +
-            meterOf ("3.2808", text)};
+            meterText ("3.2808", text)};
   if (sample.labels.empty())
     return std::nullopt;
   if (looksLikeDegrees (sample))
@@ -193,7 +196,7 @@ warnOfUnit (const LabelledSample& sample,
       "millimeters",
       "the cloud is " + roundedLength (extents[0]) + " x " +
           roundedLength (extents[1]) + " x " + roundedLength (extents[2]) +
-          " wide, which looks like millimeters; give " + meterOf ("1000", text)};
+          " wide, which looks like millimeters; give " + meterText ("1000", text)};
 }
 
 std::optional<ResultWarning>
@@ -212,6 +215,7 @@ warnOfPrecision (const LabelledSample& sample, const ResultContext& context)
     extents[axis] = extentWithoutStrays (std::move (values));
   }
   std::sort (extents.begin(), extents.end());
+  // As if the points covered a rectangle with the two largest extents.
   const double spacing =
       std::sqrt (extents[1] * extents[2] / static_cast<double> (sample.finite));
   if (!(step > warning_constants.max_step_of_spacing * spacing))
@@ -232,14 +236,14 @@ warnOfViewpoint (const CloudView& cloud,
   if (!context.viewpoint || isSeenFrom (*context.viewpoint, cloud))
     return std::nullopt;
   constexpr int digits = 10; // UTM to the millimeter
-  const std::string place = vectorText (*context.viewpoint + context.shift, digits);
+  const std::string position = vectorText (*context.viewpoint + context.shift, digits);
   return ResultWarning{
       "viewpoint",
       text.isPython()
-          ? "the points were not seen from viewpoint=(" + place +
+          ? "the points were not seen from viewpoint=(" + position +
                 "), which normals are turned to; give the place of the sensor, or "
                 "leave it out"
-          : "the cloud was not seen from its VIEWPOINT " + place +
+          : "the cloud was not seen from its VIEWPOINT " + position +
                 ", which normals are turned to; write the place of the sensor into "
                 "the file, or 0 0 0 if it is not known"};
 }
@@ -253,7 +257,8 @@ warnOfUp (const LabelledSample& sample,
   if (!context.uses_kinds || context.up_knowledge == UpKnowledge::Known ||
       planes.empty())
     return std::nullopt;
-  const std::string used = vectorText (context.up, 3);
+  constexpr int digits = 3;
+  const std::string used = vectorText (context.up, digits);
   const std::string given = text.ofAxis ("up");
   if (context.up_knowledge == UpKnowledge::NotFound)
     return ResultWarning{"unknown-up",
@@ -263,9 +268,11 @@ warnOfUp (const LabelledSample& sample,
   const auto is_floor = [&] (const PlaneSegment& plane) {
     return isFloorAlong (context.up, plane, sample);
   };
-  const bool is_doubtful =
-      context.suggested_up || (looksLikeCamera (sample) &&
-                               std::none_of (planes.begin(), planes.end(), is_floor));
+  const auto looks_along_up = [&] {
+    return looksLikeCamera (sample) &&
+           std::none_of (planes.begin(), planes.end(), is_floor);
+  };
+  const bool is_doubtful = context.suggested_up || looks_along_up();
   if (!is_doubtful)
     return std::nullopt;
   return ResultWarning{"unknown-up",

@@ -16,10 +16,11 @@ namespace pcl_ops::internal {
 // or nothing.
 
 /** \brief Warns that a floor plan has no walls, and gives the reason.
- * \param[in] on_unit the warning about the unit; if there is one, it is the reason */
+ * \param[in] unit_warning the warning about the unit; if there is one, it is the reason
+ */
 std::optional<ResultWarning>
 warnOfEmptyPlan (const ResultContext& context,
-                 const std::optional<ResultWarning>& on_unit,
+                 const std::optional<ResultWarning>& unit_warning,
                  const ParameterText& text);
 
 /** \brief Warns that the poses look like a camera's but are used as the lidar's. */

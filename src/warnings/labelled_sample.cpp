@@ -31,17 +31,17 @@ sampleWithLabels (const CloudView& cloud,
                   const Eigen::Vector3d& shift)
 {
   const Labels labels = labelsOfPoints (cloud.size, planes);
-  const Points points = finitePoints (cloud, 1);
-  const Indices numbers = sampleNumbers (points, warning_constants.sampled_points);
+  constexpr unsigned one_thread = 1;
+  const Points points = finitePoints (cloud, one_thread);
+  const Indices sampled = sampleIndices (points, warning_constants.sampled_points);
   LabelledSample sample;
-  sample.points = selected (points, numbers);
+  sample.points = selected (points, sampled);
   sample.origin = points.origin + shift;
   sample.finite = points.size();
   for (const PlaneSegment& plane : planes)
     sample.on_planes += plane.inliers.size();
-  for (const std::uint32_t number : numbers)
-    sample.labels.push_back (
-        labels[static_cast<std::size_t> (points.indexOf (number))]);
+  for (const std::uint32_t index : sampled)
+    sample.labels.push_back (labels[static_cast<std::size_t> (points.indexOf (index))]);
   return sample;
 }
 

@@ -15,6 +15,7 @@ namespace pcl_ops::internal {
 struct LabelledSample {
   /** \brief Relative to \ref origin. */
   Coordinates points;
+  /** \brief For each point the position of its plane, or no_plane. */
   Labels labels;
   /** \brief Zero of the frame of \ref points, in the frame of the planes. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -22,14 +23,16 @@ struct LabelledSample {
   std::size_t finite = 0;
   std::size_t on_planes = 0;
 
+  /** \brief A point in the frame of the planes. */
   Eigen::Vector3d
   operator[] (std::size_t i) const
   {
     return points[i] + origin;
   }
 
+  /** \brief Share of the finite points of the cloud that are on no plane. */
   double
-  shareOnNone () const
+  shareOnNoPlane () const
   {
     return finite > on_planes
                ? static_cast<double> (finite - on_planes) / static_cast<double> (finite)

@@ -12,31 +12,33 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief Name in Python's segment of the parameter of a command line option. */
+/** \brief Name of the parameter of Python's segment that is a command line option. */
 std::string
 pythonNameOf (std::string option)
 {
-  static const std::map<std::string, std::string> others = {
+  static const std::map<std::string, std::string> other_names = {
       {"threshold", "distance_threshold"},
       {"merge-distance", "merging_distance_threshold"},
       {"min-inliers", "min_samples"},
       {"voxel-size", "surfels_voxel_size"}};
-  if (const auto other = others.find (option); other != others.end())
+  if (const auto other = other_names.find (option); other != other_names.end())
     return other->second;
   std::replace (option.begin(), option.end(), '-', '_');
   return option;
 }
 
-/** \brief The power of ten of the first significant digit of a length; 1 for length 0.
- */
+/** \brief The power of ten of the first significant digit of a length: 0.1 for 0.18; 1
+ * for length 0. */
 double
-unitOf (double length)
+unitOfFirstDigit (double length)
 {
   return length > 0.0 ? std::pow (10.0, std::floor (std::log10 (length))) : 1.0;
 }
 
+} // namespace
+
 std::string
-written (double number)
+numberText (double number)
 {
   std::ostringstream text;
   text.imbue (std::locale::classic());
@@ -44,29 +46,27 @@ written (double number)
   return text.str();
 }
 
-} // namespace
-
 std::string
 roundedLength (double length)
 {
-  constexpr double digits = 10.0; // two
-  const double unit = unitOf (length);
-  return written (std::round (digits * length / unit) * unit / digits);
+  constexpr double steps_per_unit = 10.0; // two significant digits
+  const double unit = unitOfFirstDigit (length);
+  return numberText (std::round (steps_per_unit * length / unit) * unit /
+                     steps_per_unit);
 }
 
 std::string
 roundedUpLength (double length)
 {
   constexpr double smallest = 1e-6;
-  const double unit = unitOf (std::max (length, smallest));
-  // .3 / .1 is rounded to a number below 3.
-  constexpr double rounding = 1e-9;
-  const double digit = std::floor (std::max (length, smallest) / unit + rounding);
-  return written ((digit + 1.0) * unit);
+  const double at_least = std::max (length, smallest);
+  const double unit = unitOfFirstDigit (at_least);
+  constexpr double rounding = 1e-9; // .3 / .1 is rounded to a number below 3
+  return numberText ((std::floor (at_least / unit + rounding) + 1.0) * unit);
 }
 
 std::string
-perCentOf (double share)
+percentText (double share)
 {
   return std::to_string (std::lround (100.0 * share)) + " %";
 }

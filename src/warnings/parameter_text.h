@@ -9,6 +9,10 @@
 
 namespace pcl_ops::internal {
 
+/** \brief A number as text, with a point in every locale. */
+std::string
+numberText (double number);
+
 /** \brief A length rounded to two significant digits, as text: 0.18, 1500. */
 std::string
 roundedLength (double length);
@@ -17,9 +21,9 @@ roundedLength (double length);
 std::string
 roundedUpLength (double length);
 
-/** \brief A share, 0 to 1, in whole per cent: "45 %". */
+/** \brief A share, 0 to 1, in whole percent: "45 %". */
 std::string
-perCentOf (double share);
+percentText (double share);
 
 /** \brief Writes parameters the way users give them: on the command line or in Python.
  */

@@ -16,7 +16,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief A plane fit and how its points spread; 0 points if they span no plane. */
+/** \brief A plane fitted to points, and how they spread; 0 points if they span none. */
 struct PlaneSpread {
   Plane plane;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -29,6 +29,7 @@ struct PlaneSpread {
   double width = 0.0;
   double length = 0.0;
 
+  /** \brief Distance of neighboring points, as if they were evenly spread [m]. */
   double
   spacing () const
   {
@@ -72,6 +73,7 @@ pointsOn (const std::vector<PlaneSpread>& planes)
   return points;
 }
 
+/** \brief Whether the angle between two planes is at most \p angle [rad]. */
 bool
 areWithin (double angle, const PlaneSpread& one, const PlaneSpread& other)
 {
@@ -86,13 +88,15 @@ distanceBetween (const PlaneSpread& one, const PlaneSpread& other)
                    std::abs (other.plane.distance (one.centroid)));
 }
 
-/** \param[in] share of all points of the plane that the cloud has: with the others,
- * the spacing is smaller */
+/** \param[in] sampled_share share of the plane's points that the cloud has: with all
+ * points the spacing is smaller, by its square root */
 bool
-isThick (const PlaneSpread& spread, const std::optional<double>& noise, double share)
+isThick (const PlaneSpread& spread,
+         const std::optional<double>& noise,
+         double sampled_share)
 {
   return noise && spread.rms > warning_constants.thick_noises * *noise &&
-         spread.rms > warning_constants.min_rms_of_spacing * std::sqrt (share) *
+         spread.rms > warning_constants.min_rms_of_spacing * std::sqrt (sampled_share) *
                           spread.spacing();
 }
 
@@ -122,10 +126,12 @@ areLevels (const PlaneSpread& one, const PlaneSpread& other)
     return false;
   const double step = distanceBetween (one, other);
   const double width = std::min (one.width, other.width);
-  const double lateral = (one.centroid - other.centroid).norm();
-  return areWithin (warning_constants.max_angle_of_levels, one, other) && step > 0.0 &&
-         step < warning_constants.max_step_of_width * width &&
-         lateral < 0.5 * (one.length + other.length);
+  const double between_centroids = (one.centroid - other.centroid).norm();
+  const bool is_close =
+      step > 0.0 && step < warning_constants.max_step_of_width * width;
+  const bool is_behind = between_centroids < 0.5 * (one.length + other.length);
+  return areWithin (warning_constants.max_angle_of_levels, one, other) && is_close &&
+         is_behind;
 }
 
 /** \brief Distance to the nearest other level [m]; 0 if there is no other level. */
@@ -140,13 +146,16 @@ stepToNextLevel (const PlaneSpread& plane, const std::vector<PlaneSpread>& exact
   return step;
 }
 
-/** \brief Numbers of neighbors of points on planes: all that are on planes, those on
- * another plane that may be the same surface (mixed), and the mixed ones of each pair
- * of planes. */
+/** \brief Two planes by their positions, the smaller one first. */
+using PlanePair = std::pair<std::int32_t, std::int32_t>;
+
+/** \brief Numbers of neighbors of points on planes. */
 struct NeighborCounts {
+  /** \brief Neighbors on planes. */
   std::size_t all = 0;
+  /** \brief Those on another plane that may be the same surface. */
   std::size_t mixed = 0;
-  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> by_planes;
+  std::map<PlanePair, std::size_t> mixed_by_planes;
 };
 
 /** \brief Whether a point on one plane may also belong to another plane. */
@@ -164,25 +173,26 @@ NeighborCounts
 countNeighbors (const LabelledSample& sample, const std::vector<PlaneSpread>& planes)
 {
   const PointTree tree (sample.points);
+  // Evenly spread over the tree, and so over the cloud.
   const std::size_t step = sample.labels.size() / warning_constants.probes + 1;
   NeighborCounts counts;
   NearestPoints nearest;
   for (std::size_t position = 0; position < sample.labels.size(); position += step) {
-    const std::uint32_t number = tree.order()[position];
-    const std::int32_t own = sample.labels[number];
+    const std::uint32_t point = tree.order()[position];
+    const std::int32_t own = sample.labels[point];
     if (own == no_plane)
       continue;
-    nearest.start (warning_constants.neighbors_of_label + 1);
+    nearest.start (warning_constants.neighbors_of_label + 1); // and the point itself
     tree.find (position, nearest);
     for (std::size_t k = 0; k < nearest.size(); ++k) {
       const std::int32_t other = sample.labels[nearest[k]];
-      if (other == no_plane || nearest[k] == number)
+      if (other == no_plane || nearest[k] == point)
         continue;
       ++counts.all;
-      if (other == own || !mayBeOnBoth (sample[number], planes[own], planes[other]))
+      if (other == own || !mayBeOnBoth (sample[point], planes[own], planes[other]))
         continue;
       ++counts.mixed;
-      ++counts.by_planes[std::minmax (own, other)];
+      ++counts.mixed_by_planes[std::minmax (own, other)];
     }
   }
   return counts;
@@ -195,12 +205,12 @@ warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
                    const std::optional<TiledSearch>& tiles,
                    const ParameterText& text)
 {
-  const double share = tiles ? tiles->sampled_share : 1.0;
+  const double sampled_share = tiles ? tiles->sampled_share : 1.0;
   const std::vector<PlaneSpread> spreads = spreadsOf (planes);
   double on_thick = 0.0;
   std::optional<std::size_t> largest;
   for (std::size_t p = 0; p < planes.size(); ++p)
-    if (isThick (spreads[p], planes[p].noise, share)) {
+    if (isThick (spreads[p], planes[p].noise, sampled_share)) {
       on_thick += spreads[p].points;
       if (!largest || spreads[p].points > spreads[*largest].points)
         largest = p;
@@ -211,7 +221,7 @@ warnOfThickPlanes (const std::vector<PlaneSegment>& planes,
   const double noise = *planes[*largest].noise;
   return ResultWarning{
       "thick-planes",
-      perCentOf (on_thick / on_planes) +
+      percentText (on_thick / on_planes) +
           " of the points on planes are on planes thicker than three times their noise "
           "(rms " +
           roundedLength (spreads[*largest].rms) + ", noise " + roundedLength (noise) +
@@ -267,16 +277,16 @@ warnOfMixedLabels (const LabelledSample& sample,
   if (counts.mixed == 0 || mixed < warning_constants.mixed_share * all)
     return std::nullopt;
   const auto pair = std::max_element (
-      counts.by_planes.begin(), counts.by_planes.end(), [] (auto& one, auto& other) {
-        return one.second < other.second;
-      });
+      counts.mixed_by_planes.begin(),
+      counts.mixed_by_planes.end(),
+      [] (auto& one, auto& other) { return one.second < other.second; });
   const auto [first, second] = pair->first;
   const double distance = distanceBetween (spreads[first], spreads[second]);
   const std::string fix =
       tiles ? text.of ("voxel-size", roundedLength (2.0 * tiles->voxel_size))
             : text.of ("merge-distance", roundedUpLength (distance));
   return ResultWarning{"mixed-labels",
-                       perCentOf (mixed / all) +
+                       percentText (mixed / all) +
                            " of the points next to one on a plane are on another one "
                            "of the same surface, "
                            "most on planes " +

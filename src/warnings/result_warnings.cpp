@@ -23,14 +23,16 @@ resultWarnings (const CloudView& cloud,
       warnings.push_back (*std::move (warning));
   };
   // Warnings about outputs that are wrong or empty as a whole come first.
-  const std::optional<ResultWarning> on_unit = warnOfUnit (sample, context, text);
-  const std::optional<ResultWarning> on_plan = warnOfEmptyPlan (context, on_unit, text);
-  add (on_plan ? on_plan : on_unit);
+  const std::optional<ResultWarning> unit_warning = warnOfUnit (sample, context, text);
+  const std::optional<ResultWarning> plan_warning =
+      warnOfEmptyPlan (context, unit_warning, text);
+  add (plan_warning ? plan_warning : unit_warning);
   add (warnOfPrecision (sample, context));
   add (warnOfPoses (context, text));
   add (warnOfUp (sample, planes, context, text));
   add (warnOfViewpoint (cloud, context, text));
-  add (warnOfLevels (planes, context.search || context.tiles, text));
+  const bool is_default_search = context.search || context.tiles;
+  add (warnOfLevels (planes, is_default_search, text));
   add (warnOfThickPlanes (planes, context.tiles, text));
   if (context.search)
     add (warnOfUnassignedPoints (cloud, sample, planes, *context.search, text));

@@ -20,24 +20,24 @@ struct OtherSearch {
   std::string advice;
 };
 
-/** \brief Searches with the default of one parameter each, instead of a value of the
- * user that may leave points out. */
+/** \brief Searches that each have the default of one parameter, instead of a value of
+ * the user that may leave points out. */
 std::vector<OtherSearch>
 searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
 {
-  const OpsParameters usual;
+  const OpsParameters defaults;
   std::vector<OtherSearch> searches;
   if (given.distance_threshold) {
     searches.push_back ({given, "leave out " + text.of ("threshold", "")});
     searches.back().parameters.distance_threshold.reset();
   }
-  if (given.min_points > usual.min_points) {
+  if (given.min_points > defaults.min_points) {
     searches.push_back ({given, "leave out " + text.of ("min-points", "")});
-    searches.back().parameters.min_points = usual.min_points;
+    searches.back().parameters.min_points = defaults.min_points;
   }
-  if (given.min_samples > usual.min_samples) {
+  if (given.min_samples > defaults.min_samples) {
     searches.push_back ({given, "leave out " + text.of ("min-inliers", "")});
-    searches.back().parameters.min_samples = usual.min_samples;
+    searches.back().parameters.min_samples = defaults.min_samples;
   }
   return searches;
 }
@@ -55,7 +55,8 @@ shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
   return on_planes / all;
 }
 
-/** \brief x, y, z of the points on no plane that are nearest to one of them. */
+/** \brief x, y, z of the points on no plane that are nearest to one of them.
+ * \param[in] unassigned indices of the points on no plane */
 std::vector<float>
 surroundings (const Points& points, const Indices& unassigned, std::uint32_t center)
 {
@@ -65,13 +66,12 @@ surroundings (const Points& points, const Indices& unassigned, std::uint32_t cen
     return (points[one] - middle).squaredNorm() <
            (points[other] - middle).squaredNorm();
   };
-  const std::size_t number =
-      std::min (nearest.size(), warning_constants.points_of_place);
+  const std::size_t count = std::min (nearest.size(), warning_constants.points_of_part);
   std::nth_element (nearest.begin(),
-                    nearest.begin() + static_cast<std::ptrdiff_t> (number - 1),
+                    nearest.begin() + static_cast<std::ptrdiff_t> (count - 1),
                     nearest.end(),
                     is_nearer);
-  nearest.resize (number);
+  nearest.resize (count);
   std::sort (nearest.begin(), nearest.end());
   std::vector<float> positions;
   for (const std::uint32_t i : nearest)
@@ -79,13 +79,13 @@ surroundings (const Points& points, const Indices& unassigned, std::uint32_t cen
   return positions;
 }
 
-/** \brief Whether points on no plane lie on planes if they are searched without the
- * other points, as the sides of a thin wall do and trees do not. If so, a search of the
- * whole cloud is worth its time. */
+/** \brief Whether points on no plane lie on planes if parts of them are searched
+ * without the other points, as the sides of a thin wall do and trees do not. If so, a
+ * search of the whole cloud is worth its time. */
 bool
-areFlatPlaces (const CloudView& cloud,
-               const std::vector<PlaneSegment>& planes,
-               const OpsParameters& parameters)
+areUnassignedPointsFlat (const CloudView& cloud,
+                         const std::vector<PlaneSegment>& planes,
+                         const OpsParameters& parameters)
 {
   const Points points = finitePoints (cloud, parameters.threads);
   std::vector<char> is_on_plane (cloud.size, 0);
@@ -96,14 +96,16 @@ areFlatPlaces (const CloudView& cloud,
   for (std::size_t i = 0; i < points.size(); ++i)
     if (is_on_plane[static_cast<std::size_t> (points.indexOf (i))] == 0)
       unassigned.push_back (static_cast<std::uint32_t> (i));
-  const std::size_t tried = warning_constants.tried_places;
-  const Indices centers = sampleNumbers (selected (points, unassigned), tried);
-  for (std::size_t k = 0; k < std::min (centers.size(), tried); ++k) {
+  const std::size_t wanted_parts = warning_constants.searched_parts;
+  const Indices centers = sampleIndices (selected (points, unassigned), wanted_parts);
+  for (std::size_t k = 0; k < std::min (centers.size(), wanted_parts); ++k) {
     const std::vector<float> part =
         surroundings (points, unassigned, unassigned[centers[k]]);
-    const CloudView view (part.data(), 0, 3 * sizeof (float), part.size() / 3);
+    constexpr std::size_t x_offset = 0;
+    constexpr std::size_t point_step = 3 * sizeof (float);
+    const CloudView view (part.data(), x_offset, point_step, part.size() / 3);
     if (shareOnPlanes (detectPlanes (view, parameters), view.size) <
-        warning_constants.min_share_of_place)
+        warning_constants.min_share_of_part)
       return false;
   }
   return !centers.empty();
@@ -118,27 +120,28 @@ warnOfUnassignedPoints (const CloudView& cloud,
                         const OpsParameters& search,
                         const ParameterText& text)
 {
-  if (sample.shareOnNone() < warning_constants.none_share ||
+  if (sample.shareOnNoPlane() < warning_constants.none_share ||
       sample.finite > warning_constants.max_searched_again)
     return std::nullopt;
-  OpsParameters unobserved = search;
+  OpsParameters unobserved = search; // users see the stages of their own search alone
   unobserved.on_stage = {};
   std::vector<OtherSearch> searches = searchesWithDefaults (unobserved, text);
   if (search.sampling_rate < warning_constants.high_sampling_rate) {
-    OtherSearch finer{unobserved, "give " + text.of ("sampling-rate", "0.3")};
+    const std::string rate = numberText (warning_constants.high_sampling_rate);
+    OtherSearch finer{unobserved, "give " + text.of ("sampling-rate", rate)};
     finer.parameters.sampling_rate = warning_constants.high_sampling_rate;
-    if (areFlatPlaces (cloud, planes, finer.parameters))
+    if (areUnassignedPointsFlat (cloud, planes, finer.parameters))
       searches.push_back (finer);
   }
-  const double before = shareOnPlanes (planes, sample.finite);
+  const double share_before = shareOnPlanes (planes, sample.finite);
   for (const OtherSearch& other : searches) {
     const double share =
         shareOnPlanes (detectPlanes (cloud, other.parameters), sample.finite);
-    if (share >= before + warning_constants.gained_share)
+    if (share >= share_before + warning_constants.gained_share)
       return ResultWarning{"unassigned-points",
-                           perCentOf (sample.shareOnNone()) +
+                           percentText (sample.shareOnNoPlane()) +
                                " of the points are on no plane; for " +
-                               perCentOf (share) + " on planes " + other.advice};
+                               percentText (share) + " on planes " + other.advice};
   }
   return std::nullopt;
 }
@@ -148,25 +151,25 @@ warnOfUnassignedPoints (const LabelledSample& sample,
                         const TiledSearch& tiles,
                         const ParameterText& text)
 {
-  const double on_none = sample.shareOnNone();
-  if (on_none < warning_constants.none_share || tiles.places_on_none.empty())
+  const double share_on_no_plane = sample.shareOnNoPlane();
+  if (share_on_no_plane < warning_constants.none_share || tiles.places_on_none.empty())
     return std::nullopt;
   OpsParameters parameters;
   parameters.surfels.voxel_size = 0.5 * tiles.voxel_size;
   double on_planes = 0.0;
-  for (const CloudView& place : tiles.places_on_none) {
-    const double share = shareOnPlanes (detectPlanes (place, parameters), place.size);
-    if (share < warning_constants.min_share_of_place)
+  for (const CloudView& part : tiles.places_on_none) {
+    const double share = shareOnPlanes (detectPlanes (part, parameters), part.size);
+    if (share < warning_constants.min_share_of_part)
       return std::nullopt;
     on_planes += share / static_cast<double> (tiles.places_on_none.size());
   }
-  const double gained = on_planes * on_none;
+  const double gained = on_planes * share_on_no_plane;
   if (gained < warning_constants.gained_share)
     return std::nullopt;
   return ResultWarning{
       "unassigned-points",
-      perCentOf (on_none) + " of the points are on no plane; for some " +
-          perCentOf (1.0 - on_none + gained) + " on planes give " +
+      percentText (share_on_no_plane) + " of the points are on no plane; for some " +
+          percentText (1.0 - share_on_no_plane + gained) + " on planes give " +
           text.of ("voxel-size", roundedLength (*parameters.surfels.voxel_size))};
 }
 

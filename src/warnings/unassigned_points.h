@@ -13,8 +13,8 @@
 namespace pcl_ops::internal {
 
 /** \brief Warns that many points are on no plane although another value of a parameter
- * puts them on planes. Further searches find this out; too large clouds are not
- * searched again, and get no warning. */
+ * puts them on planes. Further searches find this out; larger clouds than
+ * max_searched_again are not searched again, and get no warning. */
 std::optional<ResultWarning>
 warnOfUnassignedPoints (const CloudView& cloud,
                         const LabelledSample& sample,

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The types of PCL that programs and the Python module are made of, where they are
-// built without PCL. Each of PCL's headers stands for this one there (CMakeLists.txt
-// beside it).
+// The types of PCL that programs and the Python module use, for builds without PCL.
+// There each of PCL's headers includes only this one (CMakeLists.txt beside it).
 
 #include <Eigen/Geometry>
 
@@ -99,8 +98,8 @@ struct RGB {
   std::uint8_t a = 255;
 };
 
-/** \brief Colors in place of PCL's table of them: full ones, with hues a golden section
- * of the circle apart, and every other one darker. */
+/** \brief Colors in place of PCL's table of them: fully saturated ones, with hues a
+ * golden section of the color circle apart, and every other one darker. */
 struct GlasbeyLUT {
   static constexpr std::size_t
   size ()
@@ -114,29 +113,32 @@ struct GlasbeyLUT {
     constexpr double golden_section = 0.6180339887498949;
     constexpr double darker = 0.65, full = 255.0;
     const double brightness = i % 2 == 0 ? full : darker * full;
+    // A channel is full within a sixth of a turn of its own hue and 0 from a third on.
     const auto channel = [&] (double hue_of_channel) {
       const double turns = golden_section * static_cast<double> (i) + hue_of_channel;
-      const double off = std::abs (turns - std::floor (turns) - 0.5);
-      const double share = std::min (1.0, std::max (0.0, 6.0 * off - 1.0));
+      const double from_half_turn = std::abs (turns - std::floor (turns) - 0.5);
+      const double share = std::min (1.0, std::max (0.0, 6.0 * from_half_turn - 1.0));
       return static_cast<std::uint8_t> (std::lround (brightness * share));
     };
     return {channel (0.0), channel (2.0 / 3.0), channel (1.0 / 3.0)};
   }
 };
 
-/** \brief A scale of colors in place of PCL's: from dark violet over green to yellow,
- * in 256 steps, lighter at each. */
+/** \brief A scale of 256 colors in place of PCL's: from dark violet over green to
+ * yellow, each lighter than the one before. */
 struct ViridisLUT {
   static RGB
   at (std::size_t i)
   {
     constexpr double first[] = {70, 0, 85}, middle[] = {32, 145, 140},
                      last[] = {253, 231, 37};
-    const double share = double (i) / 127.5;
-    const double* const from = share < 1.0 ? first : middle;
-    const double* const to = share < 1.0 ? middle : last;
+    constexpr double index_of_middle = 127.5;
+    const double halves = double (i) / index_of_middle; // 0 to 2
+    const bool is_in_first_half = halves < 1.0;
+    const double* const from = is_in_first_half ? first : middle;
+    const double* const to = is_in_first_half ? middle : last;
     const auto mixed = [&] (std::size_t channel) {
-      const double part = share < 1.0 ? share : share - 1.0;
+      const double part = is_in_first_half ? halves : halves - 1.0;
       return std::uint8_t (from[channel] + part * (to[channel] - from[channel]));
     };
     return {mixed (0), mixed (1), mixed (2)};
@@ -190,7 +192,7 @@ struct PointCloud {
   auto end () const { return points.end(); }
   // clang-format on
 
-  /** \brief No image any more. */
+  /** \brief Adds a point. The cloud is then no image: its height is 1. */
   template <typename... Args>
   void
   emplace_back (Args... args)
@@ -208,7 +210,7 @@ struct PointCloud {
   Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
 };
 
-// What the classes of the detectors name; none of them is made here.
+// Types that the detector classes name. Without PCL nothing makes objects of them.
 template <typename PointT>
 class PCLBase;
 template <typename PointT>
@@ -225,7 +227,7 @@ template <typename PointT>
 class Search;
 }
 
-// Nothing is printed that could be silenced.
+// Without PCL there are no messages of it to silence.
 namespace console {
 constexpr int L_ALWAYS = 0;
 inline void

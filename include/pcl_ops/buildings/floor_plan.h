@@ -46,14 +46,16 @@ struct PlanOpening {
   /** \brief Its ends in the frame of the plan [m]. */
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
-  /** \brief Heights over the floor of the wall points next below and above the cut [m];
-   * not set if the wall has no points there. */
+  /** \brief Height over the floor of the next wall point below the cut [m]; not set if
+   * the wall has no points there. */
   std::optional<double> sill;
+  /** \brief The same of the next wall point above the cut. */
   std::optional<double> head;
-  /** \brief Indices, into FloorPlan::rooms, of the rooms before and behind the wall. A
-   * room is searched within 0.3 m of each side of the wall; if the other side was not
-   * seen, within 0.7 m behind the wall. Not set if there is no room. */
+  /** \brief Index, into FloorPlan::rooms, of the room before the wall: within 0.3 m of
+   * that side. Not set if there is no room. */
   std::optional<std::size_t> room_before;
+  /** \brief The same of the room behind the wall: within 0.3 m of that side; if it was
+   * not seen, within 0.7 m behind the wall. */
   std::optional<std::size_t> room_behind;
 
   double
@@ -106,9 +108,10 @@ struct PlanRoom {
   /** \brief Both ends of each part of the outline without a wall, in the frame of the
    * plan [m]. Parts shorter than 5 cm are left out. */
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> unseen;
-  /** \brief Heights of floor and ceiling, along up from the origin of the planes' frame
-   * [m]; not set if not seen. */
+  /** \brief Height of the floor, along up from the origin of the planes' frame [m]; not
+   * set if it was not seen. */
   std::optional<double> floor;
+  /** \brief Height of the ceiling, as of the floor. */
   std::optional<double> ceiling;
   /** \brief A position inside the room, for a label. */
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
@@ -120,8 +123,9 @@ struct FloorPlan {
    * meters: x and y are coordinates in the plan, z is the height. If up is the z axis,
    * the axes of both frames are parallel. */
   Eigen::Matrix3d to_plan = Eigen::Matrix3d::Identity();
-  /** \brief Height of the floor below the cut, and height of the cut [m]. */
+  /** \brief Height of the floor below the cut [m]. */
   double floor = 0.0;
+  /** \brief Height of the cut [m]. */
   double height = 0.0;
   std::vector<PlanWall> walls;
   /** \brief Rooms by descending area; empty if there are more than 1000 walls. */

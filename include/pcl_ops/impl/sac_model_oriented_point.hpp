@@ -74,17 +74,17 @@ SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
   if (inliers.empty() || !this->isModelValid (model_coefficients))
     return;
   const PointNT& first = (*this->input_)[inliers.front()];
-  const Eigen::Vector3d o = first.getVector3fMap().template cast<double>();
-  Moments moments{o};
+  const Eigen::Vector3d origin = first.getVector3fMap().template cast<double>();
+  Moments moments{origin};
   for (const pcl::index_t i : inliers) {
     const PointNT& point = (*this->input_)[i];
-    moments.add (point.x - o.x(), point.y - o.y(), point.z - o.z());
+    moments.add (point.x - origin.x(), point.y - origin.y(), point.z - origin.z());
   }
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)
     return;
-  const Eigen::Vector3d side = model_coefficients.head<3>().cast<double>();
-  const double sign = fit->plane.normal.dot (side) < 0.0 ? -1.0 : 1.0;
+  const Eigen::Vector3d model_normal = model_coefficients.head<3>().cast<double>();
+  const double sign = fit->plane.normal.dot (model_normal) < 0.0 ? -1.0 : 1.0;
   for (int axis = 0; axis < 3; ++axis)
     optimized_coefficients[axis] = static_cast<float> (sign * fit->plane.normal[axis]);
   optimized_coefficients[3] = static_cast<float> (sign * fit->plane.offset);

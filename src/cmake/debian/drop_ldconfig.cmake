@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# cpack gives a package with a library maintainer scripts that call ldconfig. Debian wants
-# the trigger alone, which each has already, so the scripts are taken out again.
+# cpack adds scripts that call ldconfig to a package with a library. Debian's policy wants a
+# trigger instead, which these packages have: so this removes the scripts again.
 cmake_minimum_required(VERSION 3.20)
 foreach(package ${CPACK_PACKAGE_FILES})
   set(folder ${CPACK_TEMPORARY_DIRECTORY}/repacked)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What the packages are called and say of themselves.
+# The names, summaries and descriptions of the packages.
 pcl_ops_add_library_package(pcl_ops library
   SUMMARY "fast plane detection in unorganized point clouds for PCL"
   DESCRIPTION "pcl_ops finds all planes of a point cloud in one call: floors, walls, table
@@ -11,7 +11,7 @@ Transform, as classes in the style of the Point Cloud Library.
 .
 This package has the shared library.")
 
-set(libraries library)
+set(libraries library) # the components of shared libraries
 if(TARGET pcl_ops_surface)
   list(APPEND libraries surface)
   pcl_ops_add_library_package(pcl_ops_surface surface

@@ -35,5 +35,6 @@ class PclOps(ConanFile):
         CMake(self).install()
 
     def package_info(self):
-        self.cpp_info.set_property("cmake_find_mode", "none")  # has a config file of its own
+        # The package has a config file of its own, which Conan must not replace.
+        self.cpp_info.set_property("cmake_find_mode", "none")
         self.cpp_info.builddirs = ["lib/cmake/pcl_ops"]

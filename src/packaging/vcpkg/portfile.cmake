@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
+# OWNER and SHA512 are filled in for a port: those of the released archive.
 vcpkg_from_github(
   OUT_SOURCE_PATH SOURCE_PATH
   REPO OWNER/pcl_ops

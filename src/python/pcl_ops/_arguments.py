@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What arguments have to be, and the named ones that the extension knows."""
+"""Checks and converts arguments, and shows the named ones that the extension has."""
 
 import difflib
 import inspect
@@ -16,7 +16,7 @@ Vector = Union[Sequence[float], NDArray[Any]]
 
 
 def parameters_of(struct: Any) -> Dict[str, Tuple[Any, str]]:
-    """Value and annotation of each by its name."""
+    """Value and annotation of each parameter, by its name."""
     return struct.values_and_kinds()
 
 
@@ -29,9 +29,10 @@ def camera_up() -> Tuple[float, float, float]:
 
 
 def _set(struct: Any, name: str, kind: str, value: Any) -> None:
+    """Sets one parameter of a struct; kind is its annotation."""
     try:
         if kind == "bool" and not isinstance(value, (bool, np.bool_)):
-            raise RuntimeError  # everything converts to it
+            raise RuntimeError  # every value would convert to bool
         if name == "up" and isinstance(value, str):
             if value != "camera":
                 raise RuntimeError
@@ -49,27 +50,30 @@ def _set(struct: Any, name: str, kind: str, value: Any) -> None:
 
 
 def did_you_mean(name: Any, known: Iterable[str]) -> str:
-    """What to add to the message on an unknown name; empty where none is like it."""
-    like = difflib.get_close_matches(str(name), list(known), 1)
-    return f"; did you mean {like[0]}?" if like else ""
+    """What to add to the message on an unknown name; empty if no known name is like it."""
+    similar_names = difflib.get_close_matches(str(name), list(known), 1)
+    return f"; did you mean {similar_names[0]}?" if similar_names else ""
 
 
 def with_given(preset: Any, given: Dict[str, Any]) -> Any:
-    """The extension's struct with those parameters set that the user gives."""
+    """A copy of the extension's struct with the parameters set that the user gives."""
 
-    def with_some(some):
+    def copy_with(some):
         struct = type(preset)(preset)
         known = parameters_of(struct)
         for name, value in some.items():
             if name not in known:
                 hint = did_you_mean(name, known) or f"; there are {', '.join(known)}"
                 raise ValueError(f"{name}: unknown parameter{hint}")
-            _set(struct, name, known[name][1], value)
-        return struct, struct.problem()
+            _, kind = known[name]
+            _set(struct, name, kind, value)
+        return struct
 
-    struct, problem = with_some(given)
+    struct = copy_with(given)
+    problem = struct.problem()
     if problem:
-        at_fault = [name for name in given if with_some({name: given[name]})[1] == problem]
+        at_fault = [name for name in given
+                    if copy_with({name: given[name]}).problem() == problem]
         raise ValueError(": ".join([*at_fault[:1], problem]))
     return struct
 
@@ -77,16 +81,17 @@ def with_given(preset: Any, given: Dict[str, Any]) -> Any:
 def named_parameters(*lists: str, **kinds: str) -> Callable[[Any], Any]:
     """Shows in help, completion and stubs what **parameters may be.
 
-    lists: names of the extension's structs of parameters, which the function takes all.
-    kinds: annotations of those that may be something else besides.
+    lists: names of the extension's structs of parameters, all of which the function takes.
+    kinds: annotations of parameters that may also have values of another type.
     """
 
     def with_names(function):
         signature = inspect.signature(function)
-        shown = {name: one for name, one in signature.parameters.items() if name != "parameters"}
-        for one in lists:
-            for name, (value, kind) in parameters_of(getattr(_pcl_ops, one)()).items():
-                # Methods have defaults of their own.
+        shown = {name: parameter for name, parameter in signature.parameters.items()
+                 if name != "parameters"}
+        for struct in lists:
+            for name, (value, kind) in parameters_of(getattr(_pcl_ops, struct)()).items():
+                # Of several structs, each may have another default for a parameter.
                 default = value if len(lists) == 1 else ...
                 shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY,
                                                 default=default,
@@ -98,13 +103,14 @@ def named_parameters(*lists: str, **kinds: str) -> Callable[[Any], Any]:
 
 
 def plain_array(name: str, numbers: Any, instead: str) -> NDArray[Any]:
+    """An array without a mask; instead: what users may fill masked entries with."""
     if isinstance(numbers, np.ma.MaskedArray):
         raise TypeError(f"{name}: a masked array; use {name}.filled({instead})")
     return np.asarray(numbers)
 
 
 def _rows_of_three(array: NDArray[Any]) -> NDArray[Any]:
-    """Of rows or an image of points, which may have a fourth number each, as an intensity."""
+    """x, y, z of rows or an image of points, which may have a fourth number, as an intensity."""
     if array.ndim not in (2, 3) or array.shape[-1] not in (3, 4):
         instead = ""
         if array.ndim == 2 and array.shape[0] == 3:
@@ -118,7 +124,8 @@ def _rows_of_three(array: NDArray[Any]) -> NDArray[Any]:
 
 
 def points_array(points: Any) -> NDArray[Any]:
-    """The points as aligned rows of the machine's order of bytes, the same array where it is."""
+    """The points as aligned rows in the machine's byte order; the same array if it is so already.
+    """
     if not isinstance(points, np.ndarray) and hasattr(points, "points"):
         raise TypeError(f"points: a {type(points).__name__} is no array; give its .points, as "
                         "numpy.asarray(cloud.points)")
@@ -138,63 +145,69 @@ def is_same_array(one: NDArray[Any], other: NDArray[Any]) -> bool:
     return one is other or one.__array_interface__ == other.__array_interface__
 
 
-def _hashes(places: NDArray[np.float64]) -> NDArray[np.uint64]:
-    """Numbers as good as drawn, but the same for a place wherever it stands."""
-    hashes = np.zeros(len(places), np.uint64)
+def _hashes(points: NDArray[np.float64]) -> NDArray[np.uint64]:
+    """Pseudo-random numbers that depend on the coordinates of a point alone."""
+    golden_ratio = np.uint64(0x9e3779b97f4a7c15)  # 2^64 / 1.618..., as in Fibonacci hashing
+    hashes = np.zeros(len(points), np.uint64)
     for axis in range(3):
-        # Zero and minus zero are one.
-        hashes ^= (np.ascontiguousarray(places[:, axis]) + 0.0).view(np.uint64)
-        hashes *= np.uint64(0x9e3779b97f4a7c15)
+        # Adding 0 makes -0 equal to 0.
+        hashes ^= (np.ascontiguousarray(points[:, axis]) + 0.0).view(np.uint64)
+        hashes *= golden_ratio
         hashes ^= hashes >> np.uint64(32)
     return hashes
 
 
-def _place_near_most(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The median of some places, by their hashes, rounded, as the programs have it.
+def _origin_near_most(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The rounded median of a sample of distinct places, as the programs have it.
 
-    It is the same for any order of the points. One outlier must not take the digits of all, nor
-    many points at one place.
+    Hashes choose the sample, so that the result is the same for any order of the points. Neither
+    one outlier nor many equal points decide about it.
     """
-    looked_at, deviations = 8192, 16.0
+    sample_size = 8192
+    step_in_deviations = 16.0  # lower bound of the rounding step, a power of two
+    largest_hash = 2**32 - 1  # of the lower half of the bits
     hashes = _hashes(points)
-    last_taken = (2**32 - 1) // (len(points) // looked_at + 1)
+    last_taken = largest_hash // (len(points) // sample_size + 1)
     is_finite = np.isfinite(points).all(axis=1)
-    taken = np.flatnonzero(is_finite & ((hashes & np.uint64(2**32 - 1)) <= last_taken))
+    taken = np.flatnonzero(is_finite & ((hashes & np.uint64(largest_hash)) <= last_taken))
     if not len(taken):
         taken = np.flatnonzero(is_finite)
     if not len(taken):
         return np.zeros(3)
-    some = points[taken[np.unique(hashes[taken], return_index=True)[1]]]
-    middle = (len(some) - 1) // 2
-    median = np.sort(some, axis=0)[middle]
-    deviation = np.sort(np.abs(some - median), axis=0)[middle].max()
+    _, first_of_place = np.unique(hashes[taken], return_index=True)
+    places = points[taken[first_of_place]]
+    middle = (len(places) - 1) // 2
+    median = np.sort(places, axis=0)[middle]
+    # The largest of the median absolute deviations along the axes.
+    deviation = np.sort(np.abs(places - median), axis=0)[middle].max()
     if not (deviation > 0.0 and np.isfinite(deviation)):
         return median
-    step = np.exp2(np.ceil(np.log2(deviations * deviation)))
+    step = np.exp2(np.ceil(np.log2(step_in_deviations * deviation)))
     return np.floor(median / step + 0.5) * step
 
 
 def single_precision(points: NDArray[Any]) -> Tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """The points as the extension reads them, and where in their frame the zero of these is.
+    """The points in single precision, and the origin that they are relative to.
 
-    That is zero where single precision holds all numbers exactly; else it is near most
+    The origin is zero if single precision holds all numbers exactly; else it is near most
     points, so that coordinates in the millions keep their millimeters.
     """
     origin = np.zeros(3)
     if points.dtype == np.float32:
-        step, side = points.strides
-        in_order = side == 4 and step >= 12 and step % 4 == 0
-        return (points if in_order else np.ascontiguousarray(points)), origin
+        bytes_per_row, bytes_per_number = points.strides
+        is_readable = (bytes_per_number == 4 and bytes_per_row >= 12
+                       and bytes_per_row % 4 == 0)
+        return (points if is_readable else np.ascontiguousarray(points)), origin
     with np.errstate(over="ignore", invalid="ignore"):
         single = points.astype(np.float32, order="C")
         is_exact = ((single == points) | np.isnan(points)).all()
         if not is_exact:
-            origin = _place_near_most(points)
+            origin = _origin_near_most(points)
             np.subtract(points, origin, out=single, casting="same_kind")
     return single, origin
 
 
-def place(name: str, given: Any) -> NDArray[np.float64]:
+def finite_vector(name: str, given: Any) -> NDArray[np.float64]:
     try:
         array = np.asarray(given, float).reshape(3)
     except (TypeError, ValueError):
@@ -206,8 +219,8 @@ def place(name: str, given: Any) -> NDArray[np.float64]:
 
 
 def direction(name: str, given: Any) -> NDArray[np.float64]:
-    """A unit vector along what is given, which may have any length but 0."""
-    array = place(name, given)
+    """The unit vector along a given one, which may have any length but 0."""
+    array = finite_vector(name, given)
     longest = np.abs(array).max()
     if not longest >= np.finfo(float).tiny:
         raise ValueError(f"{name}: has no direction")
@@ -216,13 +229,14 @@ def direction(name: str, given: Any) -> NDArray[np.float64]:
 
 
 def pose_matrix(pose: Any) -> NDArray[np.float64]:
-    """A rigid motion, by default none."""
+    """The matrix of a rigid motion; None is the identity."""
     array = np.eye(4) if pose is None else np.asarray(pose)
     if array.dtype.kind in "fiu" and array.shape == (4, 4) and np.isfinite(array).all():
         array = array.astype(float)
-        turn = array[:3, :3]
-        rounding = 1e-4  # of single precision, multiplied a few times
-        if (np.allclose(turn @ turn.T, np.eye(3), atol=rounding) and np.linalg.det(turn) > 0
+        rotation = array[:3, :3]
+        rounding = 1e-4  # of a product of several matrices in single precision
+        if (np.allclose(rotation @ rotation.T, np.eye(3), atol=rounding)
+                and np.linalg.det(rotation) > 0
                 and np.allclose(array[3], (0, 0, 0, 1))):
             return array
     raise ValueError("pose: is no 4 x 4 matrix of a rotation and a translation")
@@ -233,7 +247,8 @@ def plane_numbers(
 ) -> NDArray[np.uint32]:
     """Labels as the extension has them: planes from 1, 0 for none.
 
-    of_points: the shape of the array of the points without its last side.
+    of_points: the shape of the array of the points without its last dimension.
+    none: the label that stands for no plane, besides negative ones.
     """
     array = plain_array(name, labels, "-1")
     if array.dtype.kind not in "iu":
@@ -241,6 +256,7 @@ def plane_numbers(
     if array.shape != of_points:
         raise ValueError(f"{name}: shape {array.shape} is not {of_points}, that of the points")
     array = array.ravel()
+    # Planes are counted from 1 below, and their numbers have to stay below 2^32 - 1.
     if array.max() > 2**32 - 3:
         raise ValueError(f"{name}: the label {array.max()} is too large")
     array = array.astype(np.int64)

@@ -13,7 +13,8 @@ from . import _pcl_ops
 from ._arguments import Points, plain_array, plane_numbers, points_array
 from ._planes import ResultWarning
 
-# Of sensor_msgs/PointField, and of PCL, whose last two are 64-bit integers.
+# NumPy's types by the datatypes of sensor_msgs/PointField; the last two, 64-bit integers, are
+# PCL's alone.
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8", 9: "i8",
           10: "u8"}
 _NUMBERS_OF_TYPES = {name: number for number, name in _TYPES.items()}
@@ -23,25 +24,25 @@ class Cloud(NamedTuple):
     """A point cloud as a file or a message has it."""
 
     points: NDArray[Any]
-    """(N, 3): x, y and z of all points, NaN ones, too; float32, or float64 where the file has
-    other numbers than float32."""
+    """(N, 3): x, y and z of all points, also of those with NaN; float32, or float64 if the file
+    has coordinates of another type than float32."""
     viewpoint: NDArray[np.float64]
-    """(3,): where the sensor was, as a PCD file says; else zero."""
+    """(3,): the position of the sensor from a PCD file; else zero."""
     fields: Dict[str, NDArray[Any]]
-    """All fields by name, each of shape (N,), or (N, count) where it has several numbers."""
+    """All fields by name, each of shape (N,), or (N, count) if it has several numbers."""
     height: int = 1
-    """Rows of the image that the points are, one after another; 1 where they are none."""
+    """Number of rows if the points are the pixels of an image, row after row; else 1."""
     orientation: Tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
-    """How the sensor was turned, as a PCD file says: a quaternion w, x, y, z."""
+    """The rotation of the sensor from a PCD file: a quaternion w, x, y, z."""
     source: Optional[str] = None
-    """The .las or .laz it was read from, of which write keeps every byte."""
+    """The .las or .laz it was read from; write keeps every byte of it."""
     unit: Optional[Literal["meter", "foot", "degree"]] = None
-    """What x and y are, as the reference system of a .las or .laz says; None where none does."""
+    """The unit of x and y by the reference system of a .las or .laz; None if it has none."""
 
     @property
     def labels(self) -> Optional[NDArray[np.int32]]:
-        """(N,): the field label as segment has labels, -1 for no plane, where files have 0 for
-        none; or None where there is none."""
+        """(N,): the labels of the field label, in which files have 0 for no plane, as segment has
+        them: -1 for no plane. None if there is no such field."""
         label = self.fields.get("label")
         return None if label is None else np.maximum(label.astype(np.int64) - 1, -1).astype(np.int32)
 
@@ -50,15 +51,15 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
     """Read a point cloud: .pcd, .ply, .las, .laz (where LASzip is), .ptx, .bin (KITTI), .npy,
     .off, .obj, or text (.xyz, .xyzrgb, .txt, .pts, .asc, .csv).
 
-    Raises OSError where the file cannot be opened, ValueError where it is damaged or of
-    another kind; both name it. Warns by ResultWarning of a reference system in feet or
-    degrees, as lengths here are meters by default.
+    Raises OSError if the file cannot be opened, ValueError if it is damaged or of another kind;
+    both name the file. Warns by ResultWarning of a reference system in feet or degrees, as
+    lengths here are meters by default.
     """
-    from . import _files  # what it needs takes longer to load than all else
+    from . import _files  # here, as it takes longer to load than all other parts
 
     if not isinstance(path, (str, bytes, os.PathLike)):  # open takes the caller's descriptors
         raise ValueError(f"path: has to be the name of a file, not {path!r:.80}")
-    with open(path, "rb"):
+    with open(path, "rb"):  # raises OSError if the file cannot be opened
         pass
     file = _files.load(os.fsencode(path))
     _warn_of_unit(file.unit)
@@ -72,8 +73,9 @@ def _warn_of_unit(unit: Optional[str]) -> None:
         return
     context = _pcl_ops.ResultContext()
     context.set_unit(unit)
-    for doubt in _pcl_ops.warnings(np.empty((0, 3), np.float32), np.zeros(3), [], context):
-        python_warnings.warn(ResultWarning(*doubt), stacklevel=3)
+    no_points, origin = np.empty((0, 3), np.float32), np.zeros(3)
+    for code, text in _pcl_ops.warnings(no_points, origin, [], context):
+        python_warnings.warn(ResultWarning(code, text), stacklevel=3)
 
 
 def write(
@@ -83,35 +85,35 @@ def write(
 ) -> None:
     """Write a point cloud as the programs do, with the plane of each point.
 
-    path: .pcd or .ply, or .las or .laz for a cloud that was read from one of these, of which
-        all is kept. An existing file is replaced once the new one is complete.
-    cloud: what read or from_message gives, with all its fields; or an array of points as for
+    path: .pcd or .ply; or .las or .laz for a cloud that was read from such a file, all of which
+        is kept. An existing file is replaced when the new one is complete.
+    cloud: what read or from_message returns, with all its fields; or an array of points as for
         segment, of which x, y and z are written.
-    labels: whole numbers of the shape that segment gives them, negative on no plane. In the
-        file they are the field label, 0 on no plane, the first plane 1. Points get the color
-        of their plane in a .pcd or .ply.
-    distances: a number for each point, the field distance; only beside labels.
+    labels: integers in the shape of segment's labels, negative for no plane. In the file they
+        are the field label, with 0 for no plane and 1 for the first plane. In a .pcd or .ply
+        points get the color of their plane.
+    distances: a number for each point, for the field distance; only together with labels.
     keep_color: keep the colors that the cloud has.
 
-    Raises OSError where the file cannot be written, ValueError or TypeError where the
-    arguments do not fit.
+    Raises OSError if the file cannot be written, ValueError or TypeError if the arguments do
+    not fit.
     """
     from . import _files
 
     cloud = _checked_cloud(cloud)
     number = len(cloud.points)
-    numbered = _numbers_of_file("labels", labels, number)
-    apart = _distances_of_file(distances, number)
-    if len(apart) and not len(numbered):
+    file_labels = _labels_of_file("labels", labels, number)
+    file_distances = _distances_of_file(distances, number)
+    if len(file_distances) and not len(file_labels):
         raise ValueError("distances: are those to planes; give labels, too")
     name = os.fsencode(path)
     if _is_las(path):
         if cloud.source is None:
             raise ValueError(f"{os.fsdecode(path)}: is LAS, which the cloud was not read from; "
                              "give a .pcd or .ply")
-        if not len(numbered):
+        if not len(file_labels):
             raise ValueError("labels: are what is added to a .las; give them")
-        _files.save_las(name, os.fsencode(cloud.source), cloud.points, numbered, apart)
+        _files.save_las(name, os.fsencode(cloud.source), cloud.points, file_labels, file_distances)
         return
     if os.path.splitext(os.fsdecode(path))[1].lower() not in (".pcd", ".ply"):
         raise ValueError(f"{os.fsdecode(path)}: has an unknown extension; give .pcd, .ply, or "
@@ -120,10 +122,11 @@ def write(
     fields = [(field, _NUMBERS_OF_TYPES[kind.base.str[1:]], int(np.prod(kind.shape, dtype=int)))
               for field, (kind, _) in rows.dtype.fields.items()]
     _files.save(name, fields, rows.view(np.uint8).ravel(), cloud.height, cloud.viewpoint,
-                cloud.orientation, numbered, apart, keep_color)
+                cloud.orientation, file_labels, file_distances, keep_color)
 
 
 def _checked_cloud(given: Any) -> Cloud:
+    """A Cloud or an array of points as a Cloud that can be written."""
     if not isinstance(given, Cloud):
         height = np.shape(given)[0] if np.ndim(given) == 3 else 1
         return Cloud(points_array(given), np.zeros(3), {}, height)
@@ -144,8 +147,8 @@ def _is_las(path: Any) -> bool:
     return os.fsdecode(path).lower().endswith((".las", ".laz"))
 
 
-def _numbers_of_file(name: str, labels: Any, number: int) -> NDArray[np.uint32]:
-    """Labels as files have them: planes from 1, 0 for none; of none an empty array."""
+def _labels_of_file(name: str, labels: Any, number: int) -> NDArray[np.uint32]:
+    """Labels as files have them: planes from 1, 0 for no plane; an empty array for None."""
     if labels is None:
         return np.empty(0, np.uint32)
     array = np.asarray(labels)
@@ -162,13 +165,13 @@ def _distances_of_file(distances: Any, number: int) -> NDArray[np.float32]:
 
 
 def _rows_of_file(cloud: Cloud) -> NDArray[Any]:
-    """All fields side by side; x, y and z are those of the points."""
+    """All fields as a structured array; x, y and z are those of the points."""
     columns = {axis: cloud.points[:, i] for i, axis in enumerate("xyz")}
     for name, field in cloud.fields.items():
         if name not in columns:
             columns[name] = field
         elif np.array_equal(field, columns[name], equal_nan=True):
-            columns[name] = field  # of its own type
+            columns[name] = field  # equal coordinates keep the type of the field
     names = [*cloud.fields, *(axis for axis in "xyz" if axis not in cloud.fields)]
     kinds = [(name, columns[name].dtype.newbyteorder("<"), columns[name].shape[1:])
              for name in names]
@@ -185,8 +188,8 @@ def from_message(msg: Any) -> Cloud:
         point_step, row_step and is_bigendian. Fields may be in any order, padded, of
         either order of bytes, and coordinates of any type.
 
-    Raises TypeError or ValueError where msg is no such object, or its parts contradict
-    each other.
+    Raises TypeError or ValueError if msg is no such object, or if its parts contradict each
+    other.
     """
     try:
         rows = _rows(msg)
@@ -207,14 +210,15 @@ def _rows(msg: Any) -> NDArray[Any]:
     """The points as a structured array of shape (height, width)."""
     order = ">" if msg.is_bigendian else "<"
     # PCL's files call their padding "_".
-    fields = [one for one in msg.fields if one.name != "_" and one.datatype in _TYPES]
-    kinds = [np.dtype((order + _TYPES[one.datatype], (one.count,) if one.count > 1 else ()))
-             for one in fields]
+    fields = [field for field in msg.fields if field.name != "_" and field.datatype in _TYPES]
+    kinds = [np.dtype((order + _TYPES[field.datatype], (field.count,) if field.count > 1 else ()))
+             for field in fields]
     row_step = msg.row_step if msg.height > 1 else msg.width * msg.point_step
     data = msg.data if isinstance(msg.data, bytes) else np.asarray(msg.data, np.uint8)
     try:
-        layout = np.dtype({"names": [one.name for one in fields], "formats": kinds,
-                           "offsets": [one.offset for one in fields], "itemsize": msg.point_step})
+        layout = np.dtype({"names": [field.name for field in fields], "formats": kinds,
+                           "offsets": [field.offset for field in fields],
+                           "itemsize": msg.point_step})
         return np.ndarray((msg.height, msg.width), layout, data,
                           strides=(row_step, msg.point_step))
     except (TypeError, ValueError) as error:
@@ -222,6 +226,6 @@ def _rows(msg: Any) -> NDArray[Any]:
 
 
 def _column(numbers: NDArray[Any]) -> NDArray[Any]:
-    """A copy of its own, one entry for each point, in the machine's order of bytes."""
+    """A copy with one entry for each point, in the machine's byte order."""
     flat = numbers.reshape((-1, *numbers.shape[2:]))
     return flat.astype(flat.dtype.newbyteorder("="))

@@ -9,18 +9,19 @@ import struct
 import tempfile
 from typing import Any, Dict, List, Tuple
 
-_UNKNOWN = -1  # the system of places in a plane
+# The number that the standard gives to undefined Cartesian reference systems.
+_UNKNOWN_SYSTEM = -1
 
 Box = Tuple[float, float, float, float]  # min x, max x, min y, max y
 
 
 def _tables_of_all() -> str:
-    """Those of every GeoPackage, which the programs write, too."""
+    """SQL that makes the tables of every GeoPackage; the programs use the same."""
     return pathlib.Path(__file__).with_name("geopackage.sql").read_text(encoding="utf-8")
 
 
 def geopackage_of(geojson: str, layer: str) -> bytes:
-    """The file that has the features of a map, polygons and lines in space, as one layer."""
+    """A GeoPackage with the features of a map, polygons and lines in space, as one layer."""
     import sqlite3  # not every build of Python has it
 
     found = json.loads(geojson)
@@ -46,7 +47,7 @@ def geopackage_of(geojson: str, layer: str) -> bytes:
 
 def _system_of(found: Dict[str, Any]) -> int:
     if "crs" not in found:
-        return _UNKNOWN
+        return _UNKNOWN_SYSTEM
     return int(found["crs"]["properties"]["name"].rsplit(":", 1)[1])
 
 
@@ -81,42 +82,45 @@ def _add_features(database: Any, features: List[Dict[str, Any]], layer: str, sys
 
 
 def _add_contents(database: Any, layer: str, system: int, boxes: List[Box]) -> None:
-    columns = list(zip(*boxes)) or [(0.0,)] * 4
-    limits = min(columns[0]), min(columns[2]), max(columns[1]), max(columns[3])
-    # No time of writing: the same map has the same bytes.
+    min_x, max_x, min_y, max_y = list(zip(*boxes)) or [(0.0,)] * 4
+    limits = min(min_x), min(min_y), max(max_x), max(max_y)
+    # A fixed time of writing, so that the same map has the same bytes.
     database.execute("INSERT INTO gpkg_contents VALUES (?, 'features', ?, '', '1970-01-01T00:00:00.000Z', "
                      "?, ?, ?, ?, ?)", (layer, layer, *limits, system))
-    # 2: with or without heights.
-    database.execute("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'GEOMETRY', ?, 2, 0)",
-                     (layer, system))
+    heights_optional, measures_prohibited = 2, 0
+    database.execute("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'GEOMETRY', ?, ?, ?)",
+                     (layer, system, heights_optional, measures_prohibited))
 
 
 def _blob_of(geometry: Dict[str, Any], system: int) -> Tuple[bytes, Box]:
-    """Well-known binary (ISO 13249-3) of places in space, with system and box before it."""
+    """The header with reference system and box, then well-known binary (ISO 13249-3); the box."""
     parts: List[bytes] = []
-    places: List[List[float]] = []
-    _write(geometry["type"], geometry["coordinates"], parts, places)
-    x, y = zip(*(place[:2] for place in places))
+    positions: List[List[float]] = []
+    _write(geometry["type"], geometry["coordinates"], parts, positions)
+    x, y = zip(*(position[:2] for position in positions))
     box = min(x), max(x), min(y), max(y)
     version, little_endian_with_box = 0, 3
     return struct.pack("<2sBBi4d", b"GP", version, little_endian_with_box, system, *box) + b"".join(parts), box
 
 
-def _write(kind: str, coordinates: Any, parts: List[bytes], places: List[List[float]]) -> None:
-    codes = {"LineString": 1002, "Polygon": 1003, "MultiLineString": 1005}  # in space
+def _write(kind: str, coordinates: Any, parts: List[bytes], positions: List[List[float]]) -> None:
+    """Appends the binary of a geometry to parts, and its positions to positions."""
+    codes = {"LineString": 1002, "Polygon": 1003, "MultiLineString": 1005}  # with z
     little_endian = 1
     parts.append(struct.pack("<BII", little_endian, codes[kind], len(coordinates)))
     for part in coordinates:
         if kind == "MultiLineString":
-            _write("LineString", part, parts, places)
+            _write("LineString", part, parts, positions)
         elif kind == "Polygon":
             parts.append(struct.pack("<I", len(part)))
-            for place in part:
-                _write_place(place, parts, places)
+            for position in part:
+                _write_position(position, parts, positions)
         else:
-            _write_place(part, parts, places)
+            _write_position(part, parts, positions)
 
 
-def _write_place(place: List[float], parts: List[bytes], places: List[List[float]]) -> None:
-    parts.append(struct.pack("<3d", *place))
-    places.append(place)
+def _write_position(
+    position: List[float], parts: List[bytes], positions: List[List[float]]
+) -> None:
+    parts.append(struct.pack("<3d", *position))
+    positions.append(position)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes as maps and tables for other programs."""
+"""Writes planes as maps and tables for other programs."""
 
 import csv
 import io
@@ -31,20 +31,20 @@ def write_planes(
     path: .geojson or .gpkg, maps for QGIS and others, .csv, a table with the outline as the
         column wkt, or .json, the list that pcl_ops_evaluate planes and others read.
     planes: list of Plane.
-    crs: of a map, the reference system of the coordinates, as "EPSG:25832"; without it
+    crs: for a map, the reference system of the coordinates, as "EPSG:25832"; without it
         programs take them for degrees.
-    hull: the outlines, and the column area by them; "concave" with holes.
-    up: vector against gravity, of slope, aspect and height; None: the one that segment was
-        given, for its list, else z.
+    hull: the kind of outlines, from which the column area follows; "concave" ones have holes.
+    up: vector against gravity, for slope, aspect and height; None: the up of a list that
+        segment returned, else z.
     labels: the column id; None: 1, 2, ..., as write numbers the planes in a cloud.
 
-    Raises OSError where the file cannot be written, ValueError or TypeError where the
-    arguments do not fit.
+    Raises OSError if the file cannot be written, ValueError or TypeError if the arguments do
+    not fit.
     """
     name = os.fsdecode(path)
     axis = getattr(planes, "up", (0.0, 0.0, 1.0)) if up is None else up
     listed = plane_list("planes", planes)
-    numbers = range(1, len(listed) + 1) if labels is None else [int(one) for one in labels]
+    numbers = range(1, len(listed) + 1) if labels is None else [int(label) for label in labels]
     if len(numbers) != len(listed):
         raise ValueError(f"labels: {len(numbers)} are not one for each of {len(listed)} planes")
     if hull not in ("convex", "concave"):
@@ -74,10 +74,11 @@ def write_planes(
 
 
 def _replace_file(name: str, content: bytes) -> None:
-    """Under another name until it is complete: a failure leaves an existing file as it is."""
+    """Writes under another name and renames at the end: a failure leaves an existing file as is.
+    """
     target = os.path.realpath(name)
     folder, base = os.path.split(target)
-    # One for each call: threads may write one file.
+    # A name for each call: several threads may write the same file.
     descriptor, unfinished = tempfile.mkstemp(".part", base + ".", folder)
     try:
         with open(descriptor, "wb") as file:
@@ -90,47 +91,52 @@ def _replace_file(name: str, content: bytes) -> None:
 
 
 def _mode_of(target: str) -> int:
-    """That of the file, or of a new one; mkstemp has others not read its files."""
+    """The permissions of the file, or of a new one; files of mkstemp are private."""
     try:
         return os.stat(target).st_mode & 0o7777
     except FileNotFoundError:
-        mask = os.umask(0)
+        mask = os.umask(0)  # the only way to read it is to set it
         os.umask(mask)
         return 0o666 & ~mask
 
 
 def _seen_from_above(rings: Rings) -> Rings:
     """The outline counter-clockwise, its holes clockwise, as maps want them; closed."""
-    turned = []
+    closed_rings = []
     for ring in rings:
         x, y = (ring - ring[0])[:, :2].T  # far from zero areas have few digits left
-        area = x @ np.roll(y, -1) - y @ np.roll(x, -1)
-        is_wrong = area < 0.0 if not turned else area > 0.0
+        twice_area = x @ np.roll(y, -1) - y @ np.roll(x, -1)
+        is_outline = not closed_rings
+        is_wrong = twice_area < 0.0 if is_outline else twice_area > 0.0
         ring = ring[::-1] if is_wrong else ring
-        turned.append(np.vstack([ring, ring[:1]]))
-    return turned
+        closed_rings.append(np.vstack([ring, ring[:1]]))
+    return closed_rings
 
 
 def _decimals(rows: Sequence[Dict[str, Any]]) -> int:
-    """Three, or as many as a thousandth of the narrowest plane takes."""
+    """Decimals of coordinates: 3, or more (up to 12) for a thousandth of the narrowest plane."""
     widths = [row["width"] for row in rows if row["width"] > 0.0]
     return min(12, max([3, *(math.ceil(3 - math.log10(width)) for width in widths)]))
 
 
-def _numbers(corner: NDArray[np.float64], decimals: int) -> List[str]:
+def _number_texts(corner: NDArray[np.float64], decimals: int) -> List[str]:
     # A coordinate that is rounded to zero has no sign.
     return [f"{0.0 if abs(value) <= 0.5 * 10.0**-decimals else value:.{decimals}f}"
             for value in corner.tolist()]
 
 
-def _nested(rings: Rings, decimals: int, between: str, lists: str, corners: str) -> str:
-    """Lists of corners between the two signs of lists; each corner between its own."""
+def _nested(rings: Rings, decimals: int, separator: str, list_signs: str, corner_signs: str) -> str:
+    """The text of a list of rings.
+
+    separator: stands between the numbers of a corner.
+    list_signs, corner_signs: the sign before and the sign after a list, and a corner; or "".
+    """
     texts = []
     for ring in rings:
-        written = (corners[:1] + between.join(_numbers(corner, decimals)) + corners[1:]
-                   for corner in ring)
-        texts.append(lists[0] + ",".join(written) + lists[1])
-    return lists[0] + ",".join(texts) + lists[1]
+        corners = (corner_signs[:1] + separator.join(_number_texts(corner, decimals))
+                   + corner_signs[1:] for corner in ring)
+        texts.append(list_signs[0] + ",".join(corners) + list_signs[1])
+    return list_signs[0] + ",".join(texts) + list_signs[1]
 
 
 def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any) -> str:
@@ -138,15 +144,18 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
     if crs is not None:
         if not (isinstance(crs, str) and re.fullmatch("EPSG:[0-9]{1,7}", crs)):
             raise ValueError(f"crs: has to be as 'EPSG:25832', not {crs!r:.80}")
-        known = f"urn:ogc:def:crs:EPSG::{crs[5:]}"
-        text += f'"crs":{{"type":"name","properties":{{"name":"{known}"}}}},'
+        code = crs[len("EPSG:"):]
+        urn = f"urn:ogc:def:crs:EPSG::{code}"
+        text += f'"crs":{{"type":"name","properties":{{"name":"{urn}"}}}},'
     decimals = _decimals(rows)
     features = []
     for row, rings in zip(rows, outlines):
         properties = {name.replace("normal_", "n"): value for name, value in row.items()}
         coordinates = _nested(rings, decimals, ",", "[]", "[]")
         # A polygon without area on the map is not valid: facades are lines.
-        is_upright = row["orientation"] == "vertical" or abs(row["normal_z"]) < 0.001
+        smallest_normal_z = 0.001
+        is_upright = (row["orientation"] == "vertical"
+                      or abs(row["normal_z"]) < smallest_normal_z)
         kind = "MultiLineString" if is_upright else "Polygon"
         geometry = f'{{"type":"{kind}","coordinates":{coordinates}}}' if rings else "null"
         features.append(
@@ -156,20 +165,20 @@ def _geojson(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], crs: Any
 
 
 def _json(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings], planes: Planes) -> str:
-    """As --planes FILE.json of the programs has planes, without what they know of the run."""
-    listed = []
+    """Planes as --planes FILE.json of the programs has them, without what is about the run."""
+    entries = []
     for row, rings, plane in zip(rows, outlines, planes):
-        one = {name: row[name] for name in ("id", "orientation", "kind", "points")}
-        one.update(coefficients=plane.coefficients.tolist(), centroid=plane.centroid.tolist(),
-                   normal=plane.normal.tolist(), rms=plane.rms)
+        entry = {name: row[name] for name in ("id", "orientation", "kind", "points")}
+        entry.update(coefficients=plane.coefficients.tolist(), centroid=plane.centroid.tolist(),
+                     normal=plane.normal.tolist(), rms=plane.rms)
         if plane.noise is not None:
-            one["noise"] = plane.noise
-        one.update((name, row[name]) for name in ("area", "slope", "aspect", "height"))
-        one["extent"] = {"length": row["length"], "width": row["width"]}
+            entry["noise"] = plane.noise
+        entry.update((name, row[name]) for name in ("area", "slope", "aspect", "height"))
+        entry["extent"] = {"length": row["length"], "width": row["width"]}
         open_rings = [ring[:-1].tolist() for ring in rings]
-        one["hull"], one["holes"] = (open_rings or [[]])[0], open_rings[1:]
-        listed.append(one)
-    return json.dumps({"planes": listed}, indent=1, allow_nan=False) + "\n"
+        entry["hull"], entry["holes"] = (open_rings or [[]])[0], open_rings[1:]
+        entries.append(entry)
+    return json.dumps({"planes": entries}, indent=1, allow_nan=False) + "\n"
 
 
 def _csv(rows: Sequence[Dict[str, Any]], outlines: Sequence[Rings]) -> str:

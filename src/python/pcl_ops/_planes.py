@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes of one array, what is done with lists of them, and planes of one frame found again in
-others."""
+"""Planes of one array, functions of lists of planes, and planes that are tracked from frame to
+frame."""
 
 import warnings as python_warnings
 from copy import copy
@@ -13,22 +13,23 @@ from numpy.typing import NDArray
 
 from . import _pcl_ops
 from ._arguments import (
-    Points, Vector, did_you_mean, direction, is_same_array, named_parameters, place, points_array, pose_matrix,
+    Points, Vector, did_you_mean, direction, finite_vector, is_same_array, named_parameters, points_array, pose_matrix,
     single_precision, with_given)
 
 
 def _part(name: str, doc: str) -> Any:
-    """What the extension knows of a plane."""
+    """An attribute of the extension's class, with a docstring."""
     return property(getattr(_pcl_ops.Segment, name).fget, doc=doc)
 
 
 def _part_of_extent(position: int, doc: str) -> Any:
+    """One of hull, area, length and width, with a docstring."""
     return property(lambda plane: plane._extent()[position], doc=doc)
 
 
 Kind = Literal["floor", "ceiling", "wall", "slab", "roof", "ramp", "table", "other"]
 
-# Of the programs' tables of planes.
+# The columns of the programs' tables of planes.
 TABLE_COLUMNS = (
     "orientation", "kind", "points", "a", "b", "c", "d", "centroid_x", "centroid_y", "centroid_z",
     "normal_x", "normal_y", "normal_z", "rms", "area", "length", "width", "slope", "aspect",
@@ -38,9 +39,9 @@ TABLE_COLUMNS = (
 class Plane(_pcl_ops.Segment):
     """A plane and the points on it, in the frame and the unit of their array.
 
-    Hull, area, length and width are found out when first asked for, from the array as it
-    is then; of one in another order of bytes from its copy. A pickled plane has its array
-    with it, planes of one list the same.
+    Hull, area, length and width are computed when first asked for, from the array as it is
+    then, or from the copy of an array in another byte order. A pickle of a plane contains its
+    array; planes that are pickled in one list share it.
     """
 
     normal: NDArray[np.float64] = _part("normal", "(3,): unit normal, towards the viewpoint.")
@@ -49,9 +50,9 @@ class Plane(_pcl_ops.Segment):
         lambda plane: np.append(plane.normal, -plane.normal @ plane.centroid),
         doc="(4,): normal and d of a x + b y + c z + d = 0.")
     rms: float = _part("rms", "Root mean square distance of the inliers to the plane.")
-    noise: Optional[float] = _part("noise", """How far points around scatter about the surface
-        through them, the median over the plane; at most 4 times what is usual where points are as
-        dense. None of other methods than "ops", with a given surfels_voxel_size, and of exact
+    noise: Optional[float] = _part("noise", """The standard deviation of the surrounding points from
+        their surface, the median over the plane; at most 4 times what is usual at their density.
+        None for other methods than "ops", for a given surfels_voxel_size, and for exact
         points.""")
     orientation: Literal["horizontal", "vertical", "other"] = _part(
         "orientation", "By up and angle_tolerance.")
@@ -79,16 +80,17 @@ class Plane(_pcl_ops.Segment):
 
     @property
     def lies_on(self) -> Optional[int]:
-        """Of a piece: the number of the plane it lies on, by falling size from 0."""
+        """For a piece the number of the plane it lies on: planes are numbered from 0, by falling
+        size. Else None."""
         return self._lies_on
 
     @property
     def kind(self) -> Kind:
-        """What it is in a building, by plane_kinds of the planes it was found with and their
-        up, which name them all when one is first asked."""
+        """What it is in a building: the result of plane_kinds for all planes it was found with, by
+        their up. It is computed for all of them when the first is asked for."""
         if self._kind is None:
             planes, up, viewpoint = self._named_with
-            sensor = _place_that_saw(self._points, viewpoint)
+            sensor = _viewpoint_if_true(self._points, viewpoint)
             for plane, kind in zip(planes, plane_kinds(planes, up, viewpoint=sensor)):
                 plane._kind = kind
         return self._kind
@@ -114,7 +116,7 @@ class Plane(_pcl_ops.Segment):
 
         points: array as for segment; the result has its shape without the last side.
         """
-        # From the centroid: an equation's offset has few digits left far from zero.
+        # Relative to the centroid, as the offset d of the plane has few digits left far from zero.
         distances = (points_array(points) - self.centroid) @ self.normal
         return distances.reshape(np.shape(points)[:-1])
 
@@ -126,12 +128,13 @@ class Plane(_pcl_ops.Segment):
         height: of the centroid along up.
         """
         axis = direction("up", up)
-        along = float(self.normal @ axis)
-        across = float(np.linalg.norm(np.cross(self.normal, axis)))
-        x, y = (self.normal if along >= 0.0 or self.orientation == "vertical"
+        cosine = float(self.normal @ axis)
+        sine = float(np.linalg.norm(np.cross(self.normal, axis)))
+        # Of a normal that points up, or of a vertical plane to its front.
+        x, y = (self.normal if cosine >= 0.0 or self.orientation == "vertical"
                 else -self.normal)[:2]
         has_aspect = axis[2] == 1.0 and (x != 0.0 or y != 0.0)
-        slope = float(np.degrees(np.arctan2(across, abs(along))))
+        slope = float(np.degrees(np.arctan2(sine, abs(cosine))))
         aspect = float(np.degrees(np.arctan2(x, y))) % 360.0 if has_aspect else None
         return dict(zip(TABLE_COLUMNS, (
             self.orientation, self.kind, len(self.inliers), *self.coefficients.tolist(),
@@ -139,13 +142,13 @@ class Plane(_pcl_ops.Segment):
             self.width, slope, aspect, float(self.centroid @ axis))))
 
     def __init__(self, segment: Any, points: NDArray[Any]) -> None:
-        """As segment makes them."""
+        """Takes the contents of the extension's segment; points: the array it is of."""
         super().__init__(segment)
         self._points = points
         self._known_extent = None
         self._lies_on: Optional[int] = None
         self._kind: Optional[Kind] = None
-        # The planes it is named among, up, and where the sensor is said to have been.
+        # By what its kind is found: the planes it is among, up, and the sensor's viewpoint.
         self._named_with: Tuple[List["Plane"], Vector, Optional[Vector]] = (
             [self], (0.0, 0.0, 1.0), None)
 
@@ -159,7 +162,7 @@ class Plane(_pcl_ops.Segment):
                         self.inliers, self.noise), {"_lies_on": self._lies_on, "_kind": self.kind}
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
-        if self._known_extent is None:  # it takes longer than finding the plane
+        if self._known_extent is None:  # computed late, as it takes longer than finding the plane
             points, origin = self._own_points()
             hull, *sizes = _pcl_ops.extent(points, origin, self)
             self._known_extent = np.reshape(hull, (-1, 3)) + origin, *sizes
@@ -170,6 +173,7 @@ class Plane(_pcl_ops.Segment):
 
 
 def _plane(points: NDArray[Any], *state: Any) -> Plane:
+    """A plane of what Plane.__reduce__ put into a pickle."""
     return Plane(_pcl_ops.Segment(*state), points)
 
 
@@ -191,7 +195,7 @@ class ResultWarning(UserWarning):
         return ResultWarning, (self.code, str(self))
 
 
-# As many as the programs print.
+# The largest number of warnings on a result, as of the programs.
 MAX_WARNINGS = 3
 
 
@@ -199,17 +203,18 @@ class FoundPlanes(List[Plane]):
     """Planes by falling number of points, and the lengths they were found with."""
 
     voxel_size: Optional[float] = None
-    """Edge of the voxels; None where the method has none."""
+    """Edge of the voxels; None if the method has none."""
     distance_threshold: Optional[float] = None
-    """Farthest a point may be from its plane; the median where it follows their noise. None
-    where no plane was found to tell it."""
+    """The largest distance of a point to its plane; the median over the planes if it follows
+    their noise. None if it would follow the noise and no plane was found."""
     up: Tuple[float, float, float] = (0.0, 0.0, 1.0)
-    """Against gravity: what orientations are named by."""
+    """Against gravity: orientations are named by it."""
     up_confidence: Optional[float] = None
-    """With up="auto", how sure the planes are of it, 0 to 1; None where they cannot tell."""
+    """With up="auto", how sure the planes are of up, 0 to 1; None if they cannot tell it."""
     warnings: Sequence[ResultWarning] = ()
-    """What is doubtful about them, the most important first; each was given to
-    warnings.warn, too."""
+    """What is doubtful about the planes, the most important first. Each one was also given to
+    warnings.warn."""
+    # Given when kinds are asked for: they need to know which way is up.
     _of_kinds: Optional[ResultWarning] = None
 
     def _warn(self, warning: ResultWarning, stacklevel: int) -> None:
@@ -217,37 +222,41 @@ class FoundPlanes(List[Plane]):
         python_warnings.warn(warning, stacklevel=stacklevel)
 
     def _warn_of_kinds(self, stacklevel: int) -> None:
-        """Once, that kinds need to know which way is up."""
+        """Gives the warning about kinds, once.
+
+        stacklevel: 1 is this method, 2 its caller, and so on.
+        """
         warning, self._of_kinds = self._of_kinds, None
         if warning:
             self._warn(warning, stacklevel + 1)
 
     @property
     def kind(self) -> NDArray[np.str_]:
-        """(len,): the kind of each; planes.kind == "wall" tells which are walls."""
+        """(n,): the kind of each of the n planes; planes.kind == "wall" tells which are walls."""
         self._warn_of_kinds(3)
         return np.array([plane.kind for plane in self], dtype="<U7")
 
     def as_dict(self) -> Dict[str, List[Any]]:
-        """Columns by name, those of Plane.as_dict: pandas.DataFrame(planes.as_dict())."""
+        """The columns of Plane.as_dict by name, for pandas.DataFrame(planes.as_dict())."""
         rows = [plane.as_dict(self.up) for plane in self]
         return {name: [row[name] for row in rows] for name in TABLE_COLUMNS}
 
 
 class PlaneEdge(NamedTuple):
-    """A stretch of the line that two planes have in common, with points of both beside it."""
+    """A part of the common line of two planes, with points of both beside it."""
 
     planes: Tuple[int, int]
     """Positions in the list of planes, ascending."""
     start: NDArray[np.float64]
-    """(3,): one end; the other lies from it along the cross product of the normals."""
+    """(3,): one end. The other end is from here in the direction of the cross product of the
+    normals."""
     end: NDArray[np.float64]
     angle: float
     """Between the planes, 0 to pi / 2 [rad]."""
 
 
 class PlaneCorner(NamedTuple):
-    """The point that three planes have in common, where each two have an edge."""
+    """The common point of three planes of which each two have an edge there."""
 
     planes: Tuple[int, int, int]
     """Positions in the list of planes, ascending."""
@@ -255,30 +264,32 @@ class PlaneCorner(NamedTuple):
 
 
 def _array_of(planes: Planes) -> NDArray[Any]:
+    """The array that all planes are of."""
     if not all(is_same_array(plane._points, planes[0]._points) for plane in planes):
         raise ValueError("planes: they are of different arrays, whose rows cannot be told apart")
     return planes[0]._points if planes else np.empty((0, 3), np.float32)
 
 
 def plane_list(name: str, planes: Any) -> List[Plane]:
+    """A list of planes from any iterable or from one plane; raises if it has anything else."""
     listed = list(planes) if isinstance(planes, Iterable) else [planes]
-    if not all(isinstance(one, Plane) for one in listed):
+    if not all(isinstance(plane, Plane) for plane in listed):
         raise TypeError(f"{name}: not a list of pcl_ops.Plane: {planes!r:.80}")
     return listed
 
 
 def name_together(planes: List[Plane], up: Vector, viewpoint: Optional[Vector] = None) -> None:
-    """Has the kind of each told by all of them."""
+    """Makes Plane.kind of each follow from all of these planes."""
     for plane in planes:
         plane._kind, plane._named_with = None, (planes, up, viewpoint)
 
 
-def _place_that_saw(points: NDArray[Any], viewpoint: Optional[Vector]) -> Optional[Vector]:
-    """The viewpoint, where the array may have been seen from it."""
+def _viewpoint_if_true(points: NDArray[Any], viewpoint: Optional[Vector]) -> Optional[Vector]:
+    """The viewpoint, or None if the array cannot have been seen from it."""
     if viewpoint is None:
         return None
     single, origin = single_precision(points)
-    is_seen = _pcl_ops.is_seen_from(single, place("viewpoint", viewpoint) - origin)
+    is_seen = _pcl_ops.is_seen_from(single, finite_vector("viewpoint", viewpoint) - origin)
     return viewpoint if is_seen else None
 
 
@@ -286,23 +297,23 @@ def plane_kinds(
     planes: Planes, up: Vector = (0.0, 0.0, 1.0), meter: float = 1.0,
     viewpoint: Optional[Vector] = None,
 ) -> List[Kind]:
-    """What planes are in a building, by their heights, sizes, slopes and what is around them.
+    """What planes are in a building, by their heights, sizes, slopes and surroundings.
 
     planes: all Plane of a cloud, with normals towards the sensor.
     up: vector against gravity.
     meter: the length of a meter in the unit of the planes.
-    viewpoint: where the sensor was, if that is known: what lies below it is no ceiling, and the
-        ground tells which way is up where the sensor leans.
+    viewpoint: the position of the sensor, if it is known: planes below it are no ceilings, and
+        the ground tells which way is up if the sensor leans.
 
-    Returns for each "floor", "ceiling", "wall", "slab", "roof", "ramp", "table" or "other".
+    Returns for each plane "floor", "ceiling", "wall", "slab", "roof", "ramp", "table" or "other".
     """
     listed = plane_list("planes", planes)
-    axis = place("up", up)
+    axis = finite_vector("up", up)
     if not axis.any():
         raise ValueError("up: has no direction")
     if not (isinstance(meter, (int, float)) and 0.0 < meter < np.inf):
         raise ValueError(f"meter: has to be a length above 0, not {meter!r:.80}")
-    sensor = None if viewpoint is None else place("viewpoint", viewpoint)
+    sensor = None if viewpoint is None else finite_vector("viewpoint", viewpoint)
     return _pcl_ops.kinds(listed, axis, meter, sensor)
 
 
@@ -310,25 +321,25 @@ def plane_kinds(
 def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels]:
     """Merge coplanar planes until no pair passes the test.
 
-    planes: list of Plane of one array that share no points, as segment gives them; with
-        merging_enabled=False it leaves them as they were found.
-    up, angle_tolerance: which planes are horizontal and vertical [rad].
-    angle_threshold [rad], distance_threshold, noise_factor: how far the normals and the
-        centroids of two planes may be apart.
+    planes: list of Plane of one array that share no points, as segment returns them; with
+        merging_enabled=False segment does not merge them itself.
+    up, angle_tolerance: decide which planes are horizontal and vertical [rad].
+    angle_threshold [rad], distance_threshold, noise_factor: limits for the angle between two
+        planes and for their distance.
 
-    Returns (merged, merged_into): a list of Plane by falling number of points, and an
-    int32 array with the position in it of the plane that each of planes went into, -1
-    where its points span no plane.
+    Returns (merged, merged_into): a list of Plane by falling number of points; and an int32
+    array with, for each of planes, the position in merged of the plane it became part of, -1
+    if its points span no plane.
     """
     planes = plane_list("planes", planes)
     points = _array_of(planes)
-    taken = np.concatenate([np.empty(0, np.int32), *(plane.inliers for plane in planes)])
-    if len(np.unique(taken)) < len(taken):
+    inliers = np.concatenate([np.empty(0, np.int32), *(plane.inliers for plane in planes)])
+    if len(np.unique(inliers)) < len(inliers):
         raise ValueError("planes: some share points, which would count twice; give those of one "
                          "segment")
     segments, merged_into = _pcl_ops.merge(
         planes, with_given(_pcl_ops.merge_planes(), parameters))
-    merged = [Plane(one, points) for one in segments]
+    merged = [Plane(segment, points) for segment in segments]
     viewpoint = planes[0]._named_with[2] if planes else None
     name_together(merged, parameters.get("up", (0.0, 0.0, 1.0)), viewpoint)
     return merged, np.array(merged_into, np.int32)
@@ -343,51 +354,52 @@ def filter_planes(
     planes: list of Plane, in an order that stays.
     kind: "wall" and the like, as Plane.kind says, or several: ("wall", "roof").
     orientation: "horizontal", "vertical" or "other".
-    direction: vector (x, y, z) of any length that normals point along, or against, to
-        within direction_tolerance [rad].
-    slope: (least, largest) angle between the plane and the horizontal [rad], by up, the
-        vector against gravity.
-    min_points, min_area, min_width: fewest inliers, smallest area of the hull and smallest
-        width of the rectangle around it.
-    max_area, max_width: the largest ones; None: any.
+    direction: vector (x, y, z) of any length; normals point along or against it, within
+        direction_tolerance [rad].
+    slope: (smallest, largest) angle between the plane and the horizontal [rad].
+    up: vector against gravity, for slope.
+    min_points, min_area, min_width: smallest number of inliers, area of the hull and width of
+        the rectangle around it.
+    max_area, max_width: largest area and width; None: any.
     size: (width, height, tolerance) of a board: the sides of that rectangle, in any order,
         and by how much each may differ.
-    max_planes: how many to keep of those that are left, the first ones.
+    max_planes: the largest number of planes to keep; the first ones that pass are kept.
 
-    Returns (kept, dropped): the list of Plane, and a dict with how many each of these
-    arguments dropped; a plane counts once, for the first it fails.
+    Returns (kept, dropped): the list of Plane, and a dict with the number of planes that each
+    argument dropped; a plane counts once, for the first argument it fails.
     """
     listed = plane_list("planes", planes)
-    named = listed
+    of_kind = listed
     if kind is not None:
-        wanted = _kinds_of(kind)
+        wanted_kinds = _kinds_of(kind)
         if isinstance(planes, FoundPlanes):
             planes._warn_of_kinds(3)
-        named = [plane for plane in listed if plane.kind in wanted]
-    kept, dropped = _pcl_ops.filter(named, with_given(_pcl_ops.filter_planes(), parameters))
-    return [named[i] for i in kept], {"kind": len(listed) - len(named), **dropped}
+        of_kind = [plane for plane in listed if plane.kind in wanted_kinds]
+    kept, dropped = _pcl_ops.filter(of_kind, with_given(_pcl_ops.filter_planes(), parameters))
+    return [of_kind[i] for i in kept], {"kind": len(listed) - len(of_kind), **dropped}
 
 
-def _kinds_of(kind: Any) -> List[str]:
-    wanted = [kind] if isinstance(kind, str) else list(kind)
+def _kinds_of(given: Any) -> List[str]:
+    """A list of kinds from one or several; raises if one is unknown."""
+    kinds = [given] if isinstance(given, str) else list(given)
     known = get_args(Kind)
-    for one in wanted:
-        if one not in known:
-            raise ValueError(f"kind: {one!r:.80} is unknown{did_you_mean(one, known)}; "
+    for kind in kinds:
+        if kind not in known:
+            raise ValueError(f"kind: {kind!r:.80} is unknown{did_you_mean(kind, known)}; "
                              f"there are {', '.join(known)}")
-    return wanted
+    return kinds
 
 
 class PlaneMove(NamedTuple):
     """How a plane was moved."""
 
     angle: float
-    """It turned about its centroid [rad]."""
+    """By how much it turned about its centroid [rad]."""
     offset: float
-    """It moved along its normal."""
+    """How far it then moved along its normal."""
     displacement: float
-    """Root mean square of how far its points are from where they were beside it, in multiples of
-    its rms; of a plane that stays the one it would have had."""
+    """Root mean square change of the distances of its points to it, in multiples of its rms; for
+    a plane that was not moved the displacement it would have had."""
     is_moved: bool
     direction: int
     """Planes with the same number are parallel."""
@@ -400,9 +412,10 @@ def regularize_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], L
     """Make nearly parallel, orthogonal and coplanar planes exactly so.
 
     planes: list of Plane of one array.
-    max_angle: planes this near to parallel or to orthogonal are meant to be so [rad].
-    max_offset: parallel planes this near are meant to be one; None: three times their noise.
-    max_displacement: how far a plane may move beside its points, in multiples of its rms.
+    max_angle: planes that are parallel or orthogonal within this angle are made so [rad].
+    max_offset: parallel planes within this distance are made coplanar; None: three times their
+        joint rms.
+    max_displacement: how far a plane may move relative to its points, in multiples of its rms.
 
     Returns (regularized, moves): a list of Plane in the order of planes, and how each moved.
     """
@@ -410,9 +423,9 @@ def regularize_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], L
     points = _array_of(planes)
     found, moves = _pcl_ops.regularize(
         planes, with_given(_pcl_ops.regularize_planes(), parameters))
-    regularized = [Plane(one, points) for one in found]
-    for one, plane in zip(regularized, planes):
-        one._lies_on = plane._lies_on
+    regularized = [Plane(segment, points) for segment in found]
+    for after, before in zip(regularized, planes):
+        after._lies_on = before._lies_on
     if planes:
         name_together(regularized, *planes[0]._named_with[1:])
     return regularized, [PlaneMove(*move) for move in moves]
@@ -425,9 +438,10 @@ def find_plane_edges(
     """Where planes meet: edges of two, corners of three.
 
     planes: list of Plane of one array.
-    reach: how near to the line that two planes have in common both must have points;
-        max_gap: how long a gap along it may be; min_length: shorter edges are left
-        out. None: follows the noise and the distance of neighboring points.
+    reach: how near to their common line two planes must both have points.
+    max_gap: the longest gap of points along an edge.
+    min_length: shorter edges are left out. None for these three: they follow the noise and the
+        distance of neighboring points.
     min_angle: planes at a smaller angle have no edge [rad].
 
     Returns (edges, corners), in ascending order of their planes.
@@ -446,22 +460,22 @@ class PlanOpening(NamedTuple):
     start: NDArray[np.float64]
     end: NDArray[np.float64]
     sill: Optional[float]
-    """Height over the floor of the wall below it; None where none was seen."""
+    """Height over the floor of the top of the wall below it; None if no wall was seen there."""
     head: Optional[float]
-    """Height over the floor of the wall above it."""
+    """Height over the floor of the bottom of the wall above it; None if none was seen."""
     rooms: Tuple[Optional[int], Optional[int]]
-    """Before and behind the wall, positions in the list of rooms; None where none is."""
+    """The rooms before and behind the wall, by position in the list of rooms, or None."""
     is_door: bool
-    """No wall was seen below it but for a threshold below 0.25 m."""
+    """Whether no wall was seen below it, or only a threshold lower than 0.25 m."""
 
 
 class PlanWall(NamedTuple):
-    """One side of a wall, from corner to corner; the room is to the left of the way."""
+    """One side of a wall, from corner to corner; the room is to the left from start to end."""
 
     start: NDArray[np.float64]
     end: NDArray[np.float64]
     thickness: Optional[float]
-    """To its other side, where that was seen."""
+    """Distance to its other side; None if that was not seen."""
     openings: List[PlanOpening]
     """From start to end."""
     planes: Tuple[int, ...]
@@ -480,7 +494,7 @@ class PlanRoom(NamedTuple):
     ceiling: Optional[float]
     """Heights along up; None where they were not seen."""
     middle: NDArray[np.float64]
-    """A place within, for a name."""
+    """A position inside, for a name."""
     unseen: List[NDArray[np.float64]]
     """(2, 2) each: the ends of the parts of the outline that have no wall."""
     doors_to: Tuple[int, ...]
@@ -494,16 +508,17 @@ class FloorPlan(NamedTuple):
     rooms: List[PlanRoom]
     """By falling area."""
     floor: float
+    """Height of the floor."""
     height: float
-    """Of the floor, and of the cut."""
+    """Height of the cut."""
 
 
 def draw_floor_plan(planes: Planes, up: Vector, parameters: Dict[str, Any]) -> FloorPlan:
-    """The plan; warnings name the line that called the caller."""
+    """The plan; warnings name the line of the user, which called the caller of this."""
     if isinstance(planes, FoundPlanes):
         planes._warn_of_kinds(4)
     planes = plane_list("planes", planes)
-    axis = place("up", up)
+    axis = finite_vector("up", up)
     if not axis.any():
         raise ValueError("up: has no direction")
     given = with_given(_pcl_ops.floor_plan(), parameters)
@@ -515,11 +530,12 @@ def draw_floor_plan(planes: Planes, up: Vector, parameters: Dict[str, Any]) -> F
         context = _pcl_ops.ResultContext()
         context.has_meter = meter != 1.0
         context.set_plan(0, kinds.count("wall"), "floor" in kinds)
-        python_warnings.warn(
-            ResultWarning(*_pcl_ops.warnings(single, origin, [], context)[0]), stacklevel=3)
+        code, text = _pcl_ops.warnings(single, origin, [], context)[0]
+        python_warnings.warn(ResultWarning(code, text), stacklevel=3)
     return FloorPlan(
-        [PlanWall(start, end, thickness, [PlanOpening(*one) for one in openings], tuple(numbers))
-         for start, end, thickness, openings, numbers in walls],
+        [PlanWall(start, end, thickness, [PlanOpening(*opening) for opening in openings],
+                  tuple(of_planes))
+         for start, end, thickness, openings, of_planes in walls],
         [PlanRoom([np.reshape(ring, (-1, 2)) for ring in rings], *rest,
                   [np.array(ends) for ends in unseen], doors)
          for rings, *rest, unseen, doors in rooms],
@@ -532,11 +548,11 @@ def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) 
 
     planes: all Plane of one array, as segment gives them. Their kind says what makes the plan.
     up: vector against gravity.
-    cut_height: where walls are cut, over the lowest floor.
-    min_opening, max_opening: lengths of gaps that are openings.
+    cut_height: height over the lowest floor at which walls are cut.
+    min_opening, max_opening: the shortest and longest gap that is an opening.
     max_snap: how far ends of walls are moved to the wall they meet.
     min_room: area of the smallest room.
-    meter: the length of a meter in the unit of the planes, 1000 of millimeters; all other
+    meter: the length of a meter in the unit of the planes, 1000 for millimeters; all other
         lengths here, and the plan, are in meters.
     """
     return draw_floor_plan(planes, up, parameters)
@@ -548,19 +564,19 @@ def estimate_up_axis(
 ) -> Optional[Tuple[NDArray[np.float64], float]]:
     """Which way is up in a room, by its planes alone.
 
-    planes: list of Plane of one array as segment gives them, with normals towards the
+    planes: list of Plane of one array as segment returns them, with normals towards the
         viewpoint.
-    viewpoint: where the sensor was, in the frame of the planes.
-    angle_tolerance [rad]: of a plane to the direction it speaks for.
-    min_share, min_confidence: of the planes that must be horizontal and that must be
-        vertical; below which there is no answer.
+    viewpoint: the position of the sensor, in the frame of the planes.
+    angle_tolerance: planes within this angle of horizontal or vertical count as such [rad].
+    min_share: smallest share of the planes that must be horizontal, and that must be vertical.
+    min_confidence: below it there is no answer.
 
     Returns (direction, confidence): a unit vector against gravity, and how sure it is, 0
-    to 1; or None where the planes cannot tell, or where the points were not seen from the
-    viewpoint (is_seen_from), as then floors are taken for ceilings.
+    to 1. Or None if the planes cannot tell, or if the points were not seen from the viewpoint
+    (is_seen_from), as then floors would be taken for ceilings.
     """
     planes = plane_list("planes", planes)
-    sensor = place("viewpoint", viewpoint)
+    sensor = finite_vector("viewpoint", viewpoint)
     single, origin = single_precision(_array_of(planes))
     found = _pcl_ops.up_axis(planes, sensor, with_given(_pcl_ops.estimate_up_axis(), parameters))
     return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
@@ -570,11 +586,12 @@ def estimate_up_axis(
 def match_planes(
     previous: Planes, current: Planes, pose: Optional[NDArray[Any]] = None, **parameters: Any
 ) -> Tuple[Labels, NDArray[np.float64]]:
-    """Find the planes of a frame again in the next.
+    """Find the planes of one frame again in the next.
 
     previous, current: lists of Plane, each in the frame of its own array.
     pose: array of shape (4, 4), the current frame in the previous one: a point p of the
-        current frame is pose[:3, :3] @ p + pose[:3, 3] there. None: they are the same.
+        current frame is pose[:3, :3] @ p + pose[:3, 3] in the previous one. None: both frames
+        are the same.
     rotation_error [rad], translation_error: how far the pose may be off, one standard
         deviation about and along any axis; rotations are about the zero of the current
         frame.
@@ -615,24 +632,27 @@ def _tracked(number: int, segment: Any, last_seen: int, first_seen: int, times_s
 
 
 class _Way:
-    """How a sensor moves in its own frames."""
+    """How far a sensor moves along the axes of its own frames."""
 
-    LEAST = 3.0  # [m]: less may be a sensor that is lifted
+    SHORTEST = 3.0  # [m]: a sensor that is lifted moves less
+    MIN_COSINE = 0.9  # of the angle between z and up
 
     def __init__(self) -> None:
-        self._before: Optional[NDArray[np.float64]] = None
-        self._along = np.zeros(3)
-        self._is_told = False
+        self._last_pose: Optional[NDArray[np.float64]] = None
+        self._length_along_axes = np.zeros(3)
+        self._was_told = False
 
     def goes_up(self, pose: NDArray[np.float64], up: Optional[Vector]) -> bool:
-        """Whether z is up and, first with this pose, most of the way goes along it."""
-        if self._before is not None:
-            self._along += np.abs(np.linalg.solve(self._before, pose)[:3, 3])
-        self._before = pose
-        x, y, z = self._along
-        is_up = up is not None and not self._is_told and up[2] > 0.9 and z >= max(x, y, self.LEAST)
-        self._is_told = self._is_told or is_up
-        return is_up
+        """Whether z is up and most of the way goes along z; true for the first such pose alone."""
+        if self._last_pose is not None:
+            motion = np.linalg.solve(self._last_pose, pose)
+            self._length_along_axes += np.abs(motion[:3, 3])
+        self._last_pose = pose
+        x, y, z = self._length_along_axes
+        is_z_up = up is not None and up[2] > self.MIN_COSINE
+        is_first = not self._was_told and is_z_up and z >= max(x, y, self.SHORTEST)
+        self._was_told = self._was_told or is_first
+        return is_first
 
 
 class PlaneTracker:
@@ -643,7 +663,7 @@ class PlaneTracker:
     def __init__(
         self, memory: Optional[int] = None, max_distance: Optional[float] = None, **parameters: Any
     ) -> None:
-        """memory: frames a plane is remembered after it was last seen; None: for ever.
+        """memory: for how many frames a plane is remembered after it was last seen; None: for ever.
         max_distance: planes of which every part is farther from the sensor are forgotten.
 
         The others are those of match_planes; errors are from one frame to the next.
@@ -682,8 +702,9 @@ class PlaneTracker:
         if self._way.goes_up(frame, getattr(planes, "up", None)):
             context = _pcl_ops.ResultContext()
             context.has_camera_poses = True
-            doubts = _pcl_ops.warnings(np.empty((0, 3), np.float32), np.zeros(3), [], context)
-            python_warnings.warn(ResultWarning(*doubts[0]), stacklevel=2)
+            no_points, origin = np.empty((0, 3), np.float32), np.zeros(3)
+            code, text = _pcl_ops.warnings(no_points, origin, [], context)[0]
+            python_warnings.warn(ResultWarning(code, text), stacklevel=2)
         return np.array(numbers, np.uint32)
 
     @property

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The planes of an array, and how right they are."""
+"""Finds the planes of an array, and compares labels with the true ones."""
 
 from typing import Any, Dict, List, Literal, Optional, Tuple, Union, get_args
 
@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Points, Vector, named_parameters, parameters_of, place, plane_numbers
-from ._arguments import points_array, single_precision, with_given
+from ._arguments import Points, Vector, finite_vector, named_parameters, parameters_of
+from ._arguments import plane_numbers, points_array, single_precision, with_given
 from ._planes import MAX_WARNINGS, FoundPlanes, Labels, Plane, ResultWarning, name_together
 
 Method = Literal["ops", "fspf", "kht"]
@@ -17,6 +17,7 @@ Preset = Literal["default", "paper"]
 
 
 def _preset(method: Any, preset: Any) -> Any:
+    """The extension's struct of parameters of a method, with the values of a preset."""
     for name, value, words in (("method", method, get_args(Method)),
                                ("preset", preset, get_args(Preset))):
         if value not in words:
@@ -26,7 +27,7 @@ def _preset(method: Any, preset: Any) -> Any:
     return kind.paper() if preset == "paper" else kind()
 
 
-def _gap(piece_gap: Any) -> float:
+def _checked_gap(piece_gap: Any) -> float:
     if not isinstance(piece_gap, (int, float)) or not 1.0 <= piece_gap < float("inf"):
         raise ValueError(
             f"piece_gap: has to be a number of spacings from 1, not {piece_gap!r:.80}")
@@ -42,53 +43,54 @@ def segment(
     """Find all planes of a point cloud.
 
     points: array of float32 or float64 of shape (N, 3), or (H, W, 3) as of an image; a fourth
-        number of each point is not looked at. Rows with NaN or infinite numbers are on no
-        plane. float32 with its rows in order is read where it is, all else is copied as
-        float32; float64 relative to a place among the points where float32 could not hold
-        it. Other threads must not change it meanwhile.
+        number of each point is not used. Rows with NaN or infinite numbers are on no plane.
+        float32 with its rows in order is read without a copy, all else is copied as float32;
+        float64 relative to a position among the points if float32 cannot hold it. Other
+        threads must not change it meanwhile.
     method: "ops" (Oriented Point Sampling), "fspf" (Fast Sampling Plane Filtering) or
         "kht" (3D Kernel-based Hough Transform).
     preset: "default" or "paper", what the other parameters are by default.
-    viewpoint: where the sensor was; normals point towards it. (0, 0, 0) says nothing where
-        the points were not seen from there: normals of planes that are not vertical point up.
-    pieces: whether each connected piece of a plane is one by itself, with the plane it lies on
-        as lies_on.
-    piece_gap: widest gap within a piece, in spacings of the points around it.
-    parameters: see pcl_ops.parameters(method), with the values of the preset.
-        distance_threshold, min_points, up=(x, y, z), angle_tolerance, seed and threads
-        (0: all) are those of all methods. up="camera" is camera_up(); up="auto" is what the planes tell
-        (estimate_up_axis), with planes.up and planes.up_confidence.
+    viewpoint: the position of the sensor; normals point towards it. If the points were not seen
+        from (0, 0, 0), this default means that it is unknown: then normals of planes that are
+        not vertical point up.
+    pieces: whether each connected piece of a plane becomes a plane of its own, with the plane it
+        is part of as lies_on.
+    piece_gap: widest gap within a piece, in units of the spacing of the points around it.
+    parameters: those of pcl_ops.parameters(method), by default with the values of the preset.
+        All methods have distance_threshold, min_points, up=(x, y, z), angle_tolerance, seed and
+        threads (0: all). up="camera" is camera_up(). up="auto" is the up axis that the planes
+        tell (estimate_up_axis), which planes.up and planes.up_confidence then have.
 
     Returns (labels, planes): an int32 array of shape (N,), or (H, W), with the position in
-    planes of the plane each point is on, -1 on none; and a list of Plane by falling number
-    of points, in the frame of the array, which has what was used, too.
+    planes of the plane each point is on, -1 for no plane; and FoundPlanes, a list of Plane by
+    falling number of points, in the frame of the array.
 
     Raises ValueError or TypeError, which name the argument at fault. Warns by ResultWarning of
-    what is doubtful, also where no up is given and the planes suggest another one than z, or
-    where they cannot tell "auto"; planes.warnings has the same.
+    what is doubtful, also if no up is given and the planes suggest another one than z, or if
+    they cannot tell it for "auto"; planes.warnings has the same warnings.
     """
     by_default = _preset(method, preset)
-    sensor = place("viewpoint", viewpoint)
+    sensor = finite_vector("viewpoint", viewpoint)
     array = points_array(points)
     single, origin = single_precision(array)
     seen = single, origin, sensor
-    found_up = None
-    on_up = None
+    found_up = None  # direction and confidence
+    up_warning = None
     is_up_known = "up" in parameters
     if _is_auto(parameters.get("up")):
         found_up = _up_of_default(seen, parameters)
-        on_up = None if found_up else ResultWarning(
+        up_warning = None if found_up else ResultWarning(
             "unknown-up", "up: the planes cannot tell, (0, 0, 1) is used; give up=(x, y, z)")
         parameters["up"] = (0.0, 0.0, 1.0) if found_up is None else found_up[0]
     given = with_given(by_default, parameters)
     segments, voxel_size, distance_threshold = _pcl_ops.segment(*seen, given)
     if "up" not in parameters and (method, preset) == ("ops", "default"):
-        on_up = _hint_at_up(seen, segments, given)
-    doubts = _doubts(seen, segments, given, is_up_known)
+        up_warning = _suggested_up(seen, segments, given)
+    warnings = _warnings_of(seen, segments, given, is_up_known)
     lies_on = [None] * len(segments)
     if pieces:
         segments, lies_on = _pcl_ops.pieces(
-            single, origin, segments, _gap(piece_gap), parameters.get("threads", 1))
+            single, origin, segments, _checked_gap(piece_gap), parameters.get("threads", 1))
     planes = FoundPlanes(Plane(segment, array) for segment in segments)
     for plane, number in zip(planes, lies_on):
         plane._lies_on = number
@@ -96,19 +98,19 @@ def segment(
     planes.up = parameters_of(given)["up"][0]
     planes.up_confidence = found_up and found_up[1]
     name_together(planes, planes.up, sensor)
-    # That kinds need to know up is told where somebody asks for them.
-    planes._of_kinds = None if on_up else next(
-        (doubt for doubt in doubts if doubt.code == "unknown-up"), None)
-    told = [doubt for doubt in doubts if doubt.code != "unknown-up"]
-    for doubt in ([on_up] if on_up else []) + told[:MAX_WARNINGS]:
-        planes._warn(doubt, 3)
+    # That kinds need to know up is told when somebody asks for them.
+    planes._of_kinds = None if up_warning else next(
+        (warning for warning in warnings if warning.code == "unknown-up"), None)
+    others = [warning for warning in warnings if warning.code != "unknown-up"]
+    for warning in ([up_warning] if up_warning else []) + others[:MAX_WARNINGS]:
+        planes._warn(warning, 3)
     labels = np.full(len(array), -1, np.int32)
     for number, plane in enumerate(planes):
         labels[plane.inliers] = number
     return labels.reshape(np.shape(points)[:-1]), planes
 
 
-# The points, their zero and the sensor's place, as the extension takes them.
+# The points, the origin they are relative to, and the sensor's position, as for the extension.
 _Seen = Tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float64]]
 
 
@@ -117,7 +119,7 @@ def _is_auto(up: Any) -> bool:
 
 
 def _up_of(seen: _Seen, segments: Any) -> Optional[Tuple[NDArray[np.float64], float]]:
-    """Direction and confidence, where the sensor's place may be the true one."""
+    """Direction and confidence, if the points may have been seen from the sensor's position."""
     single, origin, sensor = seen
     found = _pcl_ops.up_axis(segments, sensor, _pcl_ops.estimate_up_axis())
     return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
@@ -126,26 +128,26 @@ def _up_of(seen: _Seen, segments: Any) -> Optional[Tuple[NDArray[np.float64], fl
 def _up_of_default(
     seen: _Seen, parameters: Dict[str, Any]
 ) -> Optional[Tuple[NDArray[np.float64], float]]:
-    """By the planes of the default preset, on which the confidence was measured."""
+    """The same by planes of the default preset, for which the confidence was measured."""
     known = {name: parameters[name] for name in ("seed", "threads") if name in parameters}
     return _up_of(seen, _pcl_ops.segment(*seen, with_given(_pcl_ops.ops(), known))[0])
 
 
-def _hint_at_up(seen: _Seen, segments: Any, used: Any) -> Optional[ResultWarning]:
-    """Names another axis than the one used where the planes are sure of it."""
+def _suggested_up(seen: _Seen, segments: Any, used: Any) -> Optional[ResultWarning]:
+    """A warning that the planes suggest another up axis than the one used, or None."""
     found = _up_of(seen, segments)
     known = parameters_of(used)
-    # Planes have the same names upside down.
+    # Upside down planes have the same orientations.
     if not found or abs(found[0] @ known["up"][0]) >= np.cos(known["angle_tolerance"][0]):
         return None
-    x, y, z = np.round(found[0], 2) + 0.0  # the sum turns -0 into 0
+    x, y, z = np.round(found[0], 2) + 0.0  # adding 0 makes -0 positive
     return ResultWarning(
         "suggested-up", f"planes suggest that up is {x:.2f}, {y:.2f}, {z:.2f}: give up=\"auto\", "
         "or up=(0, 0, 1) where z is")
 
 
-def _doubts(seen: _Seen, segments: Any, used: Any, is_up_known: bool) -> List[ResultWarning]:
-    """What the programs say, the most important first."""
+def _warnings_of(seen: _Seen, segments: Any, used: Any, is_up_known: bool) -> List[ResultWarning]:
+    """The warnings that the programs give, the most important first."""
     single, origin, sensor = seen
     known = parameters_of(used)
     context = _pcl_ops.ResultContext()
@@ -153,29 +155,33 @@ def _doubts(seen: _Seen, segments: Any, used: Any, is_up_known: bool) -> List[Re
         context.viewpoint = sensor
     context.uses_kinds = True
     context.set_up(np.asarray(known["up"][0], np.float64), is_up_known)
-    if "sampling" in known and known["sampling"][0] in ("automatic", "neighborhoods") and (
-            known["surfels_voxel_size"][0] is None):
+    uses_neighborhoods = (
+        "sampling" in known and known["sampling"][0] in ("automatic", "neighborhoods")
+        and known["surfels_voxel_size"][0] is None)
+    if uses_neighborhoods:
         context.search = used
-    return [ResultWarning(*doubt) for doubt in _pcl_ops.warnings(single, origin, segments, context)]
+    return [ResultWarning(code, text)
+            for code, text in _pcl_ops.warnings(single, origin, segments, context)]
 
 
 def parameters(method: Method = "ops", preset: Preset = "default") -> Dict[str, Any]:
     """The parameters of a method by name, with the values of a preset, as a dict.
 
-    None stands for: follows the cloud. What each means is on the page of parameters, and
-    in the headers, whose structs' fields these are; those of a struct within another have
-    its name before their own, as in merging_angle_threshold.
+    None means that the value follows the cloud. The page on parameters and the headers say what
+    each means. They are the fields of structs; fields of a nested struct begin with its name,
+    as merging_angle_threshold.
     """
     return {name: value for name, (value, _) in parameters_of(_preset(method, preset)).items()}
 
 
 def is_seen_from(points: Points, viewpoint: Vector = (0.0, 0.0, 0.0)) -> bool:
-    """Whether a point cloud may have been taken from a place.
+    """Whether a point cloud may have been taken from one position.
 
-    One surface in each direction, nothing behind anything: so is a depth image or a scan
-    in the frame of its sensor, but not a cloud of several, or one in the frame of a world.
+    Then there is one surface in each direction, and nothing behind it: as in a depth image or
+    a scan in the frame of its sensor, but not in a cloud of several scans, or in the frame of
+    a world.
     """
-    sensor = place("viewpoint", viewpoint)
+    sensor = finite_vector("viewpoint", viewpoint)
     single, origin = single_precision(points_array(points))
     return _pcl_ops.is_seen_from(single, sensor - origin)
 
@@ -187,13 +193,13 @@ def evaluate(
 ) -> Dict[str, float]:
     """Compare the planes found in a point cloud with the true ones.
 
-    truth, result: arrays of whole numbers of the shape that segment gives labels, the plane
-        of each point, negative on none.
+    truth, result: arrays of integers in the shape of segment's labels, the plane of each point,
+        negative for no plane.
     points: array as for segment; rows that are not finite do not count.
     none: the label of truth that stands for no plane, besides negative ones: 0 for labels
-        as files have them, -1 where 0 is a plane. Needed where truth has the label 0 but
-        no negative one, while result has negative ones.
-    up, angle_tolerance: which planes are horizontal and vertical [rad].
+        as files have them, -1 if 0 is a plane. It is needed if truth has the label 0 but no
+        negative one, while result has negative ones.
+    up, angle_tolerance: decide which planes are horizontal and vertical [rad].
 
     Returns a dict of fractions: classification_accuracy, segmentation_accuracy,
     segmentation_accuracy_all, and precision, recall, f_score, mean_iou, panoptic_quality,
@@ -205,8 +211,9 @@ def evaluate(
     array, shape = points_array(points), np.shape(points)[:-1]
     true_planes = plane_numbers("truth", truth, shape, -1 if none is None else none)
     found_planes = plane_numbers("result", result, shape, -1)
-    # 1 was the label 0, 0 a negative one.
-    if none is None and true_planes.min() == 1 and found_planes.min() == 0:
+    # In these numbers 1 was the label 0, and 0 a negative label.
+    is_label_0_ambiguous = true_planes.min() == 1 and found_planes.min() == 0
+    if none is None and is_label_0_ambiguous:
         raise ValueError(
             "truth: has the label 0 and no negative one; give none=0 if 0 stands for no plane, "
             "as in files, or none=-1 if it is a plane")

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cell_lines.h"
+
+#include "constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops::internal::buildings {
+namespace {
+
+using Eigen::Vector2d;
+
+/** \brief Returns whether a wall on another line passes through a position, or ends
+ * less than margin_of_plan from it. */
+bool
+hasWallAt (const CellLine& other, const Vector2d& position)
+{
+  constexpr double on_line = 0.01; // [m]
+  const double along = other.line.positionOf (position);
+  return std::abs (other.line.distance (position)) < on_line &&
+         std::any_of (
+             other.walls.begin(), other.walls.end(), [&] (const Interval& wall) {
+               return along > wall.from - constants.margin_of_plan &&
+                      along < wall.to + constants.margin_of_plan;
+             });
+}
+
+/** \brief Returns how far the farthest wall reaches beyond a position in a direction
+ * [m]; 0 if no wall does. */
+double
+farthestBeyond (const std::vector<CellLine>& lines,
+                const Vector2d& position,
+                const Vector2d& direction)
+{
+  double farthest = 0.0;
+  for (const CellLine& line : lines)
+    for (const Interval& wall : line.walls)
+      for (const double end : {wall.from, wall.to})
+        farthest = std::max (farthest, direction.dot (line.line.at (end) - position));
+  return farthest;
+}
+
+/** \brief Returns lines perpendicular to walls, at outermost ends that meet no other
+ * wall. A room whose outer wall was not seen ends there and not at the rim of the plan.
+ * Lines at all free ends (Mura et al. 2014) would cut off parts of real rooms: only
+ * 30 m^2 remained of a room of 49 m^2. */
+std::vector<CellLine>
+linesAcrossFreeEnds (const std::vector<CellLine>& lines)
+{
+  std::vector<CellLine> across;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (const Interval& wall : lines[i].walls)
+      for (const double position : {wall.from, wall.to}) {
+        const Vector2d end = lines[i].line.at (position);
+        const double outwards = position == wall.from ? -1.0 : 1.0;
+        bool is_free = farthestBeyond (lines, end, outwards * lines[i].line.along) <
+                       constants.max_off_line;
+        for (std::size_t j = 0; j < lines.size(); ++j)
+          is_free = is_free && (i == j || !hasWallAt (lines[j], end));
+        // Both sides of a wall end at one position and share one line.
+        const auto is_line_across = [&] (const CellLine& other) {
+          return std::abs (other.line.distance (end)) <= constants.max_off_line &&
+                 std::abs (other.line.along.dot (lines[i].line.along)) <=
+                     constants.min_sine_of_meeting;
+        };
+        if (is_free && std::none_of (across.begin(), across.end(), is_line_across))
+          across.push_back ({{end, lines[i].line.normal()}});
+      }
+  return across;
+}
+
+} // namespace
+
+std::vector<CellLine>
+cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans)
+{
+  std::vector<CellLine> lines;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    CellLine line{faces[i].line};
+    for (const WallSpan& span : spans)
+      if (span.face == i)
+        line.walls.push_back (span.whole);
+    if (!line.walls.empty())
+      lines.push_back (std::move (line));
+  }
+  const std::vector<CellLine> across = linesAcrossFreeEnds (lines);
+  if (lines.size() + across.size() > constants.max_walls)
+    return lines;
+  lines.insert (lines.end(), across.begin(), across.end());
+  return lines;
+}
+
+} // namespace pcl_ops::internal::buildings

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan_walls.h"
+
+#include <vector>
+
+namespace pcl_ops::internal::buildings {
+
+/** \brief A line that bounds cells, and the intervals of walls on it. */
+struct CellLine {
+  PlanLine line;
+  Intervals walls = {};
+};
+
+/** \brief Returns the lines that divide a plan: lines of walls, then lines across free
+ * ends. The latter are left out if there would be more than max_walls lines. */
+std::vector<CellLine>
+cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans);
+
+} // namespace pcl_ops::internal::buildings

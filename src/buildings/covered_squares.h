@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "constants.h"
+#include "plan_cells.h"
+#include "planar_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace pcl_ops::internal::buildings {
+
+/** \brief Returns the mean density of points [1/m^2] over squares of one meter in the
+ * box that have points; infinite without points. */
+inline double
+meanDensityOf (const PlanPoints& points, const Eigen::AlignedBox2d& box)
+{
+  double points_inside = 0.0;
+  std::set<std::pair<long, long>> square_meters;
+  for (const Eigen::Vector3d& point : points)
+    if (box.contains (point.head<2>().eval())) {
+      points_inside += 1.0;
+      square_meters.emplace (std::lround (point.x()), std::lround (point.y()));
+    }
+  if (square_meters.empty())
+    return std::numeric_limits<double>::infinity();
+  return points_inside / static_cast<double> (square_meters.size());
+}
+
+/** \brief Numbers of points in the squares of a horizontal grid. */
+class CoveredSquares {
+public:
+  /** \param[in] edge of a square [m]; enlarged if there would be too many squares */
+  CoveredSquares (const PlanPoints& points, const Eigen::AlignedBox2d& box, double edge)
+  {
+    const Eigen::Vector2d sizes = box.sizes();
+    edge_ = std::max (edge,
+                      std::sqrt (sizes.x() * sizes.y() / constants.max_cover_squares));
+    low_ = box.min();
+    columns_ = static_cast<std::size_t> (sizes.x() / edge_) + 1;
+    rows_ = static_cast<std::size_t> (sizes.y() / edge_) + 1;
+    points_.assign (columns_ * rows_, 0);
+    for (const Eigen::Vector3d& point : points)
+      if (box.contains (point.head<2>().eval()))
+        ++points_[squareAt (point.head<2>())];
+  }
+
+  /** \brief Returns the share of a convex cell whose squares have points, 0 to 1. */
+  double
+  shareOf (const PlanCell& cell) const
+  {
+    return meanOver (cell,
+                     [] (std::uint32_t points) { return points > 0 ? 1.0 : 0.0; });
+  }
+
+  /** \brief Returns the density of points in a convex cell [1/m^2]. */
+  double
+  densityOf (const PlanCell& cell) const
+  {
+    return meanOver (cell, [this] (std::uint32_t points) {
+      return static_cast<double> (points) / (edge_ * edge_);
+    });
+  }
+
+private:
+  /** \brief Returns the mean over samples in a cell of the value of their squares.
+   * \param[in] valueOf makes the value of a square of its number of points */
+  template <typename Value>
+  double
+  meanOver (const PlanCell& cell, const Value& valueOf) const
+  {
+    Eigen::AlignedBox2d box;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& corner : cell.corners) {
+      box.extend (corner);
+      middle += corner / static_cast<double> (cell.corners.size());
+    }
+    // Samples on a grid; in a sliver that contains no sample, only its middle.
+    constexpr int max_samples = constants.max_samples_of_cell;
+    const Eigen::Vector2d wanted = (box.sizes() / edge_).array().ceil();
+    const int columns = std::clamp (static_cast<int> (wanted.x()), 1, max_samples);
+    const int rows = std::clamp (static_cast<int> (wanted.y()), 1, max_samples);
+    int samples = 0;
+    double sum = 0.0;
+    const auto add_sample = [&] (const Eigen::Vector2d& position) {
+      ++samples;
+      sum += valueOf (points_[squareAt (position)]);
+    };
+    for (int i = 0; i < columns; ++i)
+      for (int j = 0; j < rows; ++j) {
+        const Eigen::Vector2d position =
+            box.min() + Eigen::Vector2d ((i + 0.5) / columns * box.sizes().x(),
+                                         (j + 0.5) / rows * box.sizes().y());
+        if (isWithin (cell, position))
+          add_sample (position);
+      }
+    if (samples == 0)
+      add_sample (middle);
+    return sum / samples;
+  }
+
+  static bool
+  isWithin (const PlanCell& cell, const Eigen::Vector2d& position)
+  {
+    const std::size_t corners = cell.corners.size();
+    for (std::size_t i = 0; i < corners; ++i) {
+      const Eigen::Vector2d& from = cell.corners[i];
+      if (cross (cell.corners[(i + 1) % corners] - from, position - from) < 0.0)
+        return false;
+    }
+    return true;
+  }
+
+  std::size_t
+  squareAt (const Eigen::Vector2d& position) const
+  {
+    const Eigen::Vector2d square = ((position - low_) / edge_).array().max (0.0);
+    return std::min (columns_ - 1, static_cast<std::size_t> (square.x())) * rows_ +
+           std::min (rows_ - 1, static_cast<std::size_t> (square.y()));
+  }
+
+  double edge_; // of a square [m]
+  Eigen::Vector2d low_;
+  std::size_t columns_, rows_;
+  std::vector<std::uint32_t> points_; // number in each square, column by column
+};
+
+} // namespace pcl_ops::internal::buildings
