@@ -10,16 +10,16 @@
 #include <cctype>
 #include <iostream>
 #include <sstream>
-#include <utility>
 
 namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Width of consoles in letters. */
 constexpr std::size_t help_width = 80;
 
-/** \brief Adds words to a line and breaks it at \p width. Further lines are indented to
- * \p column. */
+/** \brief Adds words to a line and breaks it at \p width.
+ * \param[in] column number of letters in front of the words of further lines */
 std::string
 wrapped (std::string line,
          const std::string& words,
@@ -39,24 +39,24 @@ wrapped (std::string line,
 }
 
 /** \brief Returns the help on one option or argument: its name, and its meaning from a
- * column on. */
+ * column on. A name that reaches there has a line of its own. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
-  std::string before;
+  std::string name_line;
   std::string line = "  " + name;
   if (line.size() >= column) {
-    before = line + "\n";
+    name_line = line + "\n";
     line.clear();
   }
   line.resize (column - 1, ' ');
-  // One column less: consoles begin a new line by themselves after the last column.
-  return before + wrapped (line, meaning, column, help_width - 1);
+  // A meaning leaves the last column free: some consoles begin a new line there.
+  return name_line + wrapped (line, meaning, column, help_width - 1);
 }
 
 /** \brief Returns the largest width of a name with its placeholder in a group. */
 std::size_t
-widthOf (const OptionGroup& group)
+nameWidth (const OptionGroup& group)
 {
   std::size_t width = 0;
   for (const Option& option : group.options)
@@ -64,13 +64,15 @@ widthOf (const OptionGroup& group)
   return width;
 }
 
-/** \brief Returns the help on a group: its title and an entry for each option. */
+/** \brief Returns the help on a group: its title and an entry for each option.
+ * \param[in] name_width for which there is room in front of the meanings */
 std::string
-explained (const OptionGroup& group, std::size_t width)
+explained (const OptionGroup& group, std::size_t name_width)
 {
   constexpr std::size_t around = 6; // margin, dashes, and a blank on either side
   constexpr std::size_t min_column = 24;
-  const std::size_t column = std::clamp (width + around, min_column, help_width / 2);
+  const std::size_t column =
+      std::clamp (name_width + around, min_column, help_width / 2);
   std::string text = "\n" + group.title + ":\n";
   for (const Option& option : group.options)
     text +=
@@ -95,45 +97,56 @@ looksLikeOption (const std::string& token)
          (token[1] == '-' || std::isalpha (static_cast<unsigned char> (token[1])) != 0);
 }
 
-/** \brief Returns the name of an option without its dashes and value; -h is help. */
+/** \brief Returns the name of an option without its dashes and value; -h is help.
+ * \param[in] token that \ref looksLikeOption */
 std::string
 nameIn (const std::string& token)
 {
-  const std::size_t begin = token[1] == '-' ? 2 : 1;
-  return token == "-h" ? "help" : token.substr (begin, token.find ('=') - begin);
+  const std::size_t dashes = token[1] == '-' ? 2 : 1;
+  return token == "-h" ? "help" : token.substr (dashes, token.find ('=') - dashes);
 }
 
 /** \brief Refuses a file name that begins like an option with one dash: no option has a
- * point or a slash in its name. */
+ * point or a slash in its name.
+ * \param[in] token that \ref looksLikeOption */
 void
 refuseFileName (const std::string& token)
 {
   const std::string name = token.substr (0, token.find ('='));
-  if (token[1] != '-' && name.find_first_of ("./") != std::string::npos)
+  const bool has_one_dash = token[1] != '-';
+  if (has_one_dash && name.find_first_of ("./") != std::string::npos)
     throw UsageError (token,
                       "is no option of this program; if it is a file give ./" + token);
 }
 
-/** \brief Returns the value of an option, or empty if it takes none. Advances \p token
- * if the value is the next one. */
+/** \brief Returns the value of an option: the text behind its =, or else the next
+ * token; empty if the option takes no value.
+ * \param[in,out] token that of the option; advanced if the next token is the value
+ * \param[in] end behind the last token */
 std::string
 takeValue (const Option& option, const char* const*& token, const char* const* end)
 {
   const std::string text = *token;
   const std::string name = "--" + option.name;
   const std::size_t equals = text.find ('=');
-  const bool is_joined = equals != std::string::npos;
+  const bool has_equals = equals != std::string::npos;
   if (option.placeholder.empty()) {
-    if (is_joined)
+    if (has_equals)
       throw UsageError (name, "takes no value; leave it out");
     return {};
   }
-  const bool has_next = token + 1 != end && !looksLikeOption (token[1]);
-  if (is_joined ? equals + 1 == text.size() : !has_next)
+  const char* const* const next = token + 1;
+  const bool has_value =
+      has_equals ? equals + 1 < text.size() : next != end && !looksLikeOption (*next);
+  if (!has_value)
     throw UsageError (name, "needs a value; see --help");
-  return is_joined ? text.substr (equals + 1) : *++token;
+  if (has_equals)
+    return text.substr (equals + 1);
+  token = next;
+  return *next;
 }
 
+/** \param[in] candidates the options whose names begin with \p start */
 [[noreturn]] void
 refuseAmbiguous (const std::string& start, const std::vector<const Option*>& candidates)
 {
@@ -158,29 +171,31 @@ refuseUnknown (const std::string& name, const std::vector<OptionGroup>& groups)
           (similar.empty() ? "see --help" : "did you mean --" + similar + "?"));
 }
 
-/** \brief Returns the option with a name, or the only one whose name begins with it. */
+/** \brief Returns the option with this name, or else the only one whose name begins
+ * with it. */
 const Option&
-find (const std::vector<OptionGroup>& groups, const std::string& start)
+findOption (const std::vector<OptionGroup>& groups, const std::string& name)
 {
   std::vector<const Option*> candidates;
   for (const OptionGroup& group : groups)
     for (const Option& option : group.options) {
-      if (option.name == start || (!start.empty() && option.old_name == start))
+      if (option.name == name || (!name.empty() && option.old_name == name))
         return option;
-      if (option.name.rfind (start, 0) == 0)
+      if (option.name.rfind (name, 0) == 0)
         candidates.push_back (&option);
     }
-  if (candidates.empty() || start.empty())
-    refuseUnknown (start, groups);
+  if (candidates.empty() || name.empty())
+    refuseUnknown (name, groups);
   if (candidates.size() > 1)
-    refuseAmbiguous (start, candidates);
+    refuseAmbiguous (name, candidates);
   return *candidates.front();
 }
 
 /** \brief Stores the given values into the arguments in order; each argument takes as
  * many as it can. */
 void
-store (const std::vector<Argument>& arguments, const std::vector<std::string>& given)
+storeArguments (const std::vector<Argument>& arguments,
+                const std::vector<std::string>& given)
 {
   std::size_t next = 0;
   for (const Argument& argument : arguments) {
@@ -201,44 +216,45 @@ store (const std::vector<Argument>& arguments, const std::vector<std::string>& g
 std::string
 CommandLine::usage() const
 {
-  std::string derived;
-  std::string text;
-  std::string before = "Usage: ";
-  std::size_t longest = 0;
+  std::string names;
+  std::size_t name_width = 0; // of the arguments with help
   for (const Argument& argument : arguments_) {
-    derived += argument.name + (argument.max_count > 1 ? "... " : " ");
+    names += argument.name + (argument.max_count > 1 ? "... " : " ");
     if (!argument.help.empty())
-      longest = std::max (longest, argument.name.size());
+      name_width = std::max (name_width, argument.name.size());
   }
-  const std::vector<std::string> one_way = {derived + "[options]"};
-  for (const std::string& way : ways_.empty() ? one_way : ways_) {
-    text += before + program_ + " " + way + "\n";
-    before = "       ";
+  const std::vector<std::string> derived_way = {names + "[options]"};
+  std::string text;
+  std::string indent = "Usage: ";
+  for (const std::string& way : ways_.empty() ? derived_way : ways_) {
+    text += indent + program_ + " " + way + "\n";
+    indent = "       ";
   }
-  text += summary_ + "\n\n" + explanation_ + (longest > 0 ? "Arguments:\n" : "");
+  text += summary_ + "\n\n" + explanation_ + (name_width > 0 ? "Arguments:\n" : "");
   constexpr std::size_t margin = 2;
   constexpr std::size_t gap = 3;
   for (const Argument& argument : arguments_)
     if (!argument.help.empty())
-      text += entry (argument.name, argument.help, margin + longest + gap);
+      text += entry (argument.name, argument.help, margin + name_width + gap);
   return text;
 }
 
 std::string
 CommandLine::help (bool is_full) const
 {
-  std::size_t width = widthOf (groups_.front());
-  if (is_full) // help2man wants two blanks in front of every meaning
+  std::size_t width = nameWidth (groups_.front());
+  if (is_full) // help2man wants two blanks in front of every meaning, one more
     for (const OptionGroup& group : groups_)
-      width = std::max (width, widthOf (group) + 1);
+      width = std::max (width, nameWidth (group) + 1);
   std::string text = usage() + explained (groups_.front(), width);
   for (std::size_t i = 1; i < groups_.size(); ++i) {
     std::string names;
     for (const Option& option : groups_[i].options)
       names += " --" + option.name;
+    constexpr std::size_t margin = 2;
     text += is_full ? explained (groups_[i], width)
                     : (i == 1 ? "\n" : "") + groups_[i].title + ":\n" +
-                          wrapped (" ", names, 2, help_width);
+                          wrapped (" ", names, margin, help_width);
   }
   return text;
 }
@@ -296,7 +312,11 @@ CommandLine::add (const std::string& usage,
 bool
 CommandLine::parse (int argc, const char* const* argv)
 {
-  std::vector<std::pair<const Option*, std::string>> options;
+  struct GivenOption {
+    const Option* option;
+    std::string value;
+  };
+  std::vector<GivenOption> options;
   std::vector<std::string> arguments;
   const char* const* const end = argv + argc;
   for (const char* const* token = argv + std::min (argc, 1); token != end; ++token) {
@@ -309,9 +329,8 @@ CommandLine::parse (int argc, const char* const* argv)
       continue;
     }
     refuseFileName (*token);
-    const std::string name = nameIn (*token);
-    const Option& option = find (groups_, name);
-    options.emplace_back (&option, takeValue (option, token, end));
+    const Option& option = findOption (groups_, nameIn (*token));
+    options.push_back ({&option, takeValue (option, token, end)});
     const bool is_new = given_.insert (option.name).second;
     if (!is_new && !option.may_be_repeated)
       throw UsageError ("--" + option.name, "is given twice; keep one");
@@ -323,7 +342,7 @@ CommandLine::parse (int argc, const char* const* argv)
   else {
     for (const auto& [option, value] : options)
       option->store (value);
-    store (arguments_, arguments);
+    storeArguments (arguments_, arguments);
     return true;
   }
   return false;

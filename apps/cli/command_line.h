@@ -15,18 +15,26 @@
 
 namespace pcl_ops::apps {
 
-using StoreText = std::function<void (const std::string&)>;
+/** \brief Stores the text of a value where the program wants it. */
+using StoreText = std::function<void (const std::string& value)>;
 
+/** \brief A positional argument, as an input file. */
 struct Argument {
-  std::string name, help;
+  std::string name;
+  /** \brief Its meaning for --help; empty: not listed there. */
+  std::string help;
+  /** \brief The most values that it takes. */
   std::size_t max_count;
   StoreText store;
 };
 
-/** \brief An option. If the placeholder is empty, it takes no value. */
 struct Option {
-  std::string name, placeholder;
+  /** \brief Its name without dashes. */
+  std::string name;
+  /** \brief What stands for the value in --help; empty if the option takes none. */
+  std::string placeholder;
   StoreText store;
+  /** \brief Its meaning for --help. */
   std::string meaning = {};
   /** \brief Another name that is accepted but not shown in the help; empty for none. */
   std::string old_name = {};
@@ -95,9 +103,8 @@ public:
     arguments_.push_back ({name, help, std::numeric_limits<std::size_t>::max(), store});
   }
 
-  /** \brief Replaces the text that --help derives from the arguments after "Usage:
-   * program".
-   * \param[in] ways one line of usage each
+  /** \brief Replaces what --help derives from the arguments after "Usage: program".
+   * \param[in] ways of calling the program, each without its name, on a line of its own
    * \param[in] explanation goes below the summary */
   void
   setUsage (const std::vector<std::string>& ways, const std::string& explanation)
@@ -168,6 +175,7 @@ public:
     return given_.count (name) > 0;
   }
 
+  /** \brief Returns the names of the given options of the group with this title. */
   std::vector<std::string>
   givenOf (const std::string& title) const;
 
@@ -199,10 +207,12 @@ private:
   usage () const;
 
   std::string program_, summary_, version_, explanation_;
+  /** \brief As of \ref setUsage; empty: derived from the arguments. */
   std::vector<std::string> ways_;
   std::vector<Argument> arguments_;
   /** \brief The groups in the order of the help; \ref add appends to the last one. */
   std::vector<OptionGroup> groups_;
+  /** \brief The names of the options on the command line. */
   std::set<std::string> given_;
 };
 

@@ -11,6 +11,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Returns a number with at most ten significant digits. */
 std::string
 shortText (double number)
 {
@@ -39,19 +40,19 @@ parseNumber (const std::string& option,
              const std::string& text,
              const Range& range,
              const Range& of_type,
-             bool is_whole)
+             bool must_be_whole)
 {
-  const std::string fix =
-      std::string ("; give a ") + (is_whole ? "whole " : "") + "number " + range.text();
+  const std::string fix = std::string ("; give a ") + (must_be_whole ? "whole " : "") +
+                          "number " + range.text();
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars (text.data(), end, number);
-  const bool overflows = error == std::errc::result_out_of_range;
+  const bool is_beyond_double = error == std::errc::result_out_of_range;
   if (rest != end || error == std::errc::invalid_argument)
     throw UsageError (option, "'" + text + "' is no number" + fix);
-  if (overflows || !range.contains (number) || !of_type.contains (number))
+  if (is_beyond_double || !range.contains (number) || !of_type.contains (number))
     throw UsageError (option, text + " is out of range" + fix);
-  if (is_whole && number != std::floor (number))
+  if (must_be_whole && number != std::floor (number))
     throw UsageError (option, text + " is not whole" + fix);
   return number;
 }

@@ -15,8 +15,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The range of numbers that an option takes; "above 0 and up to 1" in errors.
- */
+/** \brief The range of numbers that an option takes. "above 0 and up to 1" is above (0)
+ * .upTo (1). */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   bool lowest_included = false;
@@ -43,6 +43,7 @@ struct Range {
            (number < highest || (highest_included && number == highest));
   }
 
+  /** \brief Returns the range in words for messages, "above 0 and up to 1". */
   std::string
   text () const;
 };
@@ -60,14 +61,14 @@ from (double bound)
 }
 
 /** \param[in] of_type range of the number type
- * \param[in] is_whole whether the number must be whole
+ * \param[in] must_be_whole if true, the number must have no decimals
  * \throws UsageError about the option if \p text is no number in both ranges */
 double
 parseNumber (const std::string& option,
              const std::string& text,
              const Range& range,
              const Range& of_type,
-             bool is_whole);
+             bool must_be_whole);
 
 template <typename Number>
 Number

@@ -25,6 +25,7 @@ namespace {
 std::atomic<int> noted_signal{0};
 static_assert (std::atomic<int>::is_always_lock_free);
 
+/** \brief When it was noted, in the time of \ref milliseconds. */
 std::atomic<std::int64_t> noted_at{0};
 static_assert (std::atomic<std::int64_t>::is_always_lock_free);
 
@@ -34,14 +35,16 @@ milliseconds ()
 {
   timespec now{};
   ::clock_gettime (CLOCK_MONOTONIC, &now);
-  return std::int64_t (1000) * now.tv_sec + now.tv_nsec / 1000000;
+  constexpr std::int64_t milliseconds_in_second = 1000;
+  constexpr std::int64_t nanoseconds_in_millisecond = 1000000;
+  return milliseconds_in_second * now.tv_sec + now.tv_nsec / nanoseconds_in_millisecond;
 }
 
 void
 noteSignal (int signal)
 {
   // timeout and others signal twice: the program, then its process group.
-  constexpr std::int64_t same_wish = 500;
+  constexpr std::int64_t same_wish = 500; // [ms] longest time between the two
   if (noted_signal == 0) {
     noted_at = milliseconds();
     noted_signal = signal;
@@ -52,6 +55,7 @@ noteSignal (int signal)
   }
 }
 
+/** \brief The name that messages begin with. */
 std::string running_program;
 
 /** \brief Opens /dev/null for each standard stream that is closed. Otherwise a file
@@ -73,6 +77,8 @@ holdClosedStreams ()
   return has_output;
 }
 
+/** \brief Prints a message behind what the program has printed.
+ * \return \p code */
 int
 fail (const std::string& message, ExitCode code)
 {
@@ -120,11 +126,11 @@ runProgram (const std::string& name, const std::function<int()>& body)
   catch (const std::exception& error) {
     const std::string reason = error.what();
     // libstdc++ says so if the user's locale does not exist or memory is short.
-    const bool is_about_language =
+    const bool is_about_locale =
         reason.find ("_S_create_c_locale") != std::string::npos;
-    return fail (is_about_language ? "LANG cannot be set up: not enough memory, or it "
-                                     "is none; try a smaller cloud or LANG=C"
-                                   : reason,
+    return fail (is_about_locale ? "LANG cannot be set up: not enough memory, or it "
+                                   "is none; try a smaller cloud or LANG=C"
+                                 : reason,
                  ExitCode::work_failed);
   }
 }

@@ -8,6 +8,7 @@
 
 namespace pcl_ops::apps {
 
+/** \brief What programs return to the shell. */
 enum ExitCode : int { done = 0, work_failed = 1, wrong_usage = 2 };
 
 /** \brief Returns the line that \ref runProgram prints about a problem, "program:
@@ -26,6 +27,7 @@ warn (const std::string& message);
 int
 runProgram (const std::string& name, const std::function<int()>& body);
 
+/** \brief The user wants the program to end. */
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error ("interrupted: nothing was written; run it again")
   {}

@@ -15,7 +15,9 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Letters within the brackets of a bar. */
 constexpr std::size_t bar_width = 30;
+/** \brief Moves a terminal to the beginning of its line, which it erases. */
 constexpr const char* erase_line = "\r\033[K";
 
 } // namespace
@@ -44,11 +46,12 @@ void
 Progress::draw()
 {
   const Clock::time_point now = Clock::now();
-  if (style_ == ProgressStyle::None ||
-      (style_ == ProgressStyle::Lines && now - last_line_ < between_))
+  const bool is_too_early =
+      style_ == ProgressStyle::Lines && now - last_line_ < between_;
+  if (style_ == ProgressStyle::None || is_too_early)
     return;
   last_line_ = now;
-  const std::size_t steps = std::max<std::size_t> (1, steps_);
+  const std::size_t steps = std::max<std::size_t> (1, steps_); // not to divide by 0
   const std::size_t done = std::min (done_, steps);
   if (style_ == ProgressStyle::Bar) {
     const std::size_t filled = bar_width * done / steps;
@@ -70,15 +73,16 @@ Progress::draw()
 std::string
 durationText (double seconds)
 {
-  constexpr long minute = 60;
+  constexpr long minute = 60; // [s]
   constexpr long hour = 60 * minute;
-  const long total = std::lround (std::max (0.0, seconds));
+  const long whole_seconds = std::lround (std::max (0.0, seconds));
+  const long minutes = whole_seconds % hour / minute;
   using boost::format;
-  if (total < minute)
-    return std::to_string (total) + " s";
-  if (total < hour)
-    return str (format ("%d min %02d s") % (total / minute) % (total % minute));
-  return str (format ("%d h %02d min") % (total / hour) % (total % hour / minute));
+  if (whole_seconds < minute)
+    return std::to_string (whole_seconds) + " s";
+  if (whole_seconds < hour)
+    return str (format ("%d min %02d s") % minutes % (whole_seconds % minute));
+  return str (format ("%d h %02d min") % (whole_seconds / hour) % minutes);
 }
 
 StageLines::StageLines (std::ostream& stream, std::chrono::milliseconds between)
@@ -119,7 +123,7 @@ runInParallel (std::size_t count,
                const std::function<void (std::size_t)>& work)
 {
   std::atomic<std::size_t> next{0};
-  const auto take_turns = [&] {
+  const auto call_work = [&] {
     try {
       std::size_t i = next++;
       while (i < count) {
@@ -128,7 +132,7 @@ runInParallel (std::size_t count,
       }
     }
     catch (...) {
-      next = count;
+      next = count; // no further call begins
       throw;
     }
   };
@@ -136,12 +140,12 @@ runInParallel (std::size_t count,
   std::vector<std::future<void>> others; // their destructors wait for the threads
   try {
     for (std::size_t i = 1; i < std::min<std::size_t> (wanted, count); ++i)
-      others.push_back (std::async (std::launch::async, take_turns));
+      others.push_back (std::async (std::launch::async, call_work));
   }
   catch (const std::exception&) {
     // This thread and those that did start do the work.
   }
-  take_turns();
+  call_work();
   for (std::future<void>& other : others)
     other.get();
 }

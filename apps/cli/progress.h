@@ -32,7 +32,8 @@ progressStyleOf (bool is_terminal)
 /** \brief Shows the progress of a long run. Several threads may use it. */
 class Progress {
 public:
-  /** \param[in] noun name of the steps, in the plural
+  /** \param[in] steps their number in the whole run
+   * \param[in] noun name of the steps, in the plural
    * \param[in] between shortest time from one line to the next */
   Progress (std::size_t steps,
             std::ostream& stream,
@@ -47,6 +48,7 @@ public:
   {}
   ~Progress() { erase(); }
 
+  /** \brief Counts a step as done. */
   void
   step ()
   {
@@ -72,15 +74,18 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  /** \brief Writes the bar, or a line if it is time for one. The caller locks. */
   void
   draw ();
 
   std::size_t steps_;
+  /** \brief Number of steps that are done. */
   std::size_t done_ = 0;
   std::ostream& stream_;
   ProgressStyle style_;
   std::string noun_;
   std::chrono::milliseconds between_;
+  /** \brief Whether the last line of the stream is a bar. */
   bool has_bar_ = false;
   Clock::time_point start_ = Clock::now(), last_line_ = start_;
   std::mutex mutex_;
@@ -100,6 +105,7 @@ public:
                        std::chrono::milliseconds between = std::chrono::seconds (10));
   ~StageLines() { end(); }
 
+  /** \brief Sets the stage that the following lines name. */
   void
   begin (std::string stage)
   {
@@ -107,6 +113,7 @@ public:
     stage_ = std::move (stage);
   }
 
+  /** \brief Ends the thread; no line follows. */
   void
   end ();
 
@@ -121,6 +128,7 @@ private:
   Clock::time_point start_ = Clock::now();
   std::mutex mutex_;
   std::string stage_;
+  /** \brief Set to end the thread. */
   std::promise<void> end_;
   std::thread thread_;
 };

@@ -14,6 +14,7 @@ namespace {
 std::size_t
 editsBetween (const std::string& a, const std::string& b)
 {
+  // edits[i][j]: between the first i letters of a and the first j letters of b
   std::vector<std::vector<std::size_t>> edits (a.size() + 1,
                                                std::vector<std::size_t> (b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)
@@ -23,8 +24,12 @@ editsBetween (const std::string& a, const std::string& b)
         continue;
       }
       const std::size_t changed = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      edits[i][j] = std::min ({edits[i - 1][j] + 1, edits[i][j - 1] + 1, changed});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+      const std::size_t deleted = edits[i - 1][j] + 1;
+      const std::size_t inserted = edits[i][j - 1] + 1;
+      edits[i][j] = std::min ({deleted, inserted, changed});
+      const bool are_swapped =
+          i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (are_swapped)
         edits[i][j] = std::min (edits[i][j], edits[i - 2][j - 2] + 1);
     }
   return edits.back().back();
@@ -35,11 +40,12 @@ editsBetween (const std::string& a, const std::string& b)
 std::string
 similarName (const std::string& mistyped, const std::vector<std::string>& names)
 {
-  constexpr std::size_t longest = 64; // a longer word is no mistyped name
-  if (mistyped.size() > longest)
+  constexpr std::size_t max_length = 64; // a longer word is no mistyped name
+  if (mistyped.size() > max_length)
     return "";
   std::string similar;
-  std::size_t fewest = mistyped.size() / 3 + 1;
+  const std::size_t max_edits = mistyped.size() / 3;
+  std::size_t fewest = max_edits + 1;
   for (const std::string& name : names)
     if (const std::size_t edits = editsBetween (mistyped, name); edits < fewest) {
       fewest = edits;

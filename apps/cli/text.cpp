@@ -15,23 +15,31 @@ namespace {
 std::size_t
 lengthOfCharacter (unsigned char first)
 {
-  if (first < 0x80)
+  if (first <= 0x7f) // ASCII
     return 1;
-  if (first < 0xc2)
+  if (first <= 0xc1) // a byte within a character, or a form that is not the shortest
     return 0;
-  return first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  if (first <= 0xdf)
+    return 2;
+  if (first <= 0xef)
+    return 3;
+  return first <= 0xf4 ? 4 : 0; // 0xf5 would begin a code above 0x10ffff
 }
 
 /** \brief Whether the bytes are one UTF-8 character in its shortest form, and no UTF-16
- * surrogate. */
+ * surrogate.
+ * \param[in] bytes as many as \ref lengthOfCharacter says of the first */
 bool
 isCharacter (const std::string& bytes)
 {
-  constexpr std::uint32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-  constexpr std::uint32_t largest = 0x10ffff;
+  constexpr std::uint32_t min_code_of_length[] = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::uint32_t max_code = 0x10ffff;
+  constexpr std::uint32_t first_surrogate = 0xd800, last_surrogate = 0xdfff;
   const std::size_t length = bytes.size();
   if (length == 1)
     return true;
+  // The first byte has length ones and a zero in front of its bits of the code, each
+  // further one has a one and a zero in front of six bits.
   std::uint32_t code = static_cast<unsigned char> (bytes[0]) & (0x7fU >> length);
   for (std::size_t i = 1; i < length; ++i) {
     const auto byte = static_cast<unsigned char> (bytes[i]);
@@ -39,8 +47,8 @@ isCharacter (const std::string& bytes)
       return false;
     code = code << 6U | (byte & 0x3fU);
   }
-  return code >= smallest[length] && code <= largest &&
-         (code < 0xd800 || code > 0xdfff);
+  const bool is_surrogate = code >= first_surrogate && code <= last_surrogate;
+  return code >= min_code_of_length[length] && code <= max_code && !is_surrogate;
 }
 
 } // namespace
@@ -52,9 +60,11 @@ validUtf8 (const std::string& text)
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = lengthOfCharacter (static_cast<unsigned char> (text[i]));
     const std::string bytes = text.substr (i, std::max<std::size_t> (length, 1));
-    const bool is_one = length > 0 && bytes.size() == length && isCharacter (bytes);
-    valid += is_one ? bytes : "\xef\xbf\xbd";
-    i += is_one ? length : 1;
+    const bool is_character =
+        length > 0 && bytes.size() == length && isCharacter (bytes);
+    constexpr const char* replacement = "\xef\xbf\xbd"; // U+FFFD
+    valid += is_character ? bytes : replacement;
+    i += is_character ? length : 1;
   }
   return valid;
 }

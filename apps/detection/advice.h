@@ -21,17 +21,21 @@
 
 namespace pcl_ops::apps {
 
+// Texts on which option to change after a detection: advice if hardly any point is on a
+// plane, and a hint if planes are thick.
+
+/** \brief The finite points of a cloud. */
 using FinitePoints = std::vector<Eigen::Vector3f>;
 
-/** \brief Returns a hint that the unit of the cloud may be the millimeter; empty unless
- * the bounding box is far too wide for the threshold. */
+/** \brief Returns advice for a cloud whose unit may be the millimeter; empty unless the
+ * bounding box is far too wide for the threshold. */
 template <typename Parameters>
 std::string
 adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
 {
   constexpr bool is_fspf =
       std::is_same_v<Parameters, FastSamplingPlaneFilteringParameters>;
-  // By default OPS has no threshold: it follows the noise of the cloud.
+  // Is not set by default for OPS, as it then follows the noise of the cloud.
   const std::optional<double>& threshold = parameters.distance_threshold;
   // In millimeters a room of 10 m is 200,000 times as wide as the usual threshold of
   // 0.05. In meters a scene of 40,000 thresholds would be 2 km wide.
@@ -52,27 +56,28 @@ adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
                       ")");
 }
 
-/** \brief Returns the median number of points within a radius of a point, by 101
- * points of the cloud. */
+/** \brief Returns the median number of points within a radius of a point, over spheres
+ * around 101 points of the cloud. */
 inline double
-medianSphereSize (const FinitePoints& points, double radius)
+medianPointsWithin (double radius, const FinitePoints& points)
 {
   constexpr std::size_t spheres = 101;
-  const auto squared = float (radius * radius);
-  std::vector<double> sizes;
+  const auto squared_radius = float (radius * radius);
+  std::vector<double> counts;
   for (std::size_t i = 0; i < spheres; ++i) {
     const Eigen::Vector3f& center = points[i * points.size() / spheres];
-    sizes.push_back (std::count_if (points.begin(), points.end(), [&] (auto& point) {
-      return (point - center).squaredNorm() <= squared;
+    counts.push_back (std::count_if (points.begin(), points.end(), [&] (auto& point) {
+      return (point - center).squaredNorm() <= squared_radius;
     }));
   }
-  return quantile (sizes, 0.5);
+  return quantile (counts, 0.5);
 }
 
+/** \brief Returns advice if OPS had too few samples or points in voxels for any plane;
+ * else an empty string. */
 inline std::string
-adviceOn (const OrientedPointSamplingParameters& parameters,
-          const FinitePoints& points,
-          bool)
+adviceOnTooFew (const OrientedPointSamplingParameters& parameters,
+                const FinitePoints& points)
 {
   const double samples = std::floor (parameters.sampling_rate * points.size());
   if (parameters.sampling == Sampling::Points && samples <= parameters.min_samples)
@@ -86,23 +91,36 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
         ": raise --sampling-rate (",
         parameters.sampling_rate,
         ") or lower --min-inliers");
-  constexpr double few = 8.0; // fewer points fit a plane even if they are noise
-  const std::optional<double>& size = parameters.surfels.voxel_size;
-  const double held = size ? medianSphereSize (points, *size) : few;
-  if (held < few)
+  constexpr double min_points = 8.0; // fewer points fit a plane even if they are noise
+  const std::optional<double>& voxel_size = parameters.surfels.voxel_size;
+  const double median_points =
+      voxel_size ? medianPointsWithin (*voxel_size, points) : min_points;
+  if (median_points < min_points)
     return concatenate ("half of the voxels of --voxel-size ",
-                        *size,
+                        *voxel_size,
                         " hold ",
-                        held,
+                        median_points,
                         " points or fewer: raise it, or leave it out");
+  return "";
+}
+
+/** \brief Returns which option of OPS to change. */
+inline std::string
+adviceOn (const OrientedPointSamplingParameters& parameters,
+          const FinitePoints& points,
+          bool /*found_none*/)
+{
+  const std::string on_too_few = adviceOnTooFew (parameters, points);
+  if (!on_too_few.empty())
+    return on_too_few;
   const std::optional<double>& threshold = parameters.distance_threshold;
   const std::string if_noisy =
       concatenate (" if the planes are small, raise --threshold (",
                    threshold ? concatenate (*threshold) : "auto",
                    ") if the points are noisy");
-  // With neighborhoods a --min-inliers below the default finds no more planes: the
-  // evidence is against them.
-  const bool asks_for_more =
+  // On neighborhoods a --min-inliers below the default finds no more planes, as the
+  // evidence is against smaller ones.
+  const bool is_above_default =
       parameters.min_samples > OrientedPointSamplingParameters().min_samples;
   const std::string min_inliers =
       concatenate ("lower --min-inliers (", parameters.min_samples, ")");
@@ -110,21 +128,23 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
       concatenate ("raise --sampling-rate (", parameters.sampling_rate, ")");
   if (parameters.sampling == Sampling::Points)
     return min_inliers + " or " + sampling_rate + if_noisy;
-  return (size || asks_for_more ? min_inliers : sampling_rate) + if_noisy;
+  const bool is_on_voxels = parameters.surfels.voxel_size.has_value();
+  return (is_on_voxels || is_above_default ? min_inliers : sampling_rate) + if_noisy;
 }
 
+/** \brief Returns which option of FSPF to change. */
 inline std::string
 adviceOn (const FastSamplingPlaneFilteringParameters& parameters,
           const FinitePoints& points,
-          bool)
+          bool /*found_none*/)
 {
-  const auto& local = parameters.local;
-  const double held = medianSphereSize (points, local.outer_radius);
-  if (held < local.local_samples)
+  const FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
+  const double median_points = medianPointsWithin (local.outer_radius, points);
+  if (median_points < local.local_samples)
     return concatenate ("half of the spheres of --outer-radius ",
                         local.outer_radius,
                         " hold ",
-                        held,
+                        median_points,
                         " points or fewer and --local-samples ",
                         local.local_samples,
                         " are needed: raise the radius or lower the samples");
@@ -137,9 +157,11 @@ adviceOn (const FastSamplingPlaneFilteringParameters& parameters,
                       ") if the planes are small");
 }
 
+/** \brief Returns which option of 3D-KHT to change.
+ * \param[in] found_none whether no plane was found at all */
 inline std::string
 adviceOn (const KernelHoughTransformParameters& parameters,
-          const FinitePoints&,
+          const FinitePoints& /*points*/,
           bool found_none)
 {
   const auto& clusters = parameters.clusters;
@@ -158,42 +180,47 @@ adviceOn (const KernelHoughTransformParameters& parameters,
                       ") for more of them");
 }
 
-/** \brief Returns the share of the points that should be on planes. If fewer are, a
- * parameter is taken not to fit the cloud, and advice is given. */
+/** \brief If a smaller share of the points is on planes, advice is given. */
+constexpr double min_share_on_planes = 0.05;
+
+/** \brief The same on voxels: even voxels that hold few points give some planes by
+ * chance.
+ */
+constexpr double min_share_on_voxels = 0.1;
+
 inline double
-minShareOf (const OrientedPointSamplingParameters& parameters)
+minShareOnPlanes (const OrientedPointSamplingParameters& parameters)
 {
-  // Even voxels that hold few points give some planes by chance.
-  return parameters.surfels.voxel_size ? 0.1 : 0.05;
+  return parameters.surfels.voxel_size ? min_share_on_voxels : min_share_on_planes;
 }
 
 template <typename Parameters>
 double
-minShareOf (const Parameters&)
+minShareOnPlanes (const Parameters&)
 {
-  return 0.05;
+  return min_share_on_planes;
 }
 
-/** \brief Returns which parameter to change, as the end of a sentence, if fewer of the
- * finite points than \ref minShareOf are on planes; else an empty string. */
+/** \brief Returns which parameter to change, as the end of a sentence, if a smaller
+ * share of the finite points than \ref minShareOnPlanes is on planes; else an empty
+ * string. */
 template <typename Parameters>
 std::string
 adviceFor (const Parameters& parameters,
            const XyzCloud& cloud,
            const std::vector<PlaneSegment>& planes)
 {
-  const double min_share = minShareOf (parameters);
-  const auto readings = std::count_if (
+  const auto finite_points = std::count_if (
       cloud.begin(), cloud.end(), [] (auto& point) { return pcl::isFinite (point); });
-  std::size_t covered = 0;
+  std::size_t on_planes = 0;
   for (const PlaneSegment& plane : planes)
-    covered += plane.inliers.size();
-  if (covered > 0 && covered >= min_share * readings)
+    on_planes += plane.inliers.size();
+  if (on_planes > 0 && on_planes >= minShareOnPlanes (parameters) * finite_points)
     return "";
-  if (readings == 0)
+  if (finite_points == 0)
     return "every point is NaN or infinite";
   constexpr int points_of_a_plane = 3;
-  if (readings <= points_of_a_plane)
+  if (finite_points <= points_of_a_plane)
     return concatenate (
         "the cloud has ", points_of_a_plane, " points or fewer, which tell no plane");
   FinitePoints points;
@@ -209,13 +236,13 @@ adviceFor (const Parameters& parameters,
 inline bool
 isThickerThanSpacing (const PlaneSegment& plane)
 {
-  constexpr double pi = 3.14159265358979323846;
   const std::optional<PlaneFit> fit = fitPlane (plane.moments);
   if (!fit)
     return false;
-  // Points spread evenly over an ellipse: its area is 4 pi sqrt (v1 v2).
   const Eigen::Vector3d& variances = fit->variances;
-  const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]);
+  // The area of an ellipse with evenly spread points of these variances.
+  const double area = 4.0 * M_PI * std::sqrt (variances[1] * variances[2]);
+  // rms^2 > spacing^2, where rms^2 is the least variance and spacing^2 = area / count.
   return variances[0] * plane.moments.count > area;
 }
 
@@ -226,42 +253,42 @@ isThickerThanSpacing (const PlaneSegment& plane)
 inline std::string
 hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
-  constexpr double min_share = 0.6;
-  constexpr std::size_t largest = 4;
+  constexpr double min_share = 0.6; // of the points on planes
+  constexpr std::size_t max_candidates = 4;
   constexpr std::size_t probes = 8;
   std::vector<PlaneSegment> candidates;
-  std::size_t found = 0;
-  std::size_t suspicious = 0;
+  std::size_t on_planes = 0;
+  std::size_t on_candidates = 0;
   for (const PlaneSegment& plane : planes) {
-    found += plane.inliers.size();
-    if (candidates.size() < largest && isThickerThanSpacing (plane)) {
+    on_planes += plane.inliers.size();
+    if (candidates.size() < max_candidates && isThickerThanSpacing (plane)) {
       candidates.push_back (plane);
-      suspicious += plane.inliers.size();
+      on_candidates += plane.inliers.size();
     }
   }
-  if (fraction (suspicious, found, 0.0) < min_share)
+  if (fraction (on_candidates, on_planes, 0.0) < min_share)
     return "";
-  const std::vector<Thickness> all = thicknessOf (cloud, candidates, probes);
-  std::size_t thick = 0;
+  const std::vector<Thickness> thicknesses = thicknessOf (cloud, candidates, probes);
+  std::size_t on_thick_planes = 0;
   std::optional<double> spacing; // of the points of the largest thick plane
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (all[i].factor() > thick_factor) {
-      thick += candidates[i].inliers.size();
-      spacing = spacing.value_or (all[i].spacing);
+    if (thicknesses[i].factor() > thick_factor) {
+      on_thick_planes += candidates[i].inliers.size();
+      spacing = spacing.value_or (thicknesses[i].spacing);
     }
-  const double share = fraction (thick, found, 0.0);
-  if (share < min_share)
+  const double thick_share = fraction (on_thick_planes, on_planes, 0.0);
+  if (thick_share < min_share)
     return "";
   // A surfel needs several points, and more points than empty voxels around it.
-  constexpr double size_by_spacing = 2.0;
-  const double size = size_by_spacing * *spacing;
-  const double digit = std::pow (10.0, std::floor (std::log10 (size)));
+  constexpr double voxel_size_by_spacing = 2.0;
+  const double voxel_size = voxel_size_by_spacing * *spacing;
+  const double first_digit = std::pow (10.0, std::floor (std::log10 (voxel_size)));
   return concatenate ("planes are thick: ",
-                      std::lrint (100.0 * share),
+                      std::lrint (100.0 * thick_share),
                       " % of the points on planes are on such as are more than ",
                       thick_factor,
                       " times thicker than their surroundings: give --voxel-size ",
-                      digit * std::round (size / digit),
+                      first_digit * std::round (voxel_size / first_digit),
                       ", or more for larger planes");
 }
 

@@ -9,26 +9,28 @@
 namespace pcl_ops::apps {
 
 std::optional<CommonUp>
-commonUp (const std::vector<UpAxis>& answers)
+commonUp (const std::vector<UpAxis>& axes)
 {
-  // Two answers agree up to here: each may be off by half of it.
+  // Largest angle between two axes that agree: each may be off by half of it.
   constexpr double max_degrees_apart = 15.0;
   const double min_cosine = std::cos (toRadians (max_degrees_apart));
+  // Until the end, directions are weighted sums, and confidences are sums.
   CommonUp best{{Eigen::Vector3d::Zero(), 0.0}, 0};
   double confidence_of_all = 0.0;
-  for (const UpAxis& candidate : answers) {
+  for (const UpAxis& candidate : axes) {
     confidence_of_all += candidate.confidence;
-    CommonUp agreeing{{Eigen::Vector3d::Zero(), 0.0}, 0};
-    for (const UpAxis& answer : answers)
-      if (answer.direction.dot (candidate.direction) >= min_cosine) {
-        agreeing.axis.direction += answer.confidence * answer.direction;
-        agreeing.axis.confidence += answer.confidence;
-        ++agreeing.answers;
+    CommonUp group{{Eigen::Vector3d::Zero(), 0.0}, 0};
+    for (const UpAxis& axis : axes)
+      if (axis.direction.dot (candidate.direction) >= min_cosine) {
+        group.axis.direction += axis.confidence * axis.direction;
+        group.axis.confidence += axis.confidence;
+        ++group.agreeing;
       }
-    if (agreeing.axis.confidence > best.axis.confidence)
-      best = agreeing;
+    if (group.axis.confidence > best.axis.confidence)
+      best = group;
   }
-  if (best.answers == 0 || 2.0 * best.axis.confidence <= confidence_of_all)
+  const bool is_majority = 2.0 * best.axis.confidence > confidence_of_all;
+  if (best.agreeing == 0 || !is_majority)
     return std::nullopt;
   best.axis.direction.normalize();
   best.axis.confidence /= confidence_of_all;

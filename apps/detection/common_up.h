@@ -12,17 +12,19 @@ namespace pcl_ops::apps {
 
 /** \brief The up axis of a sequence of clouds. */
 struct CommonUp {
-  /** \brief The confidence is that of the agreeing answers divided by that of all. */
+  /** \brief Its confidence is the sum over the agreeing axes divided by that over all.
+   */
   UpAxis axis;
-  /** \brief Number of answers that agree with the axis. */
-  std::size_t answers;
+  /** \brief Number of axes of single clouds that agree. */
+  std::size_t agreeing;
 };
 
-/** \brief Returns the mean up axis of the single clouds that agree with each other,
- * weighted by confidence.
- * \param[in] answers up axes of single clouds, in one common frame
- * \return nothing if the agreeing answers have half of the total confidence or less */
+/** \brief Returns the mean of the up axes that agree with each other, weighted by
+ * confidence. Of several groups of agreeing axes it takes that with the most
+ * confidence.
+ * \param[in] axes of single clouds, in one common frame
+ * \return nothing if the agreeing axes have half of the total confidence or less */
 std::optional<CommonUp>
-commonUp (const std::vector<UpAxis>& answers);
+commonUp (const std::vector<UpAxis>& axes);
 
 } // namespace pcl_ops::apps

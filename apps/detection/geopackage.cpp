@@ -36,6 +36,7 @@ checkMemory (int code, int expected = SQLITE_OK)
     throw std::bad_alloc();
 }
 
+/** \brief A database in memory. */
 class Database {
 public:
   Database() { checkMemory (sqlite3_open (":memory:", &handle)); }
@@ -50,6 +51,7 @@ public:
     checkMemory (sqlite3_exec (handle, sql.c_str(), nullptr, nullptr, nullptr));
   }
 
+  /** \brief Returns the content of the file that the database would be. */
   std::string
   bytes ()
   {
@@ -97,6 +99,7 @@ public:
       checkMemory (sqlite3_bind_null (statement_, column_));
   }
 
+  /** \brief Sets the next value of the row to bytes, or to null if there are none. */
   void
   addBlob (const std::string& bytes)
   {
@@ -108,6 +111,7 @@ public:
           statement_, column_, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
   }
 
+  /** \brief Inserts the row and begins the next one. */
   void
   run ()
   {
@@ -118,9 +122,11 @@ public:
 
 private:
   sqlite3_stmt* statement_ = nullptr;
+  /** \brief Number of the last value that was set, from 1 on. */
   int column_ = 0;
 };
 
+/** \brief Appends a number, the least significant byte first. */
 template <typename Number>
 void
 append (Number number, std::string& bytes)
@@ -158,19 +164,20 @@ private:
                                                                {"Polygon", 3},
                                                                {"MultiLineString", 5},
                                                                {"MultiPolygon", 6}};
-    constexpr std::uint32_t in_space = 1000;
+    constexpr std::uint32_t with_z = 1000; // is added to the code
     constexpr char little_endian = 1;
-    const Json* place = &coordinates;
-    while (!place->at (0).is_number())
-      place = &place->at (0);
+    const Json* first_position = &coordinates;
+    while (!first_position->at (0).is_number())
+      first_position = &first_position->at (0);
+    const bool has_z = first_position->size() == 3;
     bytes += little_endian;
-    append (codes.at (type) + (place->size() == 3 ? in_space : 0), bytes);
+    append (codes.at (type) + (has_z ? with_z : 0), bytes);
     if (type == "Point")
-      return writePlace (coordinates);
+      return writePosition (coordinates);
     writeCount (coordinates);
     for (const Json& part : coordinates)
       if (type == "LineString")
-        writePlace (part);
+        writePosition (part);
       else if (type == "Polygon")
         writeRing (part);
       else
@@ -181,16 +188,16 @@ private:
   writeRing (const Json& ring)
   {
     writeCount (ring);
-    for (const Json& place : ring)
-      writePlace (place);
+    for (const Json& position : ring)
+      writePosition (position);
   }
 
   void
-  writePlace (const Json& place)
+  writePosition (const Json& position)
   {
-    box.extend (Eigen::Vector2d (place.at (0), place.at (1)));
-    for (const Json& number : place)
-      append (number.get<double>(), bytes);
+    box.extend (Eigen::Vector2d (position.at (0), position.at (1)));
+    for (const Json& coordinate : position)
+      append (coordinate.get<double>(), bytes);
   }
 
   void
@@ -202,17 +209,18 @@ private:
 
 /** \brief Returns a geometry as a GeoPackage blob: a header with reference system and
  * bounding box, then the well-known binary. Empty for null.
- * \param[in,out] around extended by the bounding box */
+ * \param[in] system EPSG code, or -1
+ * \param[in,out] layer_box is extended by the bounding box of the geometry */
 std::string
-blobOf (const Json& geometry, int system, Eigen::AlignedBox2d& around)
+blobOf (const Json& geometry, int system, Eigen::AlignedBox2d& layer_box)
 {
   if (geometry.is_null())
     return {};
   const Wkb wkb (geometry);
-  around.extend (wkb.box);
+  layer_box.extend (wkb.box);
   constexpr char version = 0;
-  constexpr char little_endian_with_box = 3;
-  std::string blob = {'G', 'P', version, little_endian_with_box};
+  constexpr char flags = 3; // little endian, with a box in x and y
+  std::string blob = {'G', 'P', version, flags};
   append (static_cast<std::uint32_t> (system), blob);
   for (const int axis : {0, 1})
     for (const double limit : {wkb.box.min()[axis], wkb.box.max()[axis]})
@@ -220,81 +228,91 @@ blobOf (const Json& geometry, int system, Eigen::AlignedBox2d& around)
   return blob + wkb.bytes;
 }
 
-/** \brief Returns the names of all properties with their SQL types; "" for a property
- * that is null or a list in all features. */
-std::vector<std::pair<std::string, std::string>>
-columnTypesOf (const Json& features)
+/** \brief A column of the table of a layer. */
+struct SqlColumn {
+  std::string name;
+  /** \brief SQL type; empty for a property that is null or a list in all features. */
+  std::string type;
+};
+
+/** \brief Returns a column for each property of the features. A property with integers
+ * and other numbers is REAL. */
+std::vector<SqlColumn>
+sqlColumnsOf (const Json& features)
 {
-  std::vector<std::pair<std::string, std::string>> columns;
+  std::vector<SqlColumn> columns;
   for (const Json& feature : features)
     for (const auto& [name, value] : feature.at ("properties").items()) {
-      auto known = columns.begin();
-      while (known != columns.end() && known->first != name)
-        ++known;
-      if (known == columns.end())
-        known = columns.insert (known, {name, ""});
+      auto column = columns.begin();
+      while (column != columns.end() && column->name != name)
+        ++column;
+      if (column == columns.end())
+        column = columns.insert (column, {name, ""});
       if (value.is_string())
-        known->second = "TEXT";
-      else if (value.is_number_float() ||
-               (value.is_number() && known->second != "REAL"))
-        known->second = value.is_number_float() ? "REAL" : "INTEGER";
+        column->type = "TEXT";
+      else if (value.is_number_float())
+        column->type = "REAL";
+      else if (value.is_number() && column->type != "REAL")
+        column->type = "INTEGER";
     }
   return columns;
 }
 
-/** \brief Returns the EPSG code that a map names, else -1 (undefined Cartesian). */
+/** \brief Returns the EPSG code of the reference system that a map names, else -1. */
 int
 systemOf (const Json& map)
 {
-  constexpr int unknown = -1;
+  constexpr int undefined_cartesian = -1;
   if (!map.contains ("crs"))
-    return unknown;
+    return undefined_cartesian;
   const auto name = map.at ("crs").at ("properties").at ("name").get<std::string>();
   return std::stoi (name.substr (name.rfind (':') + 1));
 }
 
-/** \brief Inserts the features. \return their bounding box in x and y */
+/** \brief Creates the table of a layer with a row for each feature.
+ * \return the bounding box of the features in x and y */
 Eigen::AlignedBox2d
 addFeatures (const Json& features,
              const std::string& layer,
              int system,
              Database& database)
 {
-  const auto columns = columnTypesOf (features);
-  std::string declared;
-  std::string values;
-  for (const auto& [name, type] : columns) {
-    declared += ", \"" + name + "\" " + (type.empty() ? "TEXT" : type);
-    values += ", ?";
+  const std::vector<SqlColumn> columns = sqlColumnsOf (features);
+  std::string declarations;
+  std::string placeholders;
+  for (const SqlColumn& column : columns) {
+    declarations +=
+        ", \"" + column.name + "\" " + (column.type.empty() ? "TEXT" : column.type);
+    placeholders += ", ?";
   }
   database.run ("CREATE TABLE \"" + layer +
                 "\" (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom GEOMETRY" +
-                declared + ")");
+                declarations + ")");
   Insertion row (database,
-                 "INSERT INTO \"" + layer + "\" VALUES (NULL, ?" + values + ")");
+                 "INSERT INTO \"" + layer + "\" VALUES (NULL, ?" + placeholders + ")");
   Eigen::AlignedBox2d box;
   for (const Json& feature : features) {
     row.addBlob (blobOf (feature.at ("geometry"), system, box));
-    for (const auto& [name, type] : columns)
-      row.add (feature.at ("properties").value (name, Json()));
+    for (const SqlColumn& column : columns)
+      row.add (feature.at ("properties").value (column.name, Json()));
     row.run();
   }
   return box;
 }
 
-/** \brief Registers the layer, so that readers find it. */
+/** \brief Registers a layer and its column of geometries, so that readers find them. */
 void
-addContents (const std::string& layer,
-             int system,
-             const Eigen::AlignedBox2d& box,
-             Database& database)
+registerLayer (const std::string& layer,
+               int system,
+               const Eigen::AlignedBox2d& box,
+               Database& database)
 {
   // A fixed date instead of the time of writing: the same map gives the same bytes.
   Insertion contents (database,
                       "INSERT INTO gpkg_contents VALUES (?, 'features', ?, '', "
                       "'1970-01-01T00:00:00.000Z', ?, ?, ?, ?, ?)");
-  contents.add (layer);
-  contents.add (layer);
+  contents.add (layer); // name of the table
+  contents.add (layer); // identifier
   for (const double limit : {box.isEmpty() ? 0.0 : box.min().x(),
                              box.isEmpty() ? 0.0 : box.min().y(),
                              box.isEmpty() ? 0.0 : box.max().x(),
@@ -326,7 +344,7 @@ geoPackageOf (const std::string& geo_json, const std::string& layer)
   const int system = systemOf (map);
   Database database;
   database.run (geopackage_tables);
-  // The definition stays undefined: readers know a reference system by its EPSG code.
+  // The definition of the system is left out: readers know it by its EPSG code.
   if (system > 0)
     database.run (
         str (boost::format ("INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES "
@@ -335,7 +353,7 @@ geoPackageOf (const std::string& geo_json, const std::string& layer)
   database.run ("BEGIN");
   const Eigen::AlignedBox2d box =
       addFeatures (map.at ("features"), layer, system, database);
-  addContents (layer, system, box, database);
+  registerLayer (layer, system, box, database);
   database.run ("COMMIT");
   return database.bytes();
 }

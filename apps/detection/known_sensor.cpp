@@ -12,14 +12,15 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Whether a position lies inside the bounding box of the points. */
 bool
-isAmidPoints (const Eigen::Vector3f& place, const XyzCloud& cloud)
+isAmidPoints (const Eigen::Vector3f& position, const XyzCloud& cloud)
 {
   Eigen::AlignedBox3f box;
   for (const pcl::PointXYZ& point : cloud)
     if (pcl::isFinite (point))
       box.extend (point.getVector3fMap());
-  return box.contains (place);
+  return box.contains (position);
 }
 
 } // namespace
@@ -28,7 +29,8 @@ std::optional<Eigen::Vector3d>
 knownSensor (const FileCloud& cloud, const ShiftedCloud& shifted)
 {
   const Eigen::Vector3f sensor = shifted.cloud->sensor_origin_.head<3>();
-  if (!cloud.scans.empty() ||
+  const bool has_several_scans = !cloud.scans.empty();
+  if (has_several_scans ||
       (cloud.is_survey && !isAmidPoints (sensor, *shifted.cloud)) ||
       !isSeenFromItsOrigin (*shifted.cloud))
     return std::nullopt;

@@ -10,11 +10,12 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Returns the position of the sensor in the file's frame, as the viewpoint for
- * \ref planeKinds. Returns nothing for a cloud of several scans, and for a position
- * that the cloud cannot have been seen from (isSeenFromItsOrigin). A survey has no
- * pose: its sensor is at zero if zero lies inside the bounding box of the points. The
- * test takes some milliseconds. */
+/** \brief Returns the position of the sensor in the frame of the file, as the viewpoint
+ * for \ref planeKinds. Returns nothing for a cloud of several scans, and for a position
+ * that the cloud cannot have been seen from (isSeenFromItsOrigin, which takes some
+ * milliseconds). The file of a survey has no pose: its sensor is taken to be at zero if
+ * that lies inside the bounding box of the points, else it is unknown.
+ * \param[in] shifted \p cloud as it is searched */
 std::optional<Eigen::Vector3d>
 knownSensor (const FileCloud& cloud, const ShiftedCloud& shifted);
 

@@ -6,6 +6,7 @@
 
 #include "advice.h"
 #include "overlap.h"
+#include "parameter_options.h"
 #include "plane_list.h"
 #include <cli/command_line.h>
 #include <cli/text.h>
@@ -25,187 +26,13 @@ namespace pcl_ops::apps {
 
 namespace {
 
-using OpsParameters = OrientedPointSamplingParameters;
-using FspfParameters = FastSamplingPlaneFilteringParameters;
-using KhtParameters = KernelHoughTransformParameters;
-
-/** \brief How users write a number on the command line: as the parameters hold it, in
- * degrees instead of radians, or as 0 for an automatic value. */
-enum class Written { AsItIs, InDegrees, ZeroForAutomatic };
-
-struct NumberOption {
-  const char* usage;
-  Range range;
-  const char* help;
-  Written written = Written::AsItIs;
-  const char* old_name = "";
-};
-
-/** \brief Converts a number from the parameters to the form that users write. */
-template <typename Number>
-Number
-toWritten (Number number, const NumberOption& option)
-{
-  if constexpr (std::is_same_v<Number, double>)
-    if (option.written == Written::InDegrees)
-      return toDegrees (number);
-  if constexpr (std::is_same_v<Number, std::optional<double>>)
-    if (option.written == Written::ZeroForAutomatic)
-      return number.value_or (0.0);
-  return number;
-}
-
-/** \brief The reverse of \ref toWritten. */
-template <typename Number>
-Number
-fromWritten (Number number, const NumberOption& option)
-{
-  if constexpr (std::is_same_v<Number, double>)
-    if (option.written == Written::InDegrees)
-      return toRadians (number);
-  if constexpr (std::is_same_v<Number, std::optional<double>>)
-    if (option.written == Written::ZeroForAutomatic && number == 0.0)
-      return std::nullopt;
-  return number;
-}
-
-constexpr double points_of_a_plane = 3;
-
-/** \brief Calls \p visit (number, option) for each parameter of all detectors. */
-template <typename Visit>
+/** \brief Refuses options that contradict each other or the cloud.
+ * \param[in] points number of points of the cloud
+ * \throws UsageError */
 void
-visitOwn (PlaneDetectorParameters& p, const Visit& visit)
-{
-  visit (p.distance_threshold,
-         {"threshold M", above (0), "farthest point of a plane (0.05; ops: auto)"});
-  visit (p.merging.distance_threshold,
-         {"merge-distance M",
-          from (0),
-          "planes this near are one (--threshold; ops: auto)"});
-  visit (p.angle_tolerance,
-         {"angle-tolerance DEG",
-          from (0).upTo (90),
-          "largest tilt of horizontal and vertical planes (7)",
-          Written::InDegrees});
-  visit (p.seed, {"seed S", from (0), "same seed, same result (42)"});
-  visit (
-      p.threads,
-      {"threads T", from (0).upTo (1024), "0 for all; the result stays the same (1)"});
-}
-
-/** \brief The same for the parameters of one detector. The values of its presets follow
- * in the help. */
-template <typename Visit>
-void
-visitOwn (OpsParameters& p, const Visit& visit)
-{
-  visit (
-      p.sampling_rate,
-      {"sampling-rate R", above (0).upTo (1), "share of the points that get a normal"});
-  visit (p.k, {"k K", from (2), "neighbors of a normal; others scale with it"});
-  visit (p.min_samples,
-         {"min-inliers N",
-          from (1),
-          "smallest plane, in samples; --min-points counts points"});
-  visit (p.paper_only.probability,
-         {"probability P",
-          above (0).below (1),
-          "of drawing a point of the largest plane"});
-  visit (p.surfels.voxel_size,
-         {"voxel-size M",
-          from (0),
-          "edge of a voxel; 0: no voxels, but neighborhoods",
-          Written::ZeroForAutomatic,
-          "cell"});
-}
-
-template <typename Visit>
-void
-visitOwn (FspfParameters& p, const Visit& visit)
-{
-  FspfParameters::Local& local = p.local;
-  visit (local.inner_radius,
-         {"inner-radius M", above (0), "three points this near make a hypothesis"});
-  visit (local.outer_radius,
-         {"outer-radius M", above (0), "it is tested on points this near"});
-  visit (
-      local.local_samples,
-      {"local-samples N", from (points_of_a_plane), "it is tested on so many of them"});
-  visit (local.min_inlier_fraction,
-         {"min-inlier-share R",
-          from (0).below (1),
-          "a larger share of these must be inliers"});
-  visit (local.max_inliers_per_point,
-         {"inliers-per-point R", above (0), "sampling ends at so many inliers"});
-}
-
-template <typename Visit>
-void
-visitOwn (KhtParameters& p, const Visit& visit)
-{
-  auto& clusters = p.clusters;
-  visit (p.phi_num, {"phi-num N", from (2).upTo (1000), "steps of half a turn"});
-  visit (p.rho_num,
-         {"rho-num N", from (2).upTo (10000), "steps out to the farthest point"});
-  visit (
-      clusters.min_samples,
-      {"min-samples N", from (points_of_a_plane), "smaller octree nodes are left out"});
-  visit (clusters.first_level,
-         {"s-level N", from (0).upTo (20), "first level of the octree that is tested"});
-  visit (clusters.s_alpha,
-         {"s-alpha R", above (0), "larger: a node must be thinner to count as flat"});
-  visit (clusters.s_beta, {"s-beta R", above (0), "larger: it may be more elongated"});
-}
-
-template <typename Parameters, typename Visit>
-void
-visitAll (Parameters& parameters, const Visit& visit)
-{
-  visitOwn (parameters, visit);
-  visitOwn (static_cast<PlaneDetectorParameters&> (parameters), visit);
-}
-
-template <typename Number>
-using ValueOf = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
-
-template <typename Parameters>
-void
-apply (const GivenNumbers& given, Parameters& parameters)
-{
-  visitAll (parameters, [&] (auto& number, const NumberOption& option) {
-    using Number = std::decay_t<decltype (number)>;
-    const auto found = given.find (nameOf (option.usage));
-    if (found != given.end())
-      number = fromWritten (Number (ValueOf<Number> (found->second)), option);
-  });
-}
-
-/** \brief Declares the options of the parameters that visitOwn visits for this type.
- * \param[in] notes text to append to the help of an option, by its name */
-template <typename Parameters>
-void
-declare (Parameters parameters,
-         const std::map<std::string, std::string>& notes,
-         CommandLine& line,
-         GivenNumbers& given)
-{
-  visitOwn (parameters, [&] (auto& number, const NumberOption& option) {
-    using Value = ValueOf<std::decay_t<decltype (number)>>;
-    const std::string name = nameOf (option.usage);
-    const auto note = notes.find (name);
-    line.add (option.usage,
-              [=, &given] (const std::string& text) {
-                given[name] = parseNumber<Value> ("--" + name, text, option.range);
-              })
-        .help (option.help + (note == notes.end() ? "" : " (" + note->second + ")"))
-        .onceCalled (option.old_name);
-  });
-}
-
-// relate: sets parameters that follow from given options, and refuses contradictions.
-
-void
-relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters)
+checkAndComplete (const GivenNumbers& given,
+                  std::size_t points,
+                  OpsParameters& parameters)
 {
   if (given.count ("voxel-size") > 0 && parameters.sampling == Sampling::Points)
     throw UsageError ("--voxel-size", "has no meaning to --preset paper; leave it out");
@@ -219,26 +46,32 @@ relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters
                                    "; give a smaller number"));
 }
 
-/** \brief If only one radius is given, sets the other by r2 = 2 r1, the ratio for which
- * the paper finds FSPF most accurate (Table I). */
+/** \brief If only one radius is given, sets the other one: the outer radius is twice
+ * the inner one, the ratio for which the paper finds FSPF most accurate (Table I).
+ * \throws UsageError if the outer radius is smaller than the inner one */
 void
-relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
+checkAndComplete (const GivenNumbers& given,
+                  std::size_t /*points*/,
+                  FspfParameters& parameters)
 {
-  constexpr double ratio = 2.0;
+  constexpr double outer_by_inner = 2.0;
   FspfParameters::Local& local = parameters.local;
   const bool has_inner = given.count ("inner-radius") > 0;
   const bool has_outer = given.count ("outer-radius") > 0;
   if (has_inner && !has_outer)
-    local.outer_radius = ratio * local.inner_radius;
+    local.outer_radius = outer_by_inner * local.inner_radius;
   if (has_outer && !has_inner)
-    local.inner_radius = local.outer_radius / ratio;
+    local.inner_radius = local.outer_radius / outer_by_inner;
   if (local.outer_radius < local.inner_radius)
     throw UsageError ("--outer-radius",
                       "is below --inner-radius; leave one of them out or raise it");
 }
 
+/** \brief Refuses options that contradict each other. \throws UsageError */
 void
-relate (const GivenNumbers& given, std::size_t, const KhtParameters& parameters)
+checkAndComplete (const GivenNumbers& given,
+                  std::size_t /*points*/,
+                  const KhtParameters& parameters)
 {
   if (given.count ("merge-distance") > 0 && !parameters.merging.enabled)
     throw UsageError (
@@ -261,16 +94,16 @@ hintOnMinInliers (const GivenNumbers& given,
                   const XyzCloud& cloud,
                   Detected& detected)
 {
-  // More planes than `few` are enough for a room: no second search. The default has to
-  // find min_ratio times as many.
-  constexpr std::size_t few = 5;
+  // More planes are enough for a room, so that no second search is needed.
+  constexpr std::size_t max_left = 5;
+  // The default value has to find so many times as many planes.
   constexpr std::size_t min_ratio = 4;
-  const unsigned usual = OpsParameters().min_samples;
+  const unsigned default_min = OpsParameters().min_samples;
   const unsigned asked = parameters.min_samples;
-  parameters.min_samples = usual;
   const std::size_t left = detected.planes.size();
-  if (given.count ("min-inliers") == 0 || asked <= usual || left > few)
+  if (given.count ("min-inliers") == 0 || asked <= default_min || left > max_left)
     return;
+  parameters.min_samples = default_min;
   const std::size_t all = detectPlanes (cloud, parameters, sensorOf (cloud)).size();
   if (left != all && min_ratio * left <= all)
     detected.hints.push_back (concatenate ("--min-inliers ",
@@ -300,10 +133,11 @@ samplingName (Sampling sampling)
   return "automatic";
 }
 
-/** \brief Returns all parameters by option name, and some that no option changes. */
+/** \brief Returns all parameters by the names of their options, and some parameters
+ * that no option changes. */
 template <typename Parameters>
 Settings
-reportOf (const std::string& preset, Parameters parameters)
+settingsOf (const std::string& preset, Parameters parameters)
 {
   Settings settings;
   settings["preset"] = preset;
@@ -335,7 +169,7 @@ numberOrNull (const std::optional<double>& number)
 
 /** \brief Adds the lengths that were used, as parameters may be automatic. */
 void
-reportUsed (const UsedLengths& used, Settings& settings)
+addUsedLengths (const UsedLengths& used, Settings& settings)
 {
   settings["threshold_used"] = numberOrNull (used.distance_threshold);
   if (settings.contains ("voxel_size"))
@@ -353,6 +187,7 @@ hintOnSamplingRate (const GivenNumbers& given, Detected& detected)
         "the voxels their size: leave one of them out");
 }
 
+/** \brief Returns the time of a clock [ms]. */
 double
 millisecondsOf (clockid_t clock)
 {
@@ -363,10 +198,13 @@ millisecondsOf (clockid_t clock)
 }
 
 /** \brief Returns the parameters, with an observer that stores the stages if they are
- * asked for. The second searches for hints have no observer. */
+ * asked for. Further searches, which only serve hints, have no observer.
+ * \param[out] stages is filled during the detection */
 template <typename Parameters>
 Parameters
-observed (Parameters parameters, bool keeps_stages, std::vector<StageResult>& stages)
+withObserver (Parameters parameters,
+              bool keeps_stages,
+              std::vector<StageResult>& stages)
 {
   if constexpr (std::is_same_v<Parameters, OpsParameters>)
     if (keeps_stages)
@@ -376,45 +214,67 @@ observed (Parameters parameters, bool keeps_stages, std::vector<StageResult>& st
   return parameters;
 }
 
+/** \brief Adds hints on the options of OPS, and sets Detected::search. */
+void
+addHints (const GivenNumbers& given,
+          const OpsParameters& parameters,
+          const XyzCloud& cloud,
+          Detected& detected)
+{
+  hintOnMinInliers (given, parameters, cloud, detected);
+  hintOnSamplingRate (given, detected);
+  const bool is_on_neighborhoods =
+      parameters.sampling != Sampling::Points && given.count ("voxel-size") == 0;
+  if (!is_on_neighborhoods)
+    return;
+  detected.search = parameters;
+  const std::string hint = hintOnThickPlanes (cloud, detected.planes);
+  if (!hint.empty())
+    detected.hints.push_back (hint);
+}
+
+/** \brief Returns the parameters of a preset with the up axis and the given numbers.
+ * \param[in] points number of points of the cloud
+ * \throws UsageError if options contradict each other */
 template <typename Parameters>
-Detected
-detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
+Parameters
+parametersOf (const DetectorOptions& options, std::size_t points)
 {
   Parameters parameters =
       options.preset == "paper" ? Parameters::paper() : Parameters();
   parameters.up_axis = options.up.value_or (parameters.up_axis);
-  apply (options.numbers, parameters);
-  relate (options.numbers, cloud->size(), parameters);
+  setGiven (options.numbers, parameters);
+  checkAndComplete (options.numbers, points, parameters);
   const std::string problem = validate (parameters);
   if (!problem.empty())
     throw UsageError (Parameters::class_name, problem + "; see --help");
+  return parameters;
+}
+
+/** \brief Finds planes by the detector of these parameters (Method::detect). */
+template <typename Parameters>
+Detected
+detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
+{
+  const auto parameters = parametersOf<Parameters> (options, cloud->size());
   const clockid_t clock =
       parameters.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID;
   const double start = millisecondsOf (clock);
   Detected detected;
   auto found = detectPlanesInDetail (
       *cloud,
-      observed (parameters, options.keeps_stages, detected.stages),
+      withObserver (parameters, options.keeps_stages, detected.stages),
       sensorOf (*cloud));
   detected.processor_time = millisecondsOf (clock) - start;
   detected.planes = std::move (found.planes);
   detected.timing = found.durations;
   detected.used = found.used;
-  detected.settings = reportOf (options.preset, parameters);
-  reportUsed (detected.used, detected.settings);
+  detected.settings = settingsOf (options.preset, parameters);
+  addUsedLengths (detected.used, detected.settings);
   detected.up = parameters.up_axis;
   detected.advice = adviceFor (parameters, *cloud, detected.planes);
-  if constexpr (std::is_same_v<Parameters, OpsParameters>) {
-    hintOnMinInliers (options.numbers, parameters, *cloud, detected);
-    hintOnSamplingRate (options.numbers, detected);
-    if (parameters.sampling != Sampling::Points &&
-        options.numbers.count ("voxel-size") == 0) {
-      detected.search = parameters;
-      const std::string hint = hintOnThickPlanes (*cloud, detected.planes);
-      if (!hint.empty())
-        detected.hints.push_back (hint);
-    }
-  }
+  if constexpr (std::is_same_v<Parameters, OpsParameters>)
+    addHints (options.numbers, parameters, *cloud, detected);
   return detected;
 }
 
@@ -446,21 +306,24 @@ Method
 methodOf (const std::string& name, const std::string& title)
 {
   const auto declare_options = [] (CommandLine& line, GivenNumbers& given) {
-    declare (Parameters(), presetNotes<Parameters>(), line, given);
+    declareOptions (Parameters(), presetNotes<Parameters>(), line, given);
   };
   return {name, title, declare_options, detectBy<Parameters>};
 }
 
+/** \brief Returns the default parameters of OPS with the given numbers. */
 OpsParameters
 defaultWith (const GivenNumbers& numbers)
 {
   OpsParameters parameters;
-  apply (numbers, parameters);
+  setGiven (numbers, parameters);
   return parameters;
 }
 
+/** \brief Returns a line on the up axis that was used.
+ * \param[in] is_seen whether the cloud was seen from its sensor origin */
 std::string
-noteOn (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f& used)
+noteOnUp (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f& used)
 {
   const std::string axis =
       str (boost::format ("%.4g,%.4g,%.4g") % used.x() % used.y() % used.z());
@@ -473,23 +336,24 @@ noteOn (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f&
          axis + " is used; give --up x,y,z";
 }
 
-/** \brief Suggests a different up axis if the planes are sure of it.
- * \param[in,out] detected planes of the default preset, so that no second search is
+/** \brief Adds a hint if the planes show reliably that the up axis is another one.
+ * \param[in,out] detected planes of the default preset, for which no second search is
  * needed */
 void
 hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
 {
-  const auto found = estimateUpAxis (detected.planes, sensorOf (cloud));
+  const std::optional<UpAxis> found =
+      estimateUpAxis (detected.planes, sensorOf (cloud));
   if (!found)
     return;
   // The sign does not matter: upside down, planes have the same orientations.
   const double cosine =
       std::abs (found->direction.dot (detected.up.cast<double>().normalized()));
-  if (cosine >= std::cos (defaultWith (options.numbers).angle_tolerance) ||
-      !isSeenFromItsOrigin (cloud))
+  const double min_cosine = std::cos (defaultWith (options.numbers).angle_tolerance);
+  if (cosine >= min_cosine || !isSeenFromItsOrigin (cloud))
     return;
   detected.suggested_up = found->direction;
-  // The sum turns -0 into 0.
+  // Adding 0 turns -0 into 0.
   const Eigen::Array3d rounded =
       (100.0 * found->direction.array()).round() / 100.0 + 0.0;
   detected.hints.push_back (
@@ -499,17 +363,17 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
 
 /** \brief Returns the most frequent label among the inliers of a plane.
  * \param[in] labels of all points, as \ref labelsOf gives them: 0 for no plane */
-std::size_t
-planeWithMostOf (const PlaneSegment& plane, const std::vector<std::uint32_t>& labels)
+std::uint32_t
+mostFrequentLabel (const PlaneSegment& plane, const std::vector<std::uint32_t>& labels)
 {
   std::map<std::uint32_t, std::size_t> counts;
   for (const pcl::index_t index : plane.inliers)
     ++counts[labels[static_cast<std::size_t> (index)]];
-  return std::max_element (
-             counts.begin(),
-             counts.end(),
-             [] (const auto& a, const auto& b) { return a.second < b.second; })
-      ->first;
+  const auto most_frequent = std::max_element (
+      counts.begin(), counts.end(), [] (const auto& a, const auto& b) {
+        return a.second < b.second;
+      });
+  return most_frequent->first;
 }
 
 /** \brief Returns the next larger number with one significant digit; 0.002 for a length
@@ -517,13 +381,11 @@ planeWithMostOf (const PlaneSegment& plane, const std::vector<std::uint32_t>& la
 double
 roundedUp (double length)
 {
-  constexpr double smallest = 1e-3;
-  const double unit =
-      std::pow (10.0, std::floor (std::log10 (std::max (length, smallest))));
-  // .3 / .1 is rounded to a number below 3.
-  constexpr double rounding = 1e-9;
-  const double digit = std::floor (std::max (length, smallest) / unit + rounding);
-  return unit * (digit + 1.0);
+  constexpr double min_length = 1e-3;
+  const double at_least = std::max (length, min_length);
+  const double unit = std::pow (10.0, std::floor (std::log10 (at_least)));
+  constexpr double rounding = 1e-9; // .3 / .1 is rounded to a number below 3
+  return unit * (std::floor (at_least / unit + rounding) + 1.0);
 }
 
 /** \brief If two planes may be one surface (\ref findOverlapping), adds a hint with the
@@ -534,20 +396,26 @@ hintOnOverlap (const Method& method,
                const XyzCloud::ConstPtr& cloud,
                Detected& detected)
 {
-  constexpr const char* name = "merge-distance";
-  if (options.numbers.count (name) > 0 || !detected.settings.value ("merging", true))
+  constexpr const char* option = "merge-distance";
+  const bool can_merge = detected.settings.value ("merging", true);
+  if (options.numbers.count (option) > 0 || !can_merge)
     return;
-  const auto pair = findOverlapping (*cloud, detected.planes);
+  const std::optional<OverlappingPlanes> pair =
+      findOverlapping (*cloud, detected.planes);
   if (!pair)
     return;
   DetectorOptions merging = options;
   merging.keeps_stages = false;
   const double distance = roundedUp (pair->distance);
-  merging.numbers[name] = distance;
+  merging.numbers[option] = distance;
   const std::vector<std::uint32_t> labels =
       labelsOf (method.detect (merging, cloud).planes, cloud->size());
-  const std::size_t merged = planeWithMostOf (detected.planes[pair->smaller], labels);
-  if (merged == 0 || merged != planeWithMostOf (detected.planes[pair->larger], labels))
+  const std::uint32_t of_smaller =
+      mostFrequentLabel (detected.planes[pair->smaller], labels);
+  const std::uint32_t of_larger =
+      mostFrequentLabel (detected.planes[pair->larger], labels);
+  const bool are_merged = of_smaller != 0 && of_smaller == of_larger;
+  if (!are_merged)
     return;
   detected.hints.push_back (str (
       boost::format ("planes %1% and %2% lie over or beside each other, %3$.2g apart: "
@@ -555,6 +423,7 @@ hintOnOverlap (const Method& method,
       (pair->larger + 1) % (pair->smaller + 1) % pair->distance % distance));
 }
 
+/** \brief Returns the title of the options of a method in the help. */
 std::string
 groupOf (const Method& method)
 {
@@ -615,8 +484,9 @@ runMethod (const Method& method,
   if (!options.finds_up) {
     Detected detected = method.detect (options, cloud);
     // For planes of other methods or presets the confidence would be too high.
-    if (!options.up && method.name == allMethods().front().name &&
-        options.preset == "default")
+    const bool is_default =
+        method.name == allMethods().front().name && options.preset == "default";
+    if (!options.up && is_default)
       hintOnUp (options, *cloud, detected);
     hintOnOverlap (method, options, cloud, detected);
     if (options.sequence_has_up)
@@ -630,7 +500,7 @@ runMethod (const Method& method,
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
   hintOnOverlap (method, known, cloud, detected);
-  detected.up_note = noteOn (found, is_seen, detected.up);
+  detected.up_note = noteOnUp (found, is_seen, detected.up);
   detected.settings["up_confidence"] =
       found ? Settings (found->confidence) : Settings();
   return detected;
@@ -653,7 +523,7 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
                 options.up = parseUpAxis ("--up", text);
             })
       .help ("direction against gravity, camera or auto (0,0,1)");
-  declare (PlaneDetectorParameters(), {}, line, options.numbers);
+  declareOptions (PlaneDetectorParameters(), {}, line, options.numbers);
   for (const Method& known : allMethods()) {
     line.beginGroup (groupOf (known));
     known.declare_options (line, options.numbers);

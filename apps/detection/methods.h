@@ -28,27 +28,33 @@ using Settings = nlohmann::ordered_json;
 /** \brief Numbers given on the command line, by option name without "--". */
 using GivenNumbers = std::map<std::string, double>;
 
+/** \brief Options that \ref declareMethodOptions declares. */
 struct DetectorOptions {
+  /** \brief "default" or "paper". */
   std::string preset = "default";
+  /** \brief Direction against gravity; not given: the default of the parameters. */
   std::optional<Eigen::Vector3f> up;
   /** \brief Whether the up axis is to be estimated: --up auto. */
   bool finds_up = false;
   /** \brief Whether the up axis is that of a level camera: --up camera. */
   bool up_is_camera = false;
-  /** \brief Whether \ref up was estimated from a sequence of clouds, and with which
-   * confidence, 0 to 1, if the estimate found an axis. */
+  /** \brief Whether the up axis of a sequence of clouds was estimated. */
   bool sequence_has_up = false;
+  /** \brief Confidence of that estimate, 0 to 1; nothing if it found no axis. */
   std::optional<double> up_confidence;
+  /** \brief Numbers for parameters of the detector. */
   GivenNumbers numbers;
   /** \brief Whether to fill \ref Detected::stages. */
   bool keeps_stages = false;
 };
 
+/** \brief What a detector found in a cloud, and what programs add to it. */
 struct Detected {
   /** \brief By falling size, in the frame of the searched cloud. pcl_ops_segment moves
    * them to the frame of the file. */
   std::vector<PlaneSegment> planes;
-  /** \brief Kind of each plane, found among all planes; empty if not asked for. */
+  /** \brief Kind of each plane, which depends on the other planes; empty if not asked
+   * for. */
   std::vector<PlaneKind> kinds;
   /** \brief Convex outline of each plane, in the frame of the file; empty if not asked
    * for. */
@@ -59,8 +65,10 @@ struct Detected {
    * asked for, and for other detectors. */
   std::vector<StageResult> stages;
   /** \brief If \ref planes are connected pieces of planes: for each piece the index of
-   * its plane in \ref whole_planes, which have no inliers. Else both are empty. */
+   * its plane in \ref whole_planes. Else empty. */
   std::vector<std::size_t> lies_on;
+  /** \brief If \ref planes are pieces: the planes on which they lie, without inliers.
+   * Else empty. */
   std::vector<PlaneSegment> whole_planes;
   StageDurations timing;
   /** \brief Processor time of the detection [ms]. With --threads other than 1 it is
@@ -72,12 +80,16 @@ struct Detected {
   /** \brief Parameters of the search, if it was OPS on neighborhoods without
    * --voxel-size. */
   std::optional<OrientedPointSamplingParameters> search;
+  /** \brief The direction against gravity that was used. */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  /** \brief A line on how \ref up was estimated; empty if it was not. */
   std::string up_note;
-  /** \brief A different up axis that the planes are sure of, if none was given. */
+  /** \brief If no up axis was given, another one that the planes show reliably. */
   std::optional<Eigen::Vector3d> suggested_up;
   /** \brief Sentences that suggest options likely to give a better result. */
   std::vector<std::string> hints;
+  /** \brief Which option to change if hardly any point is on a plane, or why no plane
+   * is left: the end of a sentence. Else empty. */
   std::string advice;
 };
 
@@ -96,7 +108,9 @@ labelsOf (const std::vector<PlaneSegment>& planes,
           std::size_t points,
           const std::vector<std::uint32_t>& ids = {});
 
+/** \brief A detector. */
 struct Method {
+  /** \brief Value of --method. */
   std::string name;
   /** \brief Heading of its options in the help. */
   std::string title;
@@ -110,6 +124,7 @@ struct Method {
 const std::vector<Method>&
 allMethods ();
 
+/** \param[in] name of a method in \ref allMethods */
 const Method&
 methodCalled (const std::string& name);
 
@@ -129,13 +144,15 @@ std::optional<UpAxis>
 findUpAxis (const DetectorOptions& options, const XyzCloud& cloud);
 
 /** \brief Finds the planes of a cloud by a method. For `--up auto` it first calls \ref
- * findUpAxis, as the confidence was measured with those planes; if they cannot tell,
- * the default axis is used. Without --up a hint may name a different axis. */
+ * findUpAxis, as the confidence was measured with the planes of the default; if they
+ * cannot tell the up axis, the default axis is used. Without --up a hint may name
+ * another axis. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
            const XyzCloud::ConstPtr& cloud);
 
+/** \brief Declares the options of all methods. */
 void
 declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& options);
 
@@ -148,8 +165,9 @@ checkMethodOptions (const CommandLine& line, const Method& chosen);
 bool
 hasStages (const Method& method, const DetectorOptions& options);
 
-/** \brief Returns the edge of the largest voxels of --voxel-size [unit of the cloud]:
- * a cloud shifted by a multiple of it keeps its voxels. 0 if no size is given. */
+/** \brief Returns the edge of the largest voxels that --voxel-size asks for [unit of
+ * the cloud]; 0 if it is not given. In a cloud shifted by a multiple of this edge,
+ * points are in the same voxels. */
 double
 voxelStepOf (const DetectorOptions& options);
 

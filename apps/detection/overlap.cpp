@@ -18,41 +18,43 @@ namespace pcl_ops::apps {
 
 namespace {
 
-using Polygon =
-    boost::geometry::model::polygon<boost::geometry::model::d2::point_xy<double>,
-                                    false>;
+using PlanarPoint = boost::geometry::model::d2::point_xy<double>;
+constexpr bool is_clockwise = false;
+using Polygon = boost::geometry::model::polygon<PlanarPoint, is_clockwise>;
 
+/** \brief Projects the hull of an extent onto a plane. */
 Polygon
-onto (const PlaneFrame& frame, const PlaneExtent& extent)
+projectedHull (const PlaneExtent& extent, const PlaneFrame& frame)
 {
   Polygon polygon;
   for (const Eigen::Vector3d& corner : extent.hull) {
-    const Eigen::Vector2d place = frame.toPlane (corner);
-    boost::geometry::append (
-        polygon.outer(),
-        boost::geometry::model::d2::point_xy<double> (place.x(), place.y()));
+    const Eigen::Vector2d projected = frame.toPlane (corner);
+    boost::geometry::append (polygon.outer(),
+                             PlanarPoint (projected.x(), projected.y()));
   }
   boost::geometry::correct (polygon);
   return polygon;
 }
 
-/** \brief Returns the distance of two planes [m] if they pass the tests on angle,
- * distance and size; else nothing. Outlines are not tested here. */
+/** \brief Returns OverlappingPlanes::distance if two planes pass the tests of \ref
+ * findOverlapping on angle, distance and size; else nothing. Outlines are not tested.
+ */
 std::optional<double>
-distanceOfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
+distanceIfParallel (const PlaneSegment& larger, const PlaneSegment& smaller)
 {
   const double max_angle = toRadians (7.0);
-  // In units of the rms distance. Planes farther apart are two: a board before a wall.
-  constexpr double max_distance_in_noise = 3.0;
-  constexpr double min_share = 0.02;
+  // Planes farther apart are two: a board in front of a wall.
+  constexpr double max_distance_by_rms = 3.0;
+  constexpr double min_size_ratio = 0.02;
   const auto size = static_cast<double> (smaller.inliers.size());
-  if (size < min_share * static_cast<double> (larger.inliers.size()) ||
-      angleBetween (larger, smaller) > max_angle)
+  const bool is_too_small =
+      size < min_size_ratio * static_cast<double> (larger.inliers.size());
+  if (is_too_small || angleBetween (larger, smaller) > max_angle)
     return std::nullopt;
   const Eigen::Vector3d between = larger.centroid - smaller.centroid;
   const double distance = std::max (std::abs (smaller.normal.dot (between)),
                                     std::abs (larger.normal.dot (between)));
-  if (distance > max_distance_in_noise * std::max (larger.rms(), smaller.rms()))
+  if (distance > max_distance_by_rms * std::max (larger.rms(), smaller.rms()))
     return std::nullopt;
   return distance;
 }
@@ -80,21 +82,24 @@ private:
 };
 
 /** \brief Whether outlines overlap or nearly touch.
- * \param[in] points number of inliers of the smaller plane */
+ * \param[in] normal of the larger plane
+ * \param[in] inliers_of_smaller number of inliers of the smaller plane */
 bool
-areBesideEachOther (const PlaneExtent& larger,
-                    const PlaneExtent& smaller,
-                    const Eigen::Vector3d& normal,
-                    std::size_t points)
+overlapOrTouch (const PlaneExtent& larger,
+                const PlaneExtent& smaller,
+                const Eigen::Vector3d& normal,
+                std::size_t inliers_of_smaller)
 {
   constexpr double max_gap_in_spacings = 4.0;
   const PlaneFrame frame (larger.center, normal);
-  const Polygon first = onto (frame, larger);
-  const Polygon second = onto (frame, smaller);
-  if (first.outer().empty() || second.outer().empty())
+  const Polygon larger_hull = projectedHull (larger, frame);
+  const Polygon smaller_hull = projectedHull (smaller, frame);
+  if (larger_hull.outer().empty() || smaller_hull.outer().empty())
     return false;
-  const double spacing = std::sqrt (smaller.area / static_cast<double> (points));
-  return boost::geometry::distance (first, second) <= max_gap_in_spacings * spacing;
+  const double spacing =
+      std::sqrt (smaller.area / static_cast<double> (inliers_of_smaller));
+  const double gap = boost::geometry::distance (larger_hull, smaller_hull);
+  return gap <= max_gap_in_spacings * spacing;
 }
 
 } // namespace
@@ -105,11 +110,12 @@ findOverlapping (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
   Extents extents (cloud, planes);
   for (std::size_t smaller = 1; smaller < planes.size(); ++smaller)
     for (std::size_t larger = 0; larger < smaller; ++larger) {
-      const auto distance = distanceOfParallel (planes[larger], planes[smaller]);
-      if (distance && areBesideEachOther (extents[larger],
-                                          extents[smaller],
-                                          planes[larger].normal,
-                                          planes[smaller].inliers.size()))
+      const std::optional<double> distance =
+          distanceIfParallel (planes[larger], planes[smaller]);
+      if (distance && overlapOrTouch (extents[larger],
+                                      extents[smaller],
+                                      planes[larger].normal,
+                                      planes[smaller].inliers.size()))
         return OverlappingPlanes{larger, smaller, *distance};
     }
   return std::nullopt;

@@ -11,10 +11,11 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Indices of two planes, in a list of planes, that may be one surface. */
+/** \brief Two planes that may be one surface. */
 struct OverlappingPlanes {
+  /** \brief Indices in the list of planes. */
   std::size_t larger, smaller;
-  /** \brief Distance of each centroid to the other plane, the larger of the two [m]. */
+  /** \brief The larger one of the distances of each centroid to the other plane [m]. */
   double distance;
 };
 

@@ -14,7 +14,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr const char* known_of_only = "horizontal, vertical or other (how a plane "
+/** \brief The names that --only takes, for messages. */
+constexpr const char* names_of_only = "horizontal, vertical or other (how a plane "
                                       "lies); floor, ceiling, wall, slab, roof, "
                                       "ramp or table (what it is); or largest";
 
@@ -36,7 +37,7 @@ checkOnly (const std::string& list)
   for (const std::string& name : names) {
     if (!orientationCalled (name) && !kindCalled (name) && name != "largest")
       throw UsageError ("--only",
-                        "'" + name + "' is unknown; give some of " + known_of_only);
+                        "'" + name + "' is unknown; give some of " + names_of_only);
     if (name == "largest" && names.size() > 1)
       throw UsageError ("--only", "largest goes with no other; give --max-planes 1");
   }
@@ -44,8 +45,8 @@ checkOnly (const std::string& list)
     throw UsageError ("--only", "'" + list + "' is no list; give wall,roof");
 }
 
-/** \brief Whether a plane has one of the named orientations or kinds; "other" is the
- * orientation. */
+/** \brief Whether a plane has one of the named orientations or kinds. The name "other"
+ * is an orientation, not a kind. */
 bool
 isNamed (const std::vector<std::string>& names,
          const PlaneSegment& plane,
@@ -65,28 +66,35 @@ struct OptionReport {
   std::size_t dropped;
 };
 
+/** \brief Returns a report on each option, in the order in which they drop planes.
+ * \param[in] dropped by the filter
+ * \param[in] not_named number of planes that --only does not name */
 std::vector<OptionReport>
-reportsOf (const PlaneChoice& choice,
-           const DroppedPlanes& dropped = {},
-           std::size_t not_named = 0)
+reportsOn (const PlaneChoice& choice,
+           const DroppedPlanes& dropped,
+           std::size_t not_named)
 {
   const PlaneFilter& filter = choice.filter;
-  const std::size_t by_only = choice.only == "largest" ? dropped.by_number : 0;
-  return {{"only", choice.only, not_named + by_only},
-          {"direction",
-           filter.direction.value_or (Eigen::Vector3d::Zero()),
-           dropped.by_direction},
-          {"within", choice.within, 0},
-          {"slope", choice.slope.value_or (std::array<double, 2>()), dropped.by_slope},
-          {"min-points", filter.min_points, dropped.by_points},
-          {"min-area", filter.min_area, dropped.by_area},
-          {"min-width", filter.min_width, dropped.by_width},
-          {"max-area", filter.max_area.value_or (0.0), dropped.by_max_area},
-          {"max-width", filter.max_width.value_or (0.0), dropped.by_max_width},
-          {"size", filter.size.value_or (std::array<double, 3>()), dropped.by_size},
-          {"max-planes", filter.max_planes.value_or (0), dropped.by_number - by_only}};
+  // The filter keeps one plane for "largest".
+  const std::size_t not_largest = choice.only == "largest" ? dropped.by_number : 0;
+  return {
+      {"only", choice.only, not_named + not_largest},
+      {"direction",
+       filter.direction.value_or (Eigen::Vector3d::Zero()),
+       dropped.by_direction},
+      {"within", choice.within, 0},
+      {"slope", choice.slope.value_or (std::array<double, 2>()), dropped.by_slope},
+      {"min-points", filter.min_points, dropped.by_points},
+      {"min-area", filter.min_area, dropped.by_area},
+      {"min-width", filter.min_width, dropped.by_width},
+      {"max-area", filter.max_area.value_or (0.0), dropped.by_max_area},
+      {"max-width", filter.max_width.value_or (0.0), dropped.by_max_width},
+      {"size", filter.size.value_or (std::array<double, 3>()), dropped.by_size},
+      {"max-planes", filter.max_planes.value_or (0), dropped.by_number - not_largest}};
 }
 
+/** \brief Declares an option that takes a list of numbers.
+ * \param[in] usage such as "slope MIN,MAX" */
 template <std::size_t count>
 Option&
 addNumbers (CommandLine& line,
@@ -104,12 +112,13 @@ addNumbers (CommandLine& line,
   });
 }
 
+/** \brief Returns advice if all planes that were found are dropped. */
 std::string
 adviceOn (const PlaneChoice& choice, const Dropped& dropped)
 {
   const std::string found = std::to_string (dropped.found);
-  const auto& [option, count] = dropped.by_option.front();
-  if (option == "only" && count == dropped.found)
+  const Dropped::ByOption& first = dropped.by_option.front();
+  if (first.option == "only" && first.planes == dropped.found)
     return "none of the " + found + " planes found is " +
            boost::replace_all_copy (choice.only, ",", " or ") +
            ": leave out --only, or change --up or --angle-tolerance";
@@ -132,8 +141,8 @@ std::string
 Dropped::reasons() const
 {
   std::string text;
-  for (const auto& [option, count] : by_option)
-    text += (text.empty() ? "" : ", ") + std::to_string (count) + " by --" + option;
+  for (const auto& [option, planes] : by_option)
+    text += (text.empty() ? "" : ", ") + std::to_string (planes) + " by --" + option;
   return text;
 }
 
@@ -158,15 +167,15 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
       .help ("largest angle of a normal to --direction (10)");
   addNumbers (line, "slope MIN,MAX", choice.slope, from (0).upTo (right_angle))
       .help ("angles to the horizontal from MIN to MAX degrees");
-  const Range size = from (0);
-  line.add ("min-points N", filter.min_points, size).help ("fewest points");
-  line.add ("min-area M2", filter.min_area, size)
+  const Range not_negative = from (0);
+  line.add ("min-points N", filter.min_points, not_negative).help ("fewest points");
+  line.add ("min-area M2", filter.min_area, not_negative)
       .help ("smallest area inside the outline");
-  line.add ("min-width M", filter.min_width, size)
+  line.add ("min-width M", filter.min_width, not_negative)
       .help ("smallest width of the rectangle around it");
-  line.add ("max-area M2", filter.max_area, size).help ("largest area");
-  line.add ("max-width M", filter.max_width, size).help ("largest width");
-  addNumbers (line, "size W,H,TOLERANCE", filter.size, size)
+  line.add ("max-area M2", filter.max_area, not_negative).help ("largest area");
+  line.add ("max-width M", filter.max_width, not_negative).help ("largest width");
+  addNumbers (line, "size W,H,TOLERANCE", filter.size, not_negative)
       .help ("rectangles of W by H, each within TOLERANCE");
   line.add ("max-planes N", filter.max_planes, from (1))
       .help ("the N largest of those the others leave");
@@ -180,17 +189,37 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
     throw UsageError ("--max-area", "is below --min-area; raise it");
   if (filter.max_width && *filter.max_width < filter.min_width)
     throw UsageError ("--max-width", "is below --min-width; raise it");
-  if (choice.slope && (*choice.slope)[1] < (*choice.slope)[0])
+  const bool has_reversed_slope =
+      choice.slope && (*choice.slope)[1] < (*choice.slope)[0];
+  if (has_reversed_slope)
     throw UsageError ("--slope", "ends below where it begins; give MIN,MAX");
   if (line.isGiven ("within") && !line.isGiven ("direction"))
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
-  for (const auto& [name, setting, none_dropped] : reportsOf (choice)) {
-    const std::string option = name;
-    // The report has the angle whenever --direction is given.
+  for (const OptionReport& report : reportsOn (choice, {}, 0)) {
+    const std::string option = report.option;
+    // The value of --within is reported whenever --direction is given.
     if (line.isGiven (option == "within" ? "direction" : option))
-      choice.given[keyOf (option)] = setting;
+      choice.given[keyOf (option)] = report.setting;
   }
 }
+
+namespace {
+
+/** \brief Returns the filter with all values of the choice, angles in radians. */
+PlaneFilter
+filterOf (const PlaneChoice& choice, const Eigen::Vector3d& up)
+{
+  PlaneFilter filter = choice.filter;
+  filter.up_axis = up;
+  if (choice.only == "largest")
+    filter.max_planes = 1;
+  filter.direction_tolerance = toRadians (choice.within);
+  if (choice.slope)
+    filter.slope = {toRadians ((*choice.slope)[0]), toRadians ((*choice.slope)[1])};
+  return filter;
+}
+
+} // namespace
 
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,
@@ -200,37 +229,31 @@ chosenOf (const PlaneChoice& choice,
           const ExtentOfPlane& extent_of,
           Dropped& dropped)
 {
-  PlaneFilter filter = choice.filter;
-  filter.up_axis = up;
-  if (choice.only == "largest")
-    filter.max_planes = 1;
-  filter.direction_tolerance = toRadians (choice.within);
-  if (choice.slope)
-    filter.slope = {toRadians ((*choice.slope)[0]), toRadians ((*choice.slope)[1])};
   const std::vector<std::string> names =
       choice.only == "largest" ? std::vector<std::string>() : namesIn (choice.only);
   std::vector<PlaneSegment> named;
-  std::vector<std::size_t> positions;
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    if (names.empty() ||
-        isNamed (names,
-                 planes[i],
-                 kinds.empty() ? std::nullopt : std::optional<PlaneKind> (kinds[i]))) {
+  std::vector<std::size_t> index_of_named;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const std::optional<PlaneKind> kind =
+        kinds.empty() ? std::nullopt : std::optional<PlaneKind> (kinds[i]);
+    if (names.empty() || isNamed (names, planes[i], kind)) {
       named.push_back (planes[i]);
-      positions.push_back (i);
+      index_of_named.push_back (i);
     }
+  }
   const auto extent_of_named = [&] (const PlaneSegment& plane) {
-    return extent_of (planes[positions[std::size_t (&plane - named.data())]]);
+    return extent_of (planes[index_of_named[std::size_t (&plane - named.data())]]);
   };
-  DroppedPlanes counts;
-  std::vector<std::size_t> kept = keptPlanes (named, filter, extent_of_named, counts);
-  for (std::size_t& position : kept)
-    position = positions[position];
+  DroppedPlanes by_filter;
+  std::vector<std::size_t> kept =
+      keptPlanes (named, filterOf (choice, up), extent_of_named, by_filter);
+  for (std::size_t& index : kept)
+    index = index_of_named[index];
   dropped = {planes.size(), {}};
-  for (const auto& [option, setting, count] :
-       reportsOf (choice, counts, planes.size() - named.size()))
-    if (count > 0)
-      dropped.by_option.emplace_back (option, count);
+  const std::size_t not_named = planes.size() - named.size();
+  for (const OptionReport& report : reportsOn (choice, by_filter, not_named))
+    if (report.dropped > 0)
+      dropped.by_option.push_back ({report.option, report.dropped});
   return kept;
 }
 
@@ -277,8 +300,8 @@ toObject (const Dropped& dropped)
 {
   nlohmann::ordered_json object;
   object["of"] = dropped.found;
-  for (const auto& [option, count] : dropped.by_option)
-    object["by"][keyOf (option)] = count;
+  for (const auto& [option, planes] : dropped.by_option)
+    object["by"][keyOf (option)] = planes;
   return object;
 }
 

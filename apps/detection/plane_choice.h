@@ -7,6 +7,7 @@
 
 namespace pcl_ops::apps {
 
+/** \brief Which planes to keep: options that programs share. */
 struct PlaneChoice {
   /** \brief Orientations and kinds, separated by commas, or "largest"; empty: all. */
   std::string only;
@@ -24,17 +25,25 @@ struct PlaneChoice {
   namesKinds () const;
 };
 
+/** \brief How many planes each option dropped. */
 struct Dropped {
+  struct ByOption {
+    /** \brief Without "--": "min-area". */
+    std::string option;
+    std::size_t planes;
+  };
+
+  /** \brief Number of planes before any was dropped. */
   std::size_t found = 0;
-  /** \brief Number of planes that each option, such as "min-area", dropped; without
-   * the options that dropped no plane. */
-  std::vector<std::pair<std::string, std::size_t>> by_option;
+  /** \brief Only the options that dropped any plane. */
+  std::vector<ByOption> by_option;
 
   /** \brief Returns "1 by --direction, 2 by --min-area"; empty if none was dropped. */
   std::string
   reasons () const;
 };
 
+/** \brief Title of these options in the help. */
 inline constexpr const char* title_of_choice = "Planes to keep";
 
 void
@@ -49,8 +58,9 @@ finishChoice (const CommandLine& line, PlaneChoice& choice);
 /** \brief Returns the indices of the chosen planes, in ascending order.
  * \param[in] kinds one for each plane; empty: no plane has a kind
  * \param[in] up against gravity, in the frame of the planes
- * \param[in] extent_of called only for planes whose area or width decides
- * \param[out] dropped number of planes, and of those that each option dropped */
+ * \param[in] extent_of called with elements of \p planes, only for planes whose area or
+ * width decides
+ * \param[out] dropped how many planes each option dropped */
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,
           const std::vector<PlaneSegment>& planes,
@@ -61,12 +71,14 @@ chosenOf (const PlaneChoice& choice,
 
 /** \brief Removes all planes but the chosen ones from \p detected, and adds the options
  * to its settings. If no plane is left, the advice says why.
- * \return number of planes before, and of those that each option dropped */
+ * \return how many planes each option dropped */
 Dropped
 keepChosen (const PlaneChoice& choice,
             const ExtentOfPlane& extent_of,
             Detected& detected);
 
+/** \brief Returns the JSON {"of": planes found, "by": {option: planes dropped, ...}}.
+ */
 nlohmann::ordered_json
 toObject (const Dropped& dropped);
 

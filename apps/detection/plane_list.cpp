@@ -29,15 +29,16 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Twice the area of a ring seen from above, negative if it is clockwise. */
+/** \brief Returns twice the area of a ring seen from above, negative if it is
+ * clockwise. */
 double
-areaFromAbove (const Ring& ring)
+twiceAreaFromAbove (const Ring& ring)
 {
-  double area = 0.0;
+  double twice_area = 0.0;
   // Relative to the first corner: far from zero the products would lose digits.
   for (std::size_t i = 2; i < ring.size(); ++i)
-    area += (ring[i - 1] - ring[0]).cross (ring[i] - ring[0]).z();
-  return area;
+    twice_area += (ring[i - 1] - ring[0]).cross (ring[i] - ring[0]).z();
+  return twice_area;
 }
 
 /** \brief Separators by which WKT or GeoJSON writes nested lists of corners. */
@@ -48,10 +49,10 @@ struct Notation {
   void
   write (const Eigen::Vector3d& corner, std::ostream& stream) const
   {
-    // Avoids -0.000 for a coordinate that is rounded to zero.
-    const double smallest = 0.5 * std::pow (10.0, -decimals);
+    // A coordinate that is rounded to zero becomes 0.000 instead of -0.000.
+    const double max_rounded_to_zero = 0.5 * std::pow (10.0, -decimals);
     const Eigen::Vector3d shown =
-        (corner.array().abs() <= smallest).select (0.0, corner);
+        (corner.array().abs() <= max_rounded_to_zero).select (0.0, corner);
     stream << begin_corner << shown.x() << between_numbers << shown.y()
            << between_numbers << shown.z() << end_corner;
   }
@@ -87,26 +88,26 @@ struct Notation {
   }
 };
 
-/** \brief Mean of the corners from first to last.
+/** \brief Returns the mean of the corners from first to last.
  * \param[in] first, last indices of corners; from ring.size() on they wrap around */
 Eigen::Vector3d
-middleOf (const Ring& ring, std::size_t first, std::size_t last)
+meanOf (const Ring& ring, std::size_t first, std::size_t last)
 {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  Eigen::Vector3d from_first = Eigen::Vector3d::Zero();
   for (std::size_t i = first; i <= last; ++i)
-    middle += (ring[i % ring.size()] - ring[first]) / double (last - first + 1);
-  return middle + ring[first];
+    from_first += (ring[i % ring.size()] - ring[first]) / double (last - first + 1);
+  return from_first + ring[first];
 }
 
-/** \brief Rotates a ring so that it begins with the corner farthest from the middle:
- * simplification never removes the first corner. */
+/** \brief Rotates a ring so that it begins with the corner farthest from the mean of
+ * all: simplification never removes the first corner. */
 void
-beginAtCorner (Ring& ring)
+beginAtFarthestCorner (Ring& ring)
 {
-  const Eigen::Vector3d middle = middleOf (ring, 0, ring.size() - 1);
+  const Eigen::Vector3d mean = meanOf (ring, 0, ring.size() - 1);
   const auto farthest =
       std::max_element (ring.begin(), ring.end(), [&] (const auto& a, const auto& b) {
-        return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+        return (a - mean).squaredNorm() < (b - mean).squaredNorm();
       });
   std::rotate (ring.begin(), farthest, ring.end());
 }
@@ -114,27 +115,29 @@ beginAtCorner (Ring& ring)
 using Line = Eigen::ParametrizedLine<double, 3>;
 
 /** \brief Fits a least squares line to the corners from first to last, with indices as
- * in \ref middleOf. */
+ * in \ref meanOf. */
 Line
 lineAlong (const Ring& ring, std::size_t first, std::size_t last)
 {
-  const Eigen::Vector3d middle = middleOf (ring, first, last);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d mean = meanOf (ring, first, last);
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (std::size_t i = first; i <= last; ++i) {
-    const Eigen::Vector3d off = ring[i % ring.size()] - middle;
-    spread += off * off.transpose();
+    const Eigen::Vector3d from_mean = ring[i % ring.size()] - mean;
+    scatter += from_mean * from_mean.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (spread);
-  return {middle, axes.eigenvectors().col (2)};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (scatter);
+  constexpr Eigen::Index longest = 2; // eigenvalues ascend
+  return {mean, axes.eigenvectors().col (longest)};
 }
 
-/** \brief Returns the point where two sides meet. Returns their old corner if the sides
- * are nearly parallel or meet farther from that corner than the tolerance. */
+/** \brief Returns the point midway between the nearest points of two sides, where they
+ * meet. Returns their old corner if the sides are nearly parallel, or meet farther from
+ * that corner than the tolerance. */
 Eigen::Vector3d
-meetingOf (const Line& a,
-           const Line& b,
-           const Eigen::Vector3d& corner,
-           double tolerance)
+meetingPointOf (const Line& a,
+                const Line& b,
+                const Eigen::Vector3d& corner,
+                double tolerance)
 {
   constexpr double min_squared_sine = 0.07; // of 15 degrees
   const double cosine = a.direction().dot (b.direction());
@@ -144,42 +147,46 @@ meetingOf (const Line& a,
   const Eigen::Vector3d between = a.origin() - b.origin();
   const double along_a = a.direction().dot (between);
   const double along_b = b.direction().dot (between);
-  const double t = (cosine * along_b - along_a) / squared_sine;
-  const double s = (along_b - cosine * along_a) / squared_sine;
+  // Parameters of the nearest points of both lines.
+  const double on_a = (cosine * along_b - along_a) / squared_sine;
+  const double on_b = (along_b - cosine * along_a) / squared_sine;
   const Eigen::Vector3d meeting =
-      0.5 * (a.pointAt (t) + b.origin() + s * b.direction());
+      0.5 * (a.pointAt (on_a) + b.origin() + on_b * b.direction());
   return (meeting - corner).norm() <= tolerance ? meeting : corner;
 }
 
-/** \brief Moves the kept corners to where the lines fitted to their sides meet. Unmoved
- * they would cut off area, as noise has moved some of the corners between them.
+/** \brief Returns the kept corners, moved to where the lines meet that are fitted to
+ * the corners of their sides. Corners that are not moved would cut off area, as noise
+ * has moved some of the corners between them outwards.
  * \param[in] kept ascending indices of corners of the ring */
 Ring
 withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double tolerance)
 {
-  kept.push_back (ring.size() + kept.front());
+  kept.push_back (ring.size() + kept.front()); // closes the ring
   Ring fitted;
-  Line last = lineAlong (ring, kept[kept.size() - 2], kept.back());
+  Line side_before = lineAlong (ring, kept[kept.size() - 2], kept.back());
   for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
-    const Line next = lineAlong (ring, kept[k], kept[k + 1]);
-    fitted.push_back (meetingOf (last, next, ring[kept[k]], tolerance));
-    last = next;
+    const Line side_after = lineAlong (ring, kept[k], kept[k + 1]);
+    fitted.push_back (
+        meetingPointOf (side_before, side_after, ring[kept[k]], tolerance));
+    side_before = side_after;
   }
   return fitted;
 }
 
+/** \brief Simplifies a ring as \ref simplified says. */
 Ring
 withFewerCorners (Ring ring, double tolerance)
 {
-  beginAtCorner (ring);
+  beginAtFarthestCorner (ring);
   Ring closed = ring;
-  Ring simple;
   closed.push_back (ring.front());
-  boost::geometry::simplify (closed, simple, tolerance);
-  simple.pop_back();
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < ring.size() && kept.size() < simple.size(); ++i)
-    if (ring[i] == simple[kept.size()])
+  Ring fewer;
+  boost::geometry::simplify (closed, fewer, tolerance);
+  fewer.pop_back();
+  std::vector<std::size_t> kept; // indices of the corners that are left
+  for (std::size_t i = 0; i < ring.size() && kept.size() < fewer.size(); ++i)
+    if (ring[i] == fewer[kept.size()])
       kept.push_back (i);
   return kept.empty() ? Ring() : withFittedSides (ring, kept, tolerance);
 }
@@ -191,18 +198,19 @@ withFewerCorners (Ring ring, double tolerance)
 Rings
 simplified (const Rings& rings, double tolerance)
 {
-  constexpr std::size_t corners_of_an_area = 3;
-  constexpr int most_halvings = 50;
+  constexpr std::size_t min_corners = 3;
+  constexpr int max_halvings = 50;
   Rings simple;
   for (const Ring& ring : rings) {
+    const bool is_outline = simple.empty();
     Ring fewer = withFewerCorners (ring, tolerance);
-    for (int i = 0;
-         simple.empty() && fewer.size() < corners_of_an_area && i < most_halvings;
-         ++i)
-      fewer = withFewerCorners (ring, tolerance = 0.5 * tolerance);
-    if (fewer.size() >= corners_of_an_area)
+    for (int i = 0; is_outline && fewer.size() < min_corners && i < max_halvings; ++i) {
+      tolerance *= 0.5;
+      fewer = withFewerCorners (ring, tolerance);
+    }
+    if (fewer.size() >= min_corners)
       simple.push_back (std::move (fewer));
-    else if (simple.empty())
+    else if (is_outline)
       return {ring};
   }
   return simple;
@@ -216,11 +224,11 @@ const std::string prefix_of_crs = "EPSG:";
 bool
 isCrs (const std::string& text)
 {
-  constexpr std::size_t most_digits = 7;
+  constexpr std::size_t max_digits = 7;
   if (text.compare (0, prefix_of_crs.size(), prefix_of_crs) != 0)
     return false;
   const std::string number = text.substr (prefix_of_crs.size());
-  return !number.empty() && number.size() <= most_digits &&
+  return !number.empty() && number.size() <= max_digits &&
          number.find_first_not_of ("0123456789") == std::string::npos;
 }
 
@@ -235,7 +243,7 @@ columnsOf (const Json& plane)
   std::vector<std::pair<std::string, Json>> columns = {
       {"id", plane.at ("id")},
       {"orientation", plane.at ("orientation")},
-      {"kind", plane.value ("kind", Json())}, // a list may be without
+      {"kind", plane.value ("kind", Json())}, // lists of earlier versions have none
       {"points", plane.at ("points")},
       {"a", coefficients.at (0)},
       {"b", coefficients.at (1)},
@@ -260,8 +268,8 @@ columnsOf (const Json& plane)
   return columns;
 }
 
-/** \brief Number of decimals of coordinates: 3, or more if a thousandth of the smallest
- * width needs them; 12 at most. */
+/** \brief Returns the number of decimals of coordinates: 3, or more if a thousandth of
+ * the smallest width needs them; 12 at most. */
 int
 decimalsFor (const Json& planes)
 {
@@ -285,8 +293,9 @@ outlineOf (const Json& plane, const MapOptions& options)
     if (options.simplify > 0.0)
       rings = simplified (rings, options.simplify);
     for (Ring& ring : rings) {
-      const double area = areaFromAbove (ring);
-      if (&ring == &rings.front() ? area < 0.0 : area > 0.0)
+      const double twice_area = twiceAreaFromAbove (ring);
+      const bool is_outline = &ring == &rings.front();
+      if (is_outline ? twice_area < 0.0 : twice_area > 0.0)
         std::reverse (ring.begin(), ring.end());
     }
   }
@@ -329,8 +338,8 @@ toGeoJsonLines (const Polygons& polygons, int decimals)
          Notation{"[", "[", ",", "]", "]", decimals}.text (Polygons{rings}) + "}";
 }
 
-/** \brief Whether a plane is named vertical, or its rings cover less than a thousandth
- * of their area on the map. */
+/** \brief Whether a plane is named vertical, or the area of its outline on the map is
+ * less than a thousandth of its area. */
 bool
 isUpright (const Json& plane)
 {
@@ -364,12 +373,16 @@ toCsv (const Json& planes, const MapOptions& options)
 std::string
 toGeoJson (const Json& planes, const MapOptions& options)
 {
+  const std::string prefix_of_normal = "normal_"; // normal_x becomes nx
   std::vector<std::string> features;
   const int decimals = decimalsFor (planes);
   for (const Json& plane : planes) {
     Json properties;
-    for (const auto& [name, value] : columnsOf (plane))
-      properties[name.rfind ("normal_", 0) == 0 ? "n" + name.substr (7) : name] = value;
+    for (const auto& [name, value] : columnsOf (plane)) {
+      const bool is_of_normal = name.rfind (prefix_of_normal, 0) == 0;
+      properties[is_of_normal ? "n" + name.substr (prefix_of_normal.size()) : name] =
+          value;
+    }
     features.push_back (
         "{\"type\":\"Feature\",\"id\":" + plane.at ("id").dump() + ",\"geometry\":" +
         (isUpright (plane) ? toGeoJsonLines (outlineOf (plane, options), decimals)
@@ -480,11 +493,12 @@ turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scan
     return point < scan.first;
   };
   for (PlaneSegment& plane : planes) {
-    std::ptrdiff_t votes = 0;
+    std::ptrdiff_t votes =
+        0; // inliers whose scanner is on the normal's side, minus others
     for (const pcl::index_t point : plane.inliers) {
       const Scan& scan = *std::prev (
           std::upper_bound (scans.begin(), scans.end(), std::size_t (point), isBefore));
-      votes += plane.normal.dot (scan.place - plane.centroid) < 0.0 ? -1 : 1;
+      votes += plane.normal.dot (scan.position - plane.centroid) < 0.0 ? -1 : 1;
     }
     if (votes < 0)
       plane.normal = -plane.normal;

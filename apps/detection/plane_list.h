@@ -43,10 +43,12 @@ using Ring = std::vector<Eigen::Vector3d>;
 /** \brief The outline of a plane, then its holes; empty for a plane without area. */
 using Rings = std::vector<Ring>;
 
+/** \brief The outlines of all parts of a plane. */
 using Polygons = std::vector<Rings>;
 
 class CommandLine;
 
+/** \brief Returns JSON as indented text. */
 std::string
 jsonText (const nlohmann::ordered_json& json);
 
@@ -57,13 +59,17 @@ std::string
 featureCollection (const std::vector<std::string>& features, const std::string& crs);
 
 /** \brief Returns the content of a map file: a GeoPackage for a .gpkg (\ref
- * geoPackageOf), else the GeoJSON text itself. */
+ * geoPackageOf), else the GeoJSON text itself.
+ * \param[in] file name of the file, for its extension
+ * \param[in] layer name of the layer in a GeoPackage */
 std::string
 mapFor (const std::string& file, const std::string& geo_json, const std::string& layer);
 
+/** \brief Returns the orientation of a name; nothing for an unknown name. */
 std::optional<Orientation>
 orientationCalled (const std::string& name);
 
+/** \brief Returns the kind of a name; nothing for an unknown name. */
 std::optional<PlaneKind>
 kindCalled (const std::string& name);
 
@@ -108,15 +114,18 @@ struct MapOptions {
   double simplify = 0.0;
 };
 
+/** \brief Declares --crs and --simplify. */
 void
 declareMap (CommandLine& line, MapOptions& options);
 
-/** \param[out] meter units of the cloud in one meter, for the rules on buildings:
- * 1000 for a cloud in millimeters */
+/** \brief Declares --meter.
+ * \param[out] meter units of the cloud in one meter, for the rules on buildings: 1000
+ * for a cloud in millimeters */
 void
 declareMeter (CommandLine& line, double& meter);
 
-/** \param[in] planes file name of the list of planes
+/** \brief Checks that the options of \ref declareMap have an effect.
+ * \param[in] planes file name of the list of planes
  * \param[in] maps further outputs that may name a reference system
  * \throws UsageError if --crs or --simplify is given but no file has a format for it,
  * or if a file is a GeoPackage and this build has no SQLite */

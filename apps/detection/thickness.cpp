@@ -9,8 +9,11 @@
 #include <numbers/statistics.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <tuple>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -22,19 +25,22 @@ using Eigen::Vector3f;
  * boxes take hardly longer to compute than the points take to read. */
 class BlockSearch {
 public:
-  /** \param[in] sorts whether to sort the points first, as a k-d tree divides them, so
-   * that the boxes are small: pays for many queries */
-  BlockSearch (const XyzCloud& cloud, bool sorts)
+  /** \brief Order of the points in blocks. Sorted points, which a k-d tree would divide
+   * in the same way, have small boxes. To sort them saves time if queries are many. */
+  enum class Order { AsInCloud, Sorted };
+
+  BlockSearch (const XyzCloud& cloud, Order order)
   {
     points_.reserve (cloud.size());
     for (const pcl::PointXYZ& point : cloud)
       if (pcl::isXYZFinite (point))
         points_.emplace_back (point.getVector3fMap());
-    if (sorts)
+    if (order == Order::Sorted)
       sort (0, points_.size());
-    for (std::size_t first = 0; first < points_.size(); first += block) {
+    for (std::size_t first = 0; first < points_.size(); first += block_size) {
       Box box;
-      for (std::size_t i = first; i < std::min (points_.size(), first + block); ++i)
+      const std::size_t end = std::min (points_.size(), first + block_size);
+      for (std::size_t i = first; i < end; ++i)
         box.extend (points_[i]);
       boxes_.push_back (box);
     }
@@ -49,106 +55,128 @@ public:
   std::vector<Vector3f>
   nearest (const Vector3f& query, std::size_t count) const
   {
-    std::vector<float> distances; // squared, from the query to each box
+    std::vector<float> squared_to_box;
     for (const Box& box : boxes_)
-      distances.push_back (box.squaredExteriorDistance (query));
-    const auto nearest_box = std::size_t (
-        std::min_element (distances.begin(), distances.end()) - distances.begin());
+      squared_to_box.push_back (box.squaredExteriorDistance (query));
+    const auto nearest_box =
+        std::size_t (std::min_element (squared_to_box.begin(), squared_to_box.end()) -
+                     squared_to_box.begin());
     std::vector<Candidate> best;
     if (!boxes_.empty())
       visit (nearest_box, query, count, best);
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      if (i != nearest_box &&
-          (best.size() < count || distances[i] < best.front().first))
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const bool may_be_nearer =
+          best.size() < count || squared_to_box[i] < best.front().squared_distance;
+      if (i != nearest_box && may_be_nearer)
         visit (i, query, count, best);
+    }
     std::vector<Vector3f> neighbors;
     for (const Candidate& candidate : best)
-      neighbors.push_back (points_[candidate.second]);
+      neighbors.push_back (points_[candidate.point]);
     return neighbors;
   }
 
 private:
   using Box = Eigen::AlignedBox3f;
-  /** \brief The squared distance and the index of a point. */
-  using Candidate = std::pair<float, std::size_t>;
-  static constexpr std::size_t block = 64;
+  /** \brief A point that may be one of the nearest ones. */
+  struct Candidate {
+    float squared_distance;
+    std::size_t point;
 
+    friend bool
+    operator<(const Candidate& a, const Candidate& b)
+    {
+      return std::tie (a.squared_distance, a.point) <
+             std::tie (b.squared_distance, b.point);
+    }
+  };
+  static constexpr std::size_t block_size = 64;
+
+  /** \brief Sorts the points from index first up to end by halves along the longest
+   * axis of their bounding box. */
   void
-  sort (std::size_t first, std::size_t last)
+  sort (std::size_t first, std::size_t end)
   {
-    if (last - first <= block)
+    if (end - first <= block_size)
       return;
     Box box;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = first; i < end; ++i)
       box.extend (points_[i]);
     int axis = 0;
     box.sizes().maxCoeff (&axis);
     // The first half has a whole number of blocks.
-    const std::size_t half = (last - first + block) / (2 * block) * block;
-    const std::size_t middle = first + std::max (half, block);
+    const std::size_t half = (end - first + block_size) / (2 * block_size) * block_size;
+    const std::size_t middle = first + std::max (half, block_size);
     const auto begin = points_.begin();
     std::nth_element (
         begin + std::ptrdiff_t (first),
         begin + std::ptrdiff_t (middle),
-        begin + std::ptrdiff_t (last),
+        begin + std::ptrdiff_t (end),
         [axis] (const Vector3f& a, const Vector3f& b) { return a[axis] < b[axis]; });
     sort (first, middle);
-    sort (middle, last);
+    sort (middle, end);
   }
 
-  /** \brief Adds the points of a block to the best candidates.
+  /** \brief Adds the points of a block to the best candidates if they are nearer.
    * \param[in,out] best a heap of up to count candidates, the farthest at the front */
   void
-  visit (std::size_t which,
+  visit (std::size_t block,
          const Vector3f& query,
          std::size_t count,
          std::vector<Candidate>& best) const
   {
-    const std::size_t first = which * block;
-    const std::size_t size = std::min (block, points_.size() - first);
-    std::array<float, block> squared{};
+    const std::size_t first = block * block_size;
+    const std::size_t size = std::min (block_size, points_.size() - first);
+    std::array<float, block_size> squared{};
     for (std::size_t i = 0; i < size; ++i) {
       const float x = x_[first + i] - query.x();
       const float y = y_[first + i] - query.y();
       const float z = z_[first + i] - query.z();
       squared[i] = x * x + y * y + z * z;
     }
-    if (best.size() == count &&
-        *std::min_element (squared.begin(), squared.begin() + size) >=
-            best.front().first)
+    const auto is_too_far = [&] (float squared_distance) {
+      return best.size() == count && squared_distance >= best.front().squared_distance;
+    };
+    if (is_too_far (*std::min_element (squared.begin(), squared.begin() + size)))
       return;
     for (std::size_t i = 0; i < size; ++i) {
-      if (best.size() == count && squared[i] >= best.front().first)
+      if (is_too_far (squared[i]))
         continue;
       if (best.size() == count) {
         std::pop_heap (best.begin(), best.end());
         best.pop_back();
       }
-      best.emplace_back (squared[i], first + i);
+      best.push_back ({squared[i], first + i});
       std::push_heap (best.begin(), best.end());
     }
   }
 
   std::vector<Vector3f> points_;
+  /** \brief The same coordinates, axis by axis: faster to read in \ref visit. */
   std::vector<float> x_, y_, z_;
+  /** \brief Of each block of points. */
   std::vector<Box> boxes_;
 };
 
+/** \brief What the neighborhood of a point tells. */
 struct Surroundings {
-  double scatter, spacing; // [m]
+  double noise, spacing; // [m]
 };
 
-/** \brief Noise and spacing of the neighborhood of a point; nothing if even the largest
- * neighborhood is nearly a line. */
+/** \brief Returns the noise and spacing of the neighborhood of a point; nothing if even
+ * the largest neighborhood is nearly a line.
+ * \param[in] min_neighbors number of points of the smallest neighborhood */
 std::optional<Surroundings>
-surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& search)
+surroundingsOf (const Vector3f& point,
+                std::size_t min_neighbors,
+                const BlockSearch& search)
 {
   // The rings of a lidar are up to some twenty times as far apart as their points.
-  const std::size_t most = 16 * fewest;
-  constexpr double min_width = 1.0 / 3.0; // as a share of the length
-  constexpr double floor_by_spacing = 0.1;
-  constexpr double pi = 3.14159265358979323846;
-  for (std::size_t count = fewest; count <= most; count *= 2) {
+  const std::size_t max_neighbors = 16 * min_neighbors;
+  constexpr double min_width_by_length = 1.0 / 3.0;
+  constexpr double min_noise_by_spacing = 0.1;
+  constexpr double parameters_of_plane = 3.0;
+  for (std::size_t count = min_neighbors; count <= max_neighbors; count *= 2) {
     Moments moments;
     moments.origin = point.cast<double>();
     for (const Vector3f& neighbor : search.nearest (point, count)) {
@@ -156,30 +184,34 @@ surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& se
       moments.add (local.x(), local.y(), local.z());
     }
     const std::optional<PlaneFit> fit = fitPlane (moments);
-    if (!fit || moments.count <= 3.0)
+    if (!fit || moments.count <= parameters_of_plane)
       continue;
     const Eigen::Vector3d& variances = fit->variances;
-    if (variances[1] < min_width * min_width * variances[2])
+    const bool is_nearly_line =
+        variances[1] < min_width_by_length * min_width_by_length * variances[2];
+    if (is_nearly_line)
       continue;
-    // Points spread evenly over an ellipse: its area is 4 pi sqrt (v1 v2).
-    const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]);
+    // The area of an ellipse with evenly spread points of these variances.
+    const double area = 4.0 * M_PI * std::sqrt (variances[1] * variances[2]);
     const double spacing = std::sqrt (area / moments.count);
-    const double scatter = std::sqrt (std::max (0.0, variances[0]) * moments.count /
-                                      (moments.count - 3.0));
-    return Surroundings{std::max (scatter, floor_by_spacing * spacing), spacing};
+    const double noise = std::sqrt (std::max (0.0, variances[0]) * moments.count /
+                                    (moments.count - parameters_of_plane));
+    return Surroundings{std::max (noise, min_noise_by_spacing * spacing), spacing};
   }
   return std::nullopt;
 }
 
+/** \brief Returns a hash of the coordinates. */
 std::uint64_t
 hashOf (const pcl::PointXYZ& point)
 {
+  constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15U; // 2^64 / 1.618...
   std::uint64_t hash = 0;
   for (const float coordinate : {point.x, point.y, point.z}) {
     std::uint32_t bits = 0;
     std::memcpy (&bits, &coordinate, sizeof bits);
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15U;
-    hash ^= hash >> 29U;
+    hash = (hash ^ bits) * golden_ratio;
+    hash ^= hash >> 29U; // the upper bits are mixed best
   }
   return hash;
 }
@@ -189,9 +221,10 @@ hashOf (const pcl::PointXYZ& point)
 pcl::Indices
 someOf (const pcl::Indices& inliers, const XyzCloud& cloud, std::size_t count)
 {
-  std::vector<std::pair<std::uint64_t, pcl::index_t>> least; // a max-heap
-  for (const pcl::index_t i : inliers) {
-    least.emplace_back (hashOf (cloud[std::size_t (i)]), i);
+  using HashAndIndex = std::pair<std::uint64_t, pcl::index_t>;
+  std::vector<HashAndIndex> least; // a heap, the greatest hash at the front
+  for (const pcl::index_t inlier : inliers) {
+    least.emplace_back (hashOf (cloud[std::size_t (inlier)]), inlier);
     if (least.size() > count && least.back() >= least.front()) {
       least.pop_back();
       continue;
@@ -204,8 +237,8 @@ someOf (const pcl::Indices& inliers, const XyzCloud& cloud, std::size_t count)
   }
   std::sort (least.begin(), least.end());
   pcl::Indices chosen;
-  for (const auto& hashed : least)
-    chosen.push_back (hashed.second);
+  for (const auto& [hash, inlier] : least)
+    chosen.push_back (inlier);
   return chosen;
 }
 
@@ -219,29 +252,32 @@ thicknessOf (const XyzCloud& cloud,
   // A quarter of a small plane: points around it must not outweigh its own.
   constexpr std::size_t min_neighbors = 20;
   constexpr std::size_t max_neighbors = 80;
-  constexpr std::size_t share = 4;
+  constexpr std::size_t inliers_per_neighbor = 4;
   constexpr std::size_t few_queries = 50;
-  const BlockSearch search (cloud, planes.size() * probes > few_queries);
-  std::vector<Thickness> all;
+  const bool has_many_queries = planes.size() * probes > few_queries;
+  const BlockSearch search (cloud,
+                            has_many_queries ? BlockSearch::Order::Sorted
+                                             : BlockSearch::Order::AsInCloud);
+  std::vector<Thickness> thicknesses;
   for (const PlaneSegment& plane : planes) {
     Thickness thickness;
     if (const std::optional<PlaneFit> fit = fitPlane (plane.moments))
       thickness.rms = std::sqrt (std::max (0.0, fit->variances[0]));
-    const std::size_t neighbors =
-        std::clamp (plane.inliers.size() / share, min_neighbors, max_neighbors);
-    std::vector<double> scatters;
+    const std::size_t neighbors = std::clamp (
+        plane.inliers.size() / inliers_per_neighbor, min_neighbors, max_neighbors);
+    std::vector<double> noises;
     std::vector<double> spacings;
     for (const pcl::index_t i : someOf (plane.inliers, cloud, probes))
       if (const auto around = surroundingsOf (
               cloud[std::size_t (i)].getVector3fMap(), neighbors, search)) {
-        scatters.push_back (around->scatter);
+        noises.push_back (around->noise);
         spacings.push_back (around->spacing);
       }
-    thickness.noise = quantile (scatters, 0.5);
+    thickness.noise = quantile (noises, 0.5);
     thickness.spacing = quantile (spacings, 0.5);
-    all.push_back (thickness);
+    thicknesses.push_back (thickness);
   }
-  return all;
+  return thicknesses;
 }
 
 } // namespace pcl_ops::apps

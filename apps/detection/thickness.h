@@ -16,14 +16,15 @@ struct Thickness {
   /** \brief Rms distance to the fitted plane [m]; NaN if the points span no plane. */
   double rms = std::numeric_limits<double>::quiet_NaN();
   /** \brief Median noise of the neighborhoods of some inliers [m]. A plane is fitted to
-   * the nearest neighbors of each; the noise is their rms distance to it, with n - 3
-   * degrees of freedom. It is at least a tenth of the spacing, because the rms is 0 for
-   * exact points and for quantized depth. */
+   * each neighborhood of n points; its noise is their rms distance to that plane, with
+   * n - 3 degrees of freedom. It is at least a tenth of the spacing, because the rms is
+   * 0 for exact points and for quantized depth. */
   double noise = rms;
   /** \brief Median spacing of the same neighborhoods: the distance between neighbors on
    * a square grid of equal density [m]. */
   double spacing = rms;
 
+  /** \brief How many times thicker the plane is than the noise. */
   double
   factor () const
   {
@@ -31,10 +32,10 @@ struct Thickness {
   }
 };
 
-/** \brief A plane is thick if its Thickness::factor is larger. True planes of rooms
- * reach 4.0, and real walls, tables and roofs 2.5, as noise that neighbors share grows
- * with the distance. Hills, and parts of different planes taken for one plane, have 5
- * to 20. */
+/** \brief A plane is thick if its Thickness::factor is larger than this. The factor of
+ * true planes of rooms is up to 4.0, that of real walls, tables and roofs up to 2.5:
+ * the noise that neighbors share grows with the distance. Hills, and parts of different
+ * planes taken for one plane, have factors of 5 to 20. */
 constexpr double thick_factor = 5.0;
 
 /** \brief Returns the thickness of each plane. A neighborhood has the 80 nearest points

@@ -46,19 +46,22 @@ putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings
 {
   ResultContext context;
   context.plan = counts;
-  std::vector<ResultWarning> all = resultWarnings ({}, {}, context);
-  if (all.empty())
+  // Without a cloud and planes only the floor plan can give a warning.
+  std::vector<ResultWarning> plan_first = resultWarnings ({}, {}, context);
+  if (plan_first.empty())
     return;
-  for (const ResultWarning& warning : warnings)
-    if (warning.code == "millimeters" || warning.code == "feet" ||
-        warning.code == "degrees") {
-      std::string& text = all.front().text;
-      text = text.substr (0, text.find (": ") + 2) + warning.text;
+  for (const ResultWarning& warning : warnings) {
+    const bool is_on_unit = warning.code == "millimeters" || warning.code == "feet" ||
+                            warning.code == "degrees";
+    if (!is_on_unit) {
+      plan_first.push_back (warning);
+      continue;
     }
-    else
-      all.push_back (warning);
-  all.resize (std::min (all.size(), context.max_warnings));
-  warnings = std::move (all);
+    std::string& text = plan_first.front().text; // "what is doubtful: the reason"
+    text = text.substr (0, text.find (": ") + 2) + warning.text;
+  }
+  plan_first.resize (std::min (plan_first.size(), context.max_warnings));
+  warnings = std::move (plan_first);
 }
 
 CoordinateUnit

@@ -19,23 +19,27 @@ public:
   void
   add (const std::string& input, const std::vector<ResultWarning>& warnings);
 
-  /** \brief Returns at most three lines, the code with the most inputs first. The text
-   * is that of the first input: "a.pcd and 11 others: what is doubtful about a.pcd;
-   * what to do". */
+  /** \brief Returns a line for each of the three codes with the most inputs, the code
+   * with the most inputs first. The text is that of the first input: "a.pcd and 11
+   * others: what is doubtful about a.pcd; what to do". */
   std::vector<std::string>
   lines () const;
 
 private:
+  /** \brief The warnings of one code. */
   struct Line {
+    /** \brief The warning on the first input. */
     ResultWarning warning;
     std::string first_input;
+    /** \brief Number of inputs with this code. */
     std::size_t inputs = 0;
   };
   std::vector<Line> lines_;
 };
 
-/** \brief If a floor plan has no wall, puts a warning with the reason first. A warning
- * on the unit of the cloud becomes that reason, so that it is not printed twice. */
+/** \brief If a floor plan has no wall, puts a warning with the reason before the
+ * others. A warning on the unit of the cloud becomes that reason and is removed, so
+ * that it is not printed twice. */
 void
 putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
 

@@ -11,27 +11,34 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The name of a layer, its color in CAD (1 red, 3 green, 5 blue, 7 black or
- * white, 8 gray) and in browsers, and how wide its lines are on paper [mm]. */
+/** \brief Numbers of colors in CAD (AutoCAD Color Index). */
+enum class CadColor { Red = 1, Green = 3, Blue = 5, BlackOrWhite = 7, Gray = 8 };
+
+enum class LineStyle { Solid, Dashed };
+
 struct Layer {
   std::string name;
-  int number_of_color;
+  CadColor cad_color;
+  /** \brief The color in browsers, "#rrggbb". */
   std::string web_color;
+  /** \brief Width of lines on paper [mm]. */
   double width;
-  bool is_dashed = false;
+  LineStyle style = LineStyle::Solid;
 };
 
 /** \brief Corners joined by straight lines. */
 struct DrawnLine {
+  /** \brief Name of the layer. */
   std::string layer;
   Ring corners;
   bool is_closed = false;
 };
 
 struct DrawnText {
+  /** \brief Name of the layer. */
   std::string layer;
   /** \brief Position of its middle. */
-  Eigen::Vector3d at;
+  Eigen::Vector3d middle;
   /** \brief In UTF-8, one line. */
   std::string text;
   /** \brief Height of capital letters [m]. */

@@ -18,7 +18,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief How many bytes follow the first one of a character in UTF-8. */
+/** \brief Returns how many bytes follow the first one of a character in UTF-8. */
 int
 bytesThatFollow (unsigned char first)
 {
@@ -32,36 +32,44 @@ bytesThatFollow (unsigned char first)
   return first >= first_of_two ? 1 : 0;
 }
 
-/** \brief Text in ASCII, with other characters as \U+XXXX, which DXF reads. */
+/** \brief Returns UTF-8 as ASCII, with other characters as \U+XXXX, which DXF reads. */
 std::string
 asciiOf (const std::string& text)
 {
-  constexpr unsigned bits_that_follow = 0x3f;
-  constexpr unsigned ascii = 0x80;
+  constexpr unsigned char last_ascii = 0x7f;
+  constexpr unsigned bits_of_following = 6, mask_of_following = 0x3f;
   std::string written;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto first = static_cast<unsigned char> (text[i]);
-    if (first < ascii) {
+    if (first <= last_ascii) {
       written += first < ' ' ? ' ' : text[i];
       continue;
     }
-    const int more = bytesThatFollow (first);
-    unsigned code = first & (bits_that_follow >> more);
-    for (int k = 0; k < more && i + 1 < text.size(); ++k)
-      code = code << 6U | (static_cast<unsigned char> (text[++i]) & bits_that_follow);
+    const int following = bytesThatFollow (first);
+    unsigned code = first & (mask_of_following >> following);
+    for (int k = 0; k < following && i + 1 < text.size(); ++k)
+      code = code << bits_of_following |
+             (static_cast<unsigned char> (text[++i]) & mask_of_following);
     written += str (boost::format ("\\U+%04X") % code);
   }
   return written;
 }
 
-/** \brief Pairs of group code and value, one line each (AutoCAD 2000 DXF reference).
- * Each object has a handle of its own and names that of its owner. */
+// The numbers in this file are group codes: each says what the value behind it is
+// (AutoCAD 2000 DXF reference). The same in all objects: 0 the type, or the begin or
+// end of a section or table, 2 a name, 5 the handle, 8 the layer, 10, 20 and 30 x, y
+// and z, 100 the class that the following codes belong to, 330 the handle of the owner.
+// Others depend on the type, as 40 to 49 (lengths and factors) and 70 to 79 (flags,
+// numbers of elements). Handles are unique hexadecimal numbers.
+
+/** \brief Pairs of group code and value, one line each. */
 class DxfText {
 public:
   DxfText()
   {
+    constexpr int digits = 12;
     text_.imbue (std::locale::classic());
-    text_ << std::setprecision (12);
+    text_ << std::setprecision (digits);
   }
 
   template <typename Value>
@@ -72,26 +80,31 @@ public:
     return *this;
   }
 
+  /** \param[in] code that of x */
   DxfText&
-  place (int code, const Eigen::Vector3d& at)
+  putPoint (int code, const Eigen::Vector3d& point)
   {
-    constexpr int to_y = 10;
-    constexpr int to_z = 20;
-    return put (code, at.x()).put (code + to_y, at.y()).put (code + to_z, at.z());
+    constexpr int from_x_to_y = 10, from_x_to_z = 20;
+    return put (code, point.x())
+        .put (code + from_x_to_y, point.y())
+        .put (code + from_x_to_z, point.z());
   }
 
-  /** \brief Begins an object. \return its handle */
+  /** \brief Begins an object.
+   * \param[in] owner its handle
+   * \return the handle of the object */
   std::string
-  object (const char* type, const std::string& owner)
+  beginObject (const char* type, const std::string& owner)
   {
+    const bool has_own_code = std::string (type) == "DIMSTYLE";
     const std::string handle = str (boost::format ("%X") % ++last_handle_);
-    put (0, type).put (std::string (type) == "DIMSTYLE" ? 105 : 5, handle);
+    put (0, type).put (has_own_code ? 105 : 5, handle);
     put (330, owner);
     return handle;
   }
 
   DxfText&
-  kind (const char* name)
+  putClass (const char* name)
   {
     return put (100, name);
   }
@@ -104,13 +117,15 @@ public:
 
 private:
   std::ostringstream text_;
+  /** \brief Up to this one handles are constants below. */
   unsigned last_handle_ = 0x1f;
 };
 
 // Handles of objects that others refer to before they are written.
-constexpr const char *root = "C", *groups = "D", *model_space = "1F",
-                     *paper_space = "1B", *none = "0";
+constexpr const char *root_dictionary = "C", *group_dictionary = "D",
+                     *model_space = "1F", *paper_space = "1B", *no_owner = "0";
 
+/** \brief Returns a box around the drawing; one of a cubic meter if it is empty. */
 Eigen::AlignedBox3d
 boxAround (const Drawing& drawing)
 {
@@ -119,7 +134,7 @@ boxAround (const Drawing& drawing)
     for (const Eigen::Vector3d& corner : line.corners)
       box.extend (corner);
   for (const DrawnText& text : drawing.texts)
-    box.extend (text.at);
+    box.extend (text.middle);
   return box.isEmpty() ? Eigen::AlignedBox3d (Eigen::Vector3d (0, 0, 0),
                                               Eigen::Vector3d (1, 1, 1))
                        : box;
@@ -143,7 +158,7 @@ unitNumber (double meter)
 }
 
 void
-putHeader (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
+putHeaderSection (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
 {
   constexpr int metric = 1;
   dxf.put (0, "SECTION").put (2, "HEADER");
@@ -151,13 +166,15 @@ putHeader (const Eigen::AlignedBox3d& box, double meter, DxfText& dxf)
   dxf.put (9, "$HANDSEED").put (5, "FFFFFF");
   dxf.put (9, "$INSUNITS").put (70, unitNumber (meter));
   dxf.put (9, "$MEASUREMENT").put (70, metric);
-  dxf.put (9, "$EXTMIN").place (10, box.min());
-  dxf.put (9, "$EXTMAX").place (10, box.max());
+  dxf.put (9, "$EXTMIN").putPoint (10, box.min());
+  dxf.put (9, "$EXTMAX").putPoint (10, box.max());
   dxf.put (0, "ENDSEC");
   dxf.put (0, "SECTION").put (2, "CLASSES").put (0, "ENDSEC");
 }
 
-/** \brief Writes a table; \p put_entries gets the table's handle. */
+/** \brief Writes a table.
+ * \param[in] size number of its entries
+ * \param[in] put_entries writes them, given the table's handle */
 template <typename PutEntries>
 void
 putTable (const char* name, int size, DxfText& dxf, const PutEntries& put_entries)
@@ -173,37 +190,46 @@ putTable (const char* name, int size, DxfText& dxf, const PutEntries& put_entrie
                                                              {"DIMSTYLE", "A"},
                                                              {"BLOCK_RECORD", "1"}};
   const std::string& handle = handles.at (name);
-  dxf.put (5, handle).put (330, none).kind ("AcDbSymbolTable").put (70, size);
+  dxf.put (5, handle).put (330, no_owner).putClass ("AcDbSymbolTable").put (70, size);
   if (std::string (name) == "DIMSTYLE")
-    dxf.kind ("AcDbDimStyleTable");
+    dxf.putClass ("AcDbDimStyleTable");
   put_entries (handle);
   dxf.put (0, "ENDTAB");
 }
 
+/** \brief Begins an entry of a table. The codes of its class follow.
+ * \param[in] table its handle */
 DxfText&
 putEntry (const char* type,
-          const char* kind,
+          const char* class_name,
           const std::string& name,
-          const std::string& owner,
+          const std::string& table,
           DxfText& dxf)
 {
-  dxf.object (type, owner);
-  return dxf.kind ("AcDbSymbolTableRecord").kind (kind).put (2, name).put (70, 0);
+  dxf.beginObject (type, table);
+  dxf.putClass ("AcDbSymbolTableRecord").putClass (class_name);
+  return dxf.put (2, name).put (70, 0);
 }
 
+/** \brief Writes the first view of a program: the drawing from above. */
 void
 putView (const Eigen::AlignedBox3d& box, DxfText& dxf)
 {
-  constexpr double margin = 1.1;
-  constexpr double aspect = 1.5;
+  constexpr double with_margin = 1.1; // height of the view in that of the drawing
+  constexpr double aspect = 1.5;      // width of the view in its height
+  constexpr double min_height = 1.0;  // [m]
   const Eigen::Vector3d middle = box.center();
   const Eigen::Vector3d sizes = box.sizes();
+  const double height =
+      with_margin * std::max ({sizes.y(), sizes.x() / aspect, min_height});
   putTable ("VPORT", 1, dxf, [&] (const std::string& table) {
     putEntry ("VPORT", "AcDbViewportTableRecord", "*Active", table, dxf);
-    dxf.put (10, 0.0).put (20, 0.0).put (11, 1.0).put (21, 1.0);
+    dxf.put (10, 0.0).put (20, 0.0).put (11, 1.0).put (21,
+                                                       1.0); // corners in the window
     dxf.put (12, middle.x()).put (22, middle.y());
-    dxf.place (16, Eigen::Vector3d::UnitZ()).place (17, Eigen::Vector3d::Zero());
-    dxf.put (40, margin * std::max ({sizes.y(), sizes.x() / aspect, 1.0}));
+    // The direction to the eye, and the target.
+    dxf.putPoint (16, Eigen::Vector3d::UnitZ()).putPoint (17, Eigen::Vector3d::Zero());
+    dxf.put (40, height);
     dxf.put (41, aspect);
   });
 }
@@ -213,18 +239,20 @@ constexpr const char* dashed = "DASHED";
 void
 putLineTypes (DxfText& dxf)
 {
+  constexpr int alignment = 65;           // the only one there is, the letter A
+  constexpr double dash = 0.2, gap = 0.1; // [m]
   putTable ("LTYPE", 4, dxf, [&] (const std::string& table) {
+    // 3 description, 73 number of dashes and gaps, 40 length of all, 49 that of each (a
+    // gap is negative), 74 no symbol in it
     for (const char* const name : {"ByBlock", "ByLayer", "Continuous"})
       putEntry ("LTYPE", "AcDbLinetypeTableRecord", name, table, dxf)
           .put (3, "")
-          .put (72, 65)
+          .put (72, alignment)
           .put (73, 0)
           .put (40, 0.0);
-    constexpr double dash = 0.2;
-    constexpr double gap = 0.1; // [m]
     putEntry ("LTYPE", "AcDbLinetypeTableRecord", dashed, table, dxf)
         .put (3, "__ __ __")
-        .put (72, 65)
+        .put (72, alignment)
         .put (73, 2)
         .put (40, dash + gap)
         .put (49, dash)
@@ -237,23 +265,26 @@ putLineTypes (DxfText& dxf)
 void
 putLayers (const std::vector<Layer>& layers, DxfText& dxf)
 {
-  const int black_or_white = 7;
-  std::vector<Layer> all = {{"0", black_or_white, "", 0.25}};
+  constexpr double hundredths = 100.0; // of a millimeter, the unit of widths
+  std::vector<Layer> all = {{"0", CadColor::BlackOrWhite, "", 0.25}}; // each DXF has it
   all.insert (all.end(), layers.begin(), layers.end());
   putTable (
       "LAYER", static_cast<int> (all.size()), dxf, [&] (const std::string& table) {
         for (const Layer& layer : all)
           putEntry ("LAYER", "AcDbLayerTableRecord", layer.name, table, dxf)
-              .put (62, layer.number_of_color)
-              .put (6, layer.is_dashed ? dashed : "Continuous")
-              .put (370, std::lround (100.0 * layer.width)); // hundredths of a mm
+              .put (62, static_cast<int> (layer.cad_color))
+              .put (6, layer.style == LineStyle::Dashed ? dashed : "Continuous")
+              .put (370, std::lround (hundredths * layer.width));
       });
 }
 
+/** \brief Writes the tables that AutoCAD requires, with no or one usual entry. */
 void
 putOtherTables (DxfText& dxf)
 {
   putTable ("STYLE", 1, dxf, [&] (const std::string& table) {
+    // 40 height (0: each text has its own), 41 width factor, 50 slant, 71 not mirrored,
+    // 42 last height, 3 and 4 names of fonts
     putEntry ("STYLE", "AcDbTextStyleTableRecord", "Standard", table, dxf)
         .put (40, 0.0)
         .put (41, 1.0)
@@ -273,8 +304,11 @@ putOtherTables (DxfText& dxf)
   });
 }
 
+/** \brief A block that has all entities of the model, or of the sheets of paper. */
 struct Space {
-  const char *name, *handle, *begin, *end;
+  const char* name;
+  /** \brief Handles of the block record, and of the begin and end of the block. */
+  const char *handle, *begin, *end;
 };
 
 constexpr Space spaces[] = {{"*Model_Space", model_space, "1C", "1D"},
@@ -293,8 +327,8 @@ putTables (const Drawing& drawing, const Eigen::AlignedBox3d& box, DxfText& dxf)
       dxf.put (0, "BLOCK_RECORD")
           .put (5, space.handle)
           .put (330, table)
-          .kind ("AcDbSymbolTableRecord")
-          .kind ("AcDbBlockTableRecord")
+          .putClass ("AcDbSymbolTableRecord")
+          .putClass ("AcDbBlockTableRecord")
           .put (2, space.name);
   });
   dxf.put (0, "ENDSEC");
@@ -306,54 +340,59 @@ putBlocks (DxfText& dxf)
   dxf.put (0, "SECTION").put (2, "BLOCKS");
   for (const Space& space : spaces) {
     dxf.put (0, "BLOCK").put (5, space.begin).put (330, space.handle);
-    dxf.kind ("AcDbEntity").put (8, "0").kind ("AcDbBlockBegin");
-    dxf.put (2, space.name).put (70, 0).place (10, Eigen::Vector3d::Zero());
+    dxf.putClass ("AcDbEntity").put (8, "0").putClass ("AcDbBlockBegin");
+    dxf.put (2, space.name).put (70, 0).putPoint (10, Eigen::Vector3d::Zero());
     dxf.put (3, space.name).put (1, "");
     dxf.put (0, "ENDBLK").put (5, space.end).put (330, space.handle);
-    dxf.kind ("AcDbEntity").put (8, "0").kind ("AcDbBlockEnd");
+    dxf.putClass ("AcDbEntity").put (8, "0").putClass ("AcDbBlockEnd");
   }
   dxf.put (0, "ENDSEC");
 }
 
+/** \brief Begins an entity. The codes of its class follow.
+ * \return its handle */
 std::string
 putEntity (const char* type,
            const std::string& layer,
            DxfText& dxf,
            const std::string& owner = model_space)
 {
-  std::string handle = dxf.object (type, owner);
-  dxf.kind ("AcDbEntity").put (8, layer);
+  std::string handle = dxf.beginObject (type, owner);
+  dxf.putClass ("AcDbEntity").put (8, layer);
   return handle;
 }
 
 void
-putLine (const DrawnLine& line, DxfText& dxf)
+putDxfLine (const DrawnLine& line, DxfText& dxf)
 {
   const Ring& corners = line.corners;
-  const bool is_flat = std::all_of (
-      corners.begin(), corners.end(), [] (const auto& c) { return c.z() == 0.0; });
-  const int closed = line.is_closed ? 1 : 0;
+  const bool is_flat =
+      std::all_of (corners.begin(), corners.end(), [] (const auto& corner) {
+        return corner.z() == 0.0;
+      });
+  const int closed_flag = line.is_closed ? 1 : 0;
   if (corners.size() == 2 && !line.is_closed) {
     putEntity ("LINE", line.layer, dxf);
-    dxf.kind ("AcDbLine").place (10, corners[0]).place (11, corners[1]);
+    dxf.putClass ("AcDbLine").putPoint (10, corners[0]).putPoint (11, corners[1]);
     return;
   }
   if (is_flat) {
     putEntity ("LWPOLYLINE", line.layer, dxf);
-    dxf.kind ("AcDbPolyline").put (90, corners.size()).put (70, closed);
+    dxf.putClass ("AcDbPolyline").put (90, corners.size()).put (70, closed_flag);
     for (const Eigen::Vector3d& corner : corners)
       dxf.put (10, corner.x()).put (20, corner.y());
     return;
   }
-  constexpr int in_space = 8;
-  constexpr int vertex_in_space = 32;
+  constexpr int in_space_flag = 8, vertex_in_space_flag = 32;
   const std::string handle = putEntity ("POLYLINE", line.layer, dxf);
-  dxf.kind ("AcDb3dPolyline").put (66, 1).place (10, Eigen::Vector3d::Zero());
-  dxf.put (70, in_space + closed);
+  dxf.putClass ("AcDb3dPolyline")
+      .put (66, 1)
+      .putPoint (10, Eigen::Vector3d::Zero()); // vertices follow
+  dxf.put (70, in_space_flag + closed_flag);
   for (const Eigen::Vector3d& corner : corners) {
     putEntity ("VERTEX", line.layer, dxf, handle);
-    dxf.kind ("AcDbVertex").kind ("AcDb3dPolylineVertex").place (10, corner);
-    dxf.put (70, vertex_in_space);
+    dxf.putClass ("AcDbVertex").putClass ("AcDb3dPolylineVertex").putPoint (10, corner);
+    dxf.put (70, vertex_in_space_flag);
   }
   putEntity ("SEQEND", line.layer, dxf, handle);
 }
@@ -361,21 +400,28 @@ putLine (const DrawnLine& line, DxfText& dxf)
 void
 putText (const DrawnText& text, DxfText& dxf)
 {
-  constexpr int centered = 1;
-  constexpr int in_the_middle = 2;
+  constexpr int horizontally_centered = 1, vertically_centered = 2;
   putEntity ("TEXT", text.layer, dxf);
-  dxf.kind ("AcDbText").place (10, text.at).put (40, text.height);
-  dxf.put (1, asciiOf (text.text)).put (72, centered).place (11, text.at);
-  dxf.kind ("AcDbText").put (73, in_the_middle);
+  dxf.putClass ("AcDbText").putPoint (10, text.middle).put (40, text.height);
+  dxf.put (1, asciiOf (text.text)).put (72, horizontally_centered);
+  dxf.putPoint (11, text.middle);
+  dxf.putClass ("AcDbText").put (73, vertically_centered);
 }
 
+/** \brief Writes the dictionaries that AutoCAD requires, an empty one in the root. */
 void
 putObjects (DxfText& dxf)
 {
   dxf.put (0, "SECTION").put (2, "OBJECTS");
-  dxf.put (0, "DICTIONARY").put (5, root).put (330, none).kind ("AcDbDictionary");
-  dxf.put (281, 1).put (3, "ACAD_GROUP").put (350, groups);
-  dxf.put (0, "DICTIONARY").put (5, groups).put (330, root).kind ("AcDbDictionary");
+  dxf.put (0, "DICTIONARY")
+      .put (5, root_dictionary)
+      .put (330, no_owner)
+      .putClass ("AcDbDictionary");
+  dxf.put (281, 1).put (3, "ACAD_GROUP").put (350, group_dictionary);
+  dxf.put (0, "DICTIONARY")
+      .put (5, group_dictionary)
+      .put (330, root_dictionary)
+      .putClass ("AcDbDictionary");
   dxf.put (281, 1);
   dxf.put (0, "ENDSEC");
 }
@@ -387,12 +433,12 @@ toDxf (const Drawing& drawing)
 {
   DxfText dxf;
   const Eigen::AlignedBox3d box = boxAround (drawing);
-  putHeader (box, drawing.meter, dxf);
+  putHeaderSection (box, drawing.meter, dxf);
   putTables (drawing, box, dxf);
   putBlocks (dxf);
   dxf.put (0, "SECTION").put (2, "ENTITIES");
   for (const DrawnLine& line : drawing.lines)
-    putLine (line, dxf);
+    putDxfLine (line, dxf);
   for (const DrawnText& text : drawing.texts)
     putText (text, dxf);
   dxf.put (0, "ENDSEC");

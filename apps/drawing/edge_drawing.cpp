@@ -44,7 +44,7 @@ drawingOf (const PlaneEdges& edges, double meter)
   const char* const layer = "EDGE";
   Drawing drawing;
   drawing.meter = meter;
-  drawing.layers = {{layer, 7, "#000000", 0.25}};
+  drawing.layers = {{layer, CadColor::BlackOrWhite, "#000000", 0.25}};
   for (const PlaneEdge& edge : edges.edges)
     drawing.lines.push_back ({layer, {edge.from, edge.to}});
   return drawing;

@@ -7,12 +7,12 @@
 
 namespace pcl_ops::apps {
 
-/** \brief A drawing of the edges in space on a layer EDGE, without corners.
+/** \brief Returns a drawing of the edges in space on a layer EDGE, without corners.
  * \param[in] meter length of a meter in the unit of the edges */
 Drawing
 drawingOf (const PlaneEdges& edges, double meter);
 
-/** \brief Edges as lines, then corners as points, in space.
+/** \brief Returns edges as lines, then corners as points, in space.
  * \param[in] edges with the planes numbered as labels are, from 1
  * \param[in] crs "EPSG:N" or empty */
 std::string

@@ -21,14 +21,16 @@ constexpr const char *wall_layer = "WALL", *opening_layer = "OPENING",
                      *room_layer = "ROOM", *unseen_layer = "UNSEEN",
                      *text_layer = "TEXT";
 
-constexpr double millimeters_of_meter = 1000.0;
+constexpr double millimeters_in_meter = 1000.0;
 
+/** \brief Returns the point of the drawing, which is flat, for a point of the plan. */
 Eigen::Vector3d
-inSpace (const Eigen::Vector2d& place)
+inDrawing (const Eigen::Vector2d& point)
 {
-  return {place.x(), place.y(), 0.0};
+  return {point.x(), point.y(), 0.0};
 }
 
+/** \brief Returns the height of a room [m], if its floor and its ceiling are known. */
 std::optional<double>
 heightOf (const PlanRoom& room)
 {
@@ -37,55 +39,60 @@ heightOf (const PlanRoom& room)
   return *room.ceiling - *room.floor;
 }
 
-/** \brief Height of texts that are readable when the whole plan is shown [m]. */
+/** \brief Returns the height [m] of letters that are readable when the whole plan is
+ * shown. */
 double
-largestText (const FloorPlan& plan)
+readableHeight (const FloorPlan& plan)
 {
-  constexpr double usual = 0.2;
-  constexpr double share = 0.01;
+  constexpr double min_height = 0.2; // [m]
+  constexpr double share_of_plan = 0.01;
   Eigen::AlignedBox2d box;
   for (const PlanWall& wall : plan.walls)
     box.extend (wall.from).extend (wall.to);
-  return box.isEmpty() ? usual : std::max (usual, share * box.diagonal().norm());
+  if (box.isEmpty())
+    return min_height;
+  return std::max (min_height, share_of_plan * box.diagonal().norm());
 }
 
 /** \brief Adds a room's area and, below it, its height, in letters that fit into it.
- * \param[in] largest height of the letters at most [m] */
+ * \param[in] max_height of the letters [m] */
 void
-addTexts (const PlanRoom& room, double largest, Drawing& drawing)
+addTexts (const PlanRoom& room, double max_height, Drawing& drawing)
 {
-  constexpr double share_of_width = 0.08;
-  const double size = std::min (largest, share_of_width * std::sqrt (room.area));
+  constexpr double share_of_width = 0.08; // lines have about ten letters
+  const double room_width = std::sqrt (room.area);
+  const double letter_height = std::min (max_height, share_of_width * room_width);
   std::vector<std::string> lines = {str (boost::format ("%.2f m\u00b2") % room.area)};
-  constexpr double closed = 0.95; // share of the outline
-  if (room.enclosed < closed)
+  constexpr double min_enclosed = 0.95; // of a closed room, share of its outline
+  if (room.enclosed < min_enclosed)
     lines.front() += ", open";
   if (const std::optional<double> height = heightOf (room))
     lines.push_back (str (boost::format ("h = %.2f m") % *height));
-  constexpr double line_spacing = 1.8;
+  constexpr double line_spacing = 1.8; // in heights of letters
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double down =
-        (static_cast<double> (i) - 0.5 * static_cast<double> (lines.size() - 1)) *
-        line_spacing * size;
-    drawing.texts.push_back ({text_layer,
-                              inSpace (room.middle - Eigen::Vector2d (0.0, down)),
-                              lines[i],
-                              size});
+    const double lines_below_middle =
+        static_cast<double> (i) - 0.5 * static_cast<double> (lines.size() - 1);
+    const Eigen::Vector2d down (0.0, lines_below_middle * line_spacing * letter_height);
+    drawing.texts.push_back (
+        {text_layer, inDrawing (room.middle - down), lines[i], letter_height});
   }
 }
 
-/** \brief Rounds to millimeters, as usual in plans; + 0.0 turns -0 into 0. */
+/** \brief Rounds a length [m] to millimeters, as usual in plans. */
 double
 rounded (double length)
 {
-  return std::round (millimeters_of_meter * length) / millimeters_of_meter + 0.0;
+  // + 0.0 turns -0 into 0.
+  return std::round (millimeters_in_meter * length) / millimeters_in_meter + 0.0;
 }
 
-/** \brief Coordinates in the unit of the cloud, as in its reference system. */
+/** \brief Returns the coordinates of a point [m] in the unit of the cloud, as in its
+ * reference system.
+ * \param[in] meter the length of a meter in the unit of the cloud */
 Json
-toCoordinates (const Eigen::Vector2d& place, double meter)
+toCoordinates (const Eigen::Vector2d& point, double meter)
 {
-  return {meter * rounded (place.x()), meter * rounded (place.y())};
+  return {meter * rounded (point.x()), meter * rounded (point.y())};
 }
 
 Json
@@ -125,7 +132,7 @@ wallFeature (const PlanWall& wall,
                      {"planes", planes}});
 }
 
-/** \brief The numbers of rooms, their positions plus 1, like "1 3". */
+/** \brief Returns the numbers of rooms, their indices plus 1, as "1 3". */
 std::string
 numbersOf (const std::vector<std::size_t>& rooms)
 {
@@ -135,7 +142,7 @@ numbersOf (const std::vector<std::size_t>& rooms)
   return numbers;
 }
 
-/** \brief The number of a room, its position plus 1; null for no room. */
+/** \brief Returns the number of a room, its index plus 1; null for no room. */
 Json
 numberOrNull (const std::optional<std::size_t>& room)
 {
@@ -160,6 +167,7 @@ openingFeature (const PlanOpening& opening, std::size_t wall, double meter)
        {"behind", numberOrNull (opening.room_behind)}});
 }
 
+/** \brief Returns the parts of a room's outline without a wall. */
 Json
 unseenFeature (const PlanRoom& room, std::size_t number, double meter)
 {
@@ -176,10 +184,12 @@ unseenFeature (const PlanRoom& room, std::size_t number, double meter)
 }
 
 Json
-roomFeature (const FloorPlan& plan, std::size_t position, double meter)
+roomFeature (const FloorPlan& plan, std::size_t index, double meter)
 {
-  const PlanRoom& room = plan.rooms[position];
-  constexpr double per_area = 100.0;
+  const PlanRoom& room = plan.rooms[index];
+  const auto to_two_decimals = [] (double value) {
+    return std::round (100.0 * value) / 100.0;
+  };
   Json rings = Json::array();
   for (const PlanarPoints& ring : room.rings) {
     Json corners = Json::array();
@@ -191,13 +201,13 @@ roomFeature (const FloorPlan& plan, std::size_t position, double meter)
   return toFeature ("Polygon",
                     std::move (rings),
                     {{"layer", room_layer},
-                     {"room", position + 1},
-                     {"area", std::round (per_area * room.area) / per_area},
-                     {"enclosed", std::round (per_area * room.enclosed) / per_area},
+                     {"room", index + 1},
+                     {"area", to_two_decimals (room.area)},
+                     {"enclosed", to_two_decimals (room.enclosed)},
                      {"floor", lengthOrNull (room.floor)},
                      {"ceiling", lengthOrNull (room.ceiling)},
                      {"height", lengthOrNull (heightOf (room))},
-                     {"doors_to", numbersOf (plan.roomsBehindDoorsOf (position))}});
+                     {"doors_to", numbersOf (plan.roomsBehindDoorsOf (index))}});
 }
 
 } // namespace
@@ -206,29 +216,29 @@ Drawing
 drawingOf (const FloorPlan& plan)
 {
   Drawing drawing;
-  drawing.layers = {{room_layer, 3, "#7a9a7a", 0.13},
-                    {wall_layer, 7, "#000000", 0.5},
-                    {opening_layer, 5, "#3060c0", 0.18},
-                    {unseen_layer, 1, "#c03030", 0.25, true},
-                    {text_layer, 8, "#404040", 0.18}};
-  const double largest_text = largestText (plan);
+  drawing.layers = {{room_layer, CadColor::Green, "#7a9a7a", 0.13},
+                    {wall_layer, CadColor::BlackOrWhite, "#000000", 0.5},
+                    {opening_layer, CadColor::Blue, "#3060c0", 0.18},
+                    {unseen_layer, CadColor::Red, "#c03030", 0.25, LineStyle::Dashed},
+                    {text_layer, CadColor::Gray, "#404040", 0.18}};
+  const double max_text_height = readableHeight (plan);
   for (const PlanRoom& room : plan.rooms) {
     for (const PlanarPoints& ring : room.rings) {
       DrawnLine outline{room_layer, {}, true};
       for (const Eigen::Vector2d& corner : ring)
-        outline.corners.push_back (inSpace (corner));
+        outline.corners.push_back (inDrawing (corner));
       drawing.lines.push_back (std::move (outline));
     }
     for (const auto& [from, to] : room.unseen)
-      drawing.lines.push_back ({unseen_layer, {inSpace (from), inSpace (to)}});
-    addTexts (room, largest_text, drawing);
+      drawing.lines.push_back ({unseen_layer, {inDrawing (from), inDrawing (to)}});
+    addTexts (room, max_text_height, drawing);
   }
   for (const PlanWall& wall : plan.walls) {
     for (const auto& [from, to] : wall.solidParts())
-      drawing.lines.push_back ({wall_layer, {inSpace (from), inSpace (to)}});
+      drawing.lines.push_back ({wall_layer, {inDrawing (from), inDrawing (to)}});
     for (const PlanOpening& opening : wall.openings)
       drawing.lines.push_back (
-          {opening_layer, {inSpace (opening.from), inSpace (opening.to)}});
+          {opening_layer, {inDrawing (opening.from), inDrawing (opening.to)}});
   }
   return drawing;
 }

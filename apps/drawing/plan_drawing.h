@@ -9,19 +9,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The size of a plan as text: "12 walls, 3 rooms, 41.2 m2". */
+/** \brief Returns the size of a plan as text: "12 walls, 3 rooms, 41.2 m2". */
 std::string
 contentOf (const FloorPlan& plan);
 
-/** \brief A plan on five layers: WALL has the solid parts of walls, OPENING the gaps
- * between them, ROOM the outlines of rooms, UNSEEN the parts of outlines without a wall
- * (dashed), and TEXT area and height of each room. */
+/** \brief Draws a plan on five layers: WALL has the solid parts of walls, OPENING the
+ * gaps between them, ROOM the outlines of rooms, UNSEEN the parts of outlines without a
+ * wall (dashed), and TEXT area and height of each room. */
 Drawing
 drawingOf (const FloorPlan& plan);
 
-/** \brief A plan as a map: walls (lines between their openings), openings (lines),
- * rooms (polygons) and their outlines without a wall (lines). The property "layer" has
- * the kind. Properties are in meters, coordinates in the unit of the cloud.
+/** \brief Returns a plan as a map: walls (lines between their openings), openings
+ * (lines), rooms (polygons) and their outlines without a wall (lines). The property
+ * "layer" has the kind. Properties are in meters, coordinates in the unit of the cloud.
  * \param[in] ids of the planes
  * \param[in] crs "EPSG:N" or empty
  * \param[in] meter the length of a meter in the unit of the cloud */

@@ -15,9 +15,10 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr double millimeters = 1000.0; // of a meter
-constexpr double margin = 10.0;        // on paper [mm]
+constexpr double millimeters_of_meter = 1000.0;
+constexpr double paper_margin = 10.0; // [mm]
 
+/** \brief Returns text in a form that XML allows. */
 std::string
 escaped (const std::string& text)
 {
@@ -44,25 +45,32 @@ escaped (const std::string& text)
 
 /** \brief Transforms meters to millimeters on paper, where y points down. */
 struct Paper {
+  /** \brief Around what is drawn [m]. */
   Eigen::AlignedBox2d box;
+  /** \brief 100 for 1:100. */
   double scale;
 
+  /** \brief Returns the position on paper [mm] of a point [m]. */
   Eigen::Vector2d
-  at (const Eigen::Vector3d& place) const
+  at (const Eigen::Vector3d& point) const
   {
-    const double factor = millimeters / scale;
-    return {margin + factor * (place.x() - box.min().x()),
-            margin + factor * (box.max().y() - place.y())};
+    const double factor = millimeters_of_meter / scale;
+    return {paper_margin + factor * (point.x() - box.min().x()),
+            paper_margin + factor * (box.max().y() - point.y())};
   }
+
+  /** \brief Returns width and height [mm]. */
   Eigen::Vector2d
   size () const
   {
     constexpr double foot = 12.0; // for the scale bar [mm]
-    return (millimeters / scale * box.sizes()).array() + 2.0 * margin +
+    return (millimeters_of_meter / scale * box.sizes()).array() + 2.0 * paper_margin +
            Eigen::Array2d (0.0, foot);
   }
 };
 
+/** \brief Returns a paper at the largest usual scale at which the drawing fits on A3.
+ */
 Paper
 paperFor (const Drawing& drawing)
 {
@@ -72,48 +80,67 @@ paperFor (const Drawing& drawing)
       box.extend (corner.head<2>().eval());
   if (box.isEmpty())
     box = {Eigen::Vector2d (0, 0), Eigen::Vector2d (1, 1)};
-  constexpr double width = 380.0;
-  constexpr double height = 250.0; // of A3 without margins [mm]
-  const Eigen::Vector2d sizes = millimeters * box.sizes();
-  const double least = std::max (sizes.x() / width, sizes.y() / height);
-  const double usual[] = {20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000};
+  constexpr double max_width = 380.0, max_height = 250.0; // of A3 without margins [mm]
+  const Eigen::Vector2d sizes = millimeters_of_meter * box.sizes();
+  const double min_scale = std::max (sizes.x() / max_width, sizes.y() / max_height);
+  const double usual_scales[] = {20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000};
   const double* const scale =
-      std::lower_bound (std::begin (usual), std::end (usual), least);
-  return {box, scale == std::end (usual) ? std::ceil (least) : *scale};
+      std::lower_bound (std::begin (usual_scales), std::end (usual_scales), min_scale);
+  return {box, scale == std::end (usual_scales) ? std::ceil (min_scale) : *scale};
 }
 
+/** \brief Writes a scale bar with its length, 1, 2 or 5 times a power of ten [m]. */
 void
-putBar (const Paper& paper, std::ostream& svg)
+putScaleBar (const Paper& paper, std::ostream& svg)
 {
-  // At most 5 cm on paper, and 1, 2 or 5 times a power of ten [m].
-  const double longest = 50.0 * paper.scale / millimeters;
+  constexpr double max_width = 50.0; // on paper [mm]
+  constexpr double tick = 1.5;       // height of the ends [mm]
+  constexpr double gap = 3.0;        // in front of the text [mm]
+  const double longest = max_width * paper.scale / millimeters_of_meter;
   double length = std::pow (10.0, std::floor (std::log10 (longest)));
   for (const double factor : {5.0, 2.0})
     if (factor * length <= longest) {
       length *= factor;
       break;
     }
-  const double y = paper.size().y() - margin;
-  const double width = length * millimeters / paper.scale;
-  svg << "<path d=\"M" << margin << ' ' << y - 1.5 << "v1.5h" << width
-      << "v-1.5\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>\n<text x=\""
-      << margin + width + 3 << "\" y=\"" << y << "\" font-size=\"4\">" << length
+  const double y = paper.size().y() - paper_margin;
+  const double width = length * millimeters_of_meter / paper.scale;
+  svg << "<path d=\"M" << paper_margin << ' ' << y - tick << "v" << tick << "h" << width
+      << "v" << -tick
+      << "\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.25\"/>\n<text x=\""
+      << paper_margin + width + gap << "\" y=\"" << y << "\" font-size=\"4\">" << length
       << " m, 1:" << paper.scale << "</text>\n";
 }
 
 void
-putLine (const DrawnLine& line,
-         const Layer& layer,
-         const Paper& paper,
-         std::ostream& svg)
+putSvgLine (const DrawnLine& line,
+            const Layer& layer,
+            const Paper& paper,
+            std::ostream& svg)
 {
   svg << "<path d=\"";
   for (std::size_t i = 0; i < line.corners.size(); ++i) {
-    const Eigen::Vector2d at = paper.at (line.corners[i]);
-    svg << (i == 0 ? 'M' : 'L') << at.x() << ' ' << at.y();
+    const Eigen::Vector2d corner = paper.at (line.corners[i]);
+    svg << (i == 0 ? 'M' : 'L') << corner.x() << ' ' << corner.y();
   }
   svg << (line.is_closed ? "Z" : "") << "\" stroke=\"" << layer.web_color
       << "\" stroke-width=\"" << layer.width << "\"/>\n";
+}
+
+/** \brief Writes a text centered at its position. */
+void
+putSvgText (const DrawnText& text,
+            const Layer& layer,
+            const Paper& paper,
+            std::ostream& svg)
+{
+  constexpr double size_of_font = 1.4; // in heights of its capital letters
+  const Eigen::Vector2d middle = paper.at (text.middle);
+  const double height = text.height * millimeters_of_meter / paper.scale;
+  svg << "<text x=\"" << middle.x() << "\" y=\"" << middle.y() + 0.5 * height
+      << "\" font-size=\"" << size_of_font * height
+      << "\" text-anchor=\"middle\" fill=\"" << layer.web_color << "\">"
+      << escaped (text.text) << "</text>\n";
 }
 
 } // namespace
@@ -124,7 +151,8 @@ toSvg (const Drawing& drawing, const std::string& title)
   const Paper paper = paperFor (drawing);
   std::ostringstream svg;
   svg.imbue (std::locale::classic());
-  svg << std::setprecision (7);
+  constexpr int digits = 7;
+  svg << std::setprecision (digits);
   const Eigen::Vector2d size = paper.size();
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << size.x()
       << "mm\" height=\"" << size.y() << "mm\" viewBox=\"0 0 " << size.x() << ' '
@@ -132,22 +160,18 @@ toSvg (const Drawing& drawing, const std::string& title)
       << "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   for (const Layer& layer : drawing.layers) {
     svg << "<g id=\"" << escaped (layer.name) << "\" fill=\"none\" "
-        << (layer.is_dashed ? "stroke-dasharray=\"2 1\"" : "stroke-linecap=\"square\"")
+        << (layer.style == LineStyle::Dashed ? "stroke-dasharray=\"2 1\""
+                                             : "stroke-linecap=\"square\"")
         << ">\n";
     for (const DrawnLine& line : drawing.lines)
       if (line.layer == layer.name)
-        putLine (line, layer, paper, svg);
+        putSvgLine (line, layer, paper, svg);
     for (const DrawnText& text : drawing.texts)
-      if (text.layer == layer.name) {
-        const Eigen::Vector2d at = paper.at (text.at);
-        const double height = text.height * millimeters / paper.scale;
-        svg << "<text x=\"" << at.x() << "\" y=\"" << at.y() + 0.5 * height
-            << "\" font-size=\"" << 1.4 * height << "\" text-anchor=\"middle\" fill=\""
-            << layer.web_color << "\">" << escaped (text.text) << "</text>\n";
-      }
+      if (text.layer == layer.name)
+        putSvgText (text, layer, paper, svg);
     svg << "</g>\n";
   }
-  putBar (paper, svg);
+  putScaleBar (paper, svg);
   return svg.str() + "</svg>\n";
 }
 

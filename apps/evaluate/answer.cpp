@@ -14,11 +14,13 @@ namespace {
 std::string
 cellOf (const Answer& value)
 {
-  const std::string text = value.dump(); // NaN becomes null, too
-  return text == "null"            ? "-"
-         : value.is_number_float() ? decimal (value, 4)
-         : value.is_string()       ? value.get<std::string>()
-                                   : text;
+  constexpr int decimals = 4;
+  const std::string text = value.dump();
+  if (text == "null") // also NaN
+    return "-";
+  if (value.is_number_float())
+    return decimal (value, decimals);
+  return value.is_string() ? value.get<std::string>() : text;
 }
 
 } // namespace
@@ -34,14 +36,15 @@ decimal (double number, int decimals)
 std::string
 tableOf (const std::string& title, const Answer& list)
 {
+  constexpr std::size_t min_width = 3; // of Markdown
   std::string header;
   std::string rule;
   std::vector<std::string> rows (list.size());
   for (const auto& [name, ignored] : list[0].items()) {
-    std::size_t width = std::max<std::size_t> (3, name.size()); // Markdown needs 3
+    std::size_t width = std::max (min_width, name.size());
     for (const Answer& object : list)
       width = std::max (width, cellOf (object[name]).size());
-    const bool is_first = header.empty();
+    const bool is_first = header.empty(); // aligned left, all others right
     const auto padded = [&] (const std::string& cell) {
       const std::string gap (width - cell.size(), ' ');
       return "| " + (is_first ? cell + gap : gap + cell) + " ";
@@ -61,9 +64,10 @@ tableOf (const std::string& title, const Answer& list)
 void
 print (const Answer& answer, bool as_json)
 {
+  constexpr int indent = 2;
   constexpr int width_of_names = 34;
   if (as_json)
-    std::cout << answer.dump (2) << '\n';
+    std::cout << answer.dump (indent) << '\n';
   else
     for (const auto& [name, value] : answer.items())
       if (value.is_array() && !value.empty() && value[0].is_object())

@@ -8,13 +8,16 @@
 
 namespace pcl_ops::evaluation {
 
+/** What a command prints: an object whose values are numbers, texts, lists of numbers,
+ * or lists of objects. */
 using Answer = nlohmann::ordered_json;
 
+/** Returns a number with a fixed number of decimals. */
 std::string
 decimal (double number, int decimals);
 
-/** Returns a Markdown table with a row for each object. Columns are aligned, to be
- * readable in a terminal, too. Null is "-"; floating-point numbers have four decimals.
+/** Returns a Markdown table with a row for each object. Columns are aligned for the
+ * terminal. Null is "-"; floating-point numbers have four decimals.
  * \param[in] list at least one object, all with the same keys */
 std::string
 tableOf (const std::string& title, const Answer& list);

@@ -89,8 +89,8 @@ runCommand (const std::vector<Command>& commands, int argc, const char* const* a
   if (name.empty())
     throw UsageError ("command", "is missing; see --help");
   const auto command =
-      std::find_if (commands.begin(), commands.end(), [&name] (const Command& one) {
-        return one.name == name;
+      std::find_if (commands.begin(), commands.end(), [&name] (const Command& known) {
+        return known.name == name;
       });
   if (command == commands.end())
     refuseUnknown (name, commands);

@@ -9,8 +9,12 @@ namespace pcl_ops::evaluation {
 
 /** A command of pcl_ops_evaluate; each has a --help of its own. */
 struct Command {
-  std::string name, arguments, summary;
-  /** \return the exit code */
+  std::string name;
+  /** As in the help: "TRUTH RESULT". */
+  std::string arguments;
+  std::string summary;
+  /** \param[in] argv name of the command, then its arguments and options
+   * \return the exit code */
   int (*run) (int argc, const char* const* argv);
 };
 
@@ -26,11 +30,13 @@ planesCommand (int argc, const char* const* argv);
 int
 trackCommand (int argc, const char* const* argv);
 
-/** Returns the commands on results of users; lab/evaluation adds those on detectors. */
+/** Returns the commands that read results of users. lab/evaluation adds commands that
+ * run detectors. */
 std::vector<Command>
 commandsForResults ();
 
 /** Runs the command that the first argument of the program names.
+ * \param[in] argv name of the program, then its arguments
  * \return the exit code
  * \throw apps::UsageError if the command is missing or unknown */
 int

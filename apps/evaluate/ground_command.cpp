@@ -24,8 +24,10 @@ using namespace apps;
 
 namespace {
 
+/** Numbers of classes of points. */
 using Classes = std::set<std::uint32_t>;
 
+/** Returns the texts between the commas of a list; one after a last comma is empty. */
 std::vector<std::string>
 partsOf (const std::string& list)
 {
@@ -36,7 +38,8 @@ partsOf (const std::string& list)
   return parts;
 }
 
-/** \throw UsageError naming the option if the list has anything but class numbers */
+/** \throw UsageError that names the option if the list has anything but class numbers
+ */
 Classes
 classesIn (const std::string& option, const std::string& list)
 {
@@ -52,11 +55,11 @@ kindsIn (const std::string& list)
 {
   std::set<PlaneKind> kinds;
   for (const std::string& part : partsOf (list)) {
-    const std::size_t known = kinds.size();
+    bool is_new_kind = false;
     for (int kind = 0; kind <= int (PlaneKind::Other); ++kind)
       if (part == toString (PlaneKind (kind)))
-        kinds.insert (PlaneKind (kind));
-    if (kinds.size() == known)
+        is_new_kind = kinds.insert (PlaneKind (kind)).second;
+    if (!is_new_kind)
       throw UsageError ("--kinds",
                         "'" + part +
                             "' is no kind, or there twice; give some of floor, ramp, "
@@ -65,13 +68,16 @@ kindsIn (const std::string& list)
   return kinds;
 }
 
+/** What counts as ground, in the truth and in the result. */
 struct GroundRules {
-  /** Classes of SemanticKITTI. Ground: road, parking, sidewalk, other ground, lane
-   * marking, terrain. Ignored: unlabeled, outlier, vegetation, as for Patchwork++ (Lee,
-   * Lim & Myung, IROS 2022, section IV-A). */
+  /** True classes; by default those of SemanticKITTI. Ground: road, parking, sidewalk,
+   * other ground, lane marking, terrain. Ignored: unlabeled, outlier, vegetation, as
+   * for Patchwork++ (Lee, Lim & Myung, IROS 2022, section IV-A). */
   Classes ground = {40, 44, 48, 49, 60, 72};
   Classes ignored = {0, 1, 70};
+  /** Kinds of planes of the result that are taken for the ground. */
   std::set<PlaneKind> kinds = {PlaneKind::Floor, PlaneKind::Ramp};
+  /** Direction against gravity, a unit vector. */
   Vector3d up = Vector3d::UnitZ();
 };
 
@@ -80,7 +86,7 @@ std::vector<bool>
 groundFound (const LabeledCloud& result, const GroundRules& rules)
 {
   const PlaneIds ids = planeIds (result.labels);
-  const auto planes = planesOf (*result.cloud, ids, {rules.up});
+  const std::vector<PlaneSegment> planes = planesOf (*result.cloud, ids, {rules.up});
   std::vector<PlaneExtent> extents;
   for (const PlaneSegment& plane : planes)
     extents.push_back (planeExtent (*result.cloud, plane));
@@ -132,9 +138,9 @@ answerOf (const CountsByClass& counts, const GroundRules& rules)
   for (const auto& [number, of_class] : counts) {
     const bool is_ignored = rules.ignored.count (number) > 0;
     const bool is_ground = rules.ground.count (number) > 0;
-    ClassCounts& all = is_ignored ? ignored : is_ground ? ground : other;
-    all.points += of_class.points;
-    all.as_ground += of_class.as_ground;
+    ClassCounts& sum = is_ignored ? ignored : is_ground ? ground : other;
+    sum.points += of_class.points;
+    sum.as_ground += of_class.as_ground;
     by_class.push_back ({{"class", number},
                          {"truth",
                           is_ignored  ? "ignored"
@@ -143,16 +149,35 @@ answerOf (const CountsByClass& counts, const GroundRules& rules)
                          {"points", of_class.points},
                          {"as_ground", shareOf (of_class.as_ground, of_class.points)}});
   }
-  const std::size_t found = ground.as_ground + other.as_ground;
+  const std::size_t result_ground = ground.as_ground + other.as_ground;
   return {{"points", ground.points + other.points},
           {"points_ignored", ignored.points},
           {"truth_ground", ground.points},
-          {"result_ground", found},
-          {"precision", shareOf (ground.as_ground, found)},
+          {"result_ground", result_ground},
+          {"precision", shareOf (ground.as_ground, result_ground)},
           {"recall", shareOf (ground.as_ground, ground.points)},
-          {"f_score", shareOf (2 * ground.as_ground, found + ground.points)},
+          {"f_score", shareOf (2 * ground.as_ground, result_ground + ground.points)},
           {"iou", shareOf (ground.as_ground, ground.points + other.as_ground)},
           {"by_class", by_class}};
+}
+
+/** Declares the options for classes and kinds. */
+void
+declareRules (CommandLine& line, GroundRules& rules)
+{
+  line.add ("classes LIST",
+            [&rules] (const std::string& list) {
+              rules.ground = classesIn ("--classes", list);
+            })
+      .help ("true classes that are the ground (40,44,48,49,60,72)");
+  line.add ("ignore LIST",
+            [&rules] (const std::string& list) {
+              rules.ignored = classesIn ("--ignore", list);
+            })
+      .help ("true classes that do not count (0,1,70)");
+  line.add ("kinds LIST",
+            [&rules] (const std::string& list) { rules.kinds = kindsIn (list); })
+      .help ("kinds of planes taken for the ground (floor,ramp)");
 }
 
 } // namespace
@@ -173,25 +198,15 @@ groundCommand (int argc, const char* const* argv)
   line.addArgument ("TRUTH", truth_file, "the true classes, field label");
   line.addArgument (
       "RESULT", result_file, "planes found in the same points, field label");
-  line.add ("classes LIST",
-            [&rules] (const std::string& list) {
-              rules.ground = classesIn ("--classes", list);
-            })
-      .help ("true classes that are the ground (40,44,48,49,60,72)");
-  line.add ("ignore LIST",
-            [&rules] (const std::string& list) {
-              rules.ignored = classesIn ("--ignore", list);
-            })
-      .help ("true classes that do not count (0,1,70)");
-  line.add ("kinds LIST",
-            [&rules] (const std::string& list) { rules.kinds = kindsIn (list); })
-      .help ("kinds of planes taken for the ground (floor,ramp)");
+  declareRules (line, rules);
   line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
   line.add ("json", json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return ExitCode::done;
   rules.up = up.cast<double>().normalized();
-  const auto [truth, result] = loadLabeledClouds (truth_file, result_file, 1);
+  constexpr std::size_t min_class_points = 1; // keeps all classes
+  const auto [truth, result] =
+      loadLabeledClouds (truth_file, result_file, min_class_points);
   const Answer answer =
       answerOf (countsByClass (truth, groundFound (result, rules)), rules);
   if (answer.at ("truth_ground") == 0)

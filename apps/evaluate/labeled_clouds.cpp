@@ -74,14 +74,14 @@ loadLabeledCloud (const std::string& file, bool needs_labels)
   });
 }
 
-std::pair<LabeledCloud, LabeledCloud>
-loadLabeledClouds (const std::string& truth_file,
-                   const std::string& result_file,
-                   std::size_t min_plane_points)
+namespace {
+
+/** \throws WorkError unless both clouds have the same points in the same order */
+void
+checkSamePoints (const LabeledCloud& truth,
+                 const LabeledCloud& result,
+                 const std::string& result_file)
 {
-  std::pair clouds{loadLabeledCloud (truth_file, true),
-                   loadLabeledCloud (result_file, true)};
-  auto& [truth, result] = clouds;
   if (truth.cloud->size() != result.cloud->size())
     throw WorkError (result_file,
                      "has " + std::to_string (result.cloud->size()) +
@@ -108,6 +108,19 @@ loadLabeledClouds (const std::string& truth_file,
                            " lies elsewhere than in the truth; give two labelings of "
                            "the same cloud");
   }
+}
+
+} // namespace
+
+std::pair<LabeledCloud, LabeledCloud>
+loadLabeledClouds (const std::string& truth_file,
+                   const std::string& result_file,
+                   std::size_t min_plane_points)
+{
+  std::pair clouds{loadLabeledCloud (truth_file, true),
+                   loadLabeledCloud (result_file, true)};
+  auto& [truth, result] = clouds;
+  checkSamePoints (truth, result, result_file);
   dropSmallPlanes (truth.labels, min_plane_points);
   return clouds;
 }

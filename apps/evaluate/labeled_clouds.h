@@ -15,15 +15,18 @@ struct LabeledCloud : apps::ShiftedCloud {
   PlaneLabels labels = {};
 };
 
-/** Returns the numbers of a field. Its type is an integer of up to 4 bytes or, as in
- * text files, double.
+/** Returns the number of each point in a field. The type of the field is an integer of
+ * up to 4 bytes or, as in text files, double.
+ * \param[in] file for messages
+ * \param[in] name of the field
  * \throw apps::WorkError naming the file if it has no such field, or of another type */
 std::vector<double>
 labelNumbersIn (const pcl::PCLPointCloud2& cloud,
                 const std::string& file,
                 const std::string& name = "label");
 
-/** Returns the numbers of a field as labels.
+/** Returns the numbers of a field as labels. For the parameters see \ref
+ * labelNumbersIn.
  * \throw apps::WorkError as \ref labelNumbersIn, or if a number is no whole number from
  * 0 to 2^32 - 1 */
 PlaneLabels

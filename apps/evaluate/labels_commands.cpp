@@ -25,14 +25,15 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/** \tparam Size type of the size: a whole number of points, or a width [m] */
+/** \tparam Size type of the size: a whole number of points, or a width [m]
+ * \param[in] key_of_from key of the smallest size of a class */
 template <typename Size>
 Answer
-answerOf (const SizeClasses& classes, const char* from)
+answerOf (const SizeClasses& classes, const char* key_of_from)
 {
   Answer list = Answer::array();
   for (const SizeClass& size : classes)
-    list.push_back ({{from, Size (size.from)},
+    list.push_back ({{key_of_from, Size (size.from)},
                      {"below", size.below ? Answer (Size (*size.below)) : Answer()},
                      {"planes", size.planes},
                      {"found", size.found_50},
@@ -54,97 +55,109 @@ answerOf (const Metrics& metrics)
 }
 
 /** A plane as fitted in one cloud of a sequence, in the common frame of the poses. */
-struct PlaneSighting {
+struct SeenPlane {
   Vector3d centroid, normal;
   PlaneCovariance covariance;
 };
 
-std::optional<PlaneSighting>
-sightingOf (const XyzCloud& cloud,
-            const PlaneSegment& plane,
-            const Eigen::Isometry3d& pose)
+/** Returns a plane in the frame of the poses; nothing if it has no covariance.
+ * \param[in] plane found in the cloud, in its frame
+ * \param[in] pose of the cloud */
+std::optional<SeenPlane>
+seenPlaneOf (const XyzCloud& cloud,
+             const PlaneSegment& plane,
+             const Eigen::Isometry3d& pose)
 {
   std::optional<PlaneCovariance> covariance = planeCovariance (cloud, plane);
   if (!covariance)
     return std::nullopt;
   covariance->axes = pose.linear() * covariance->axes;
-  return PlaneSighting{
-      pose * plane.centroid, pose.linear() * plane.normal, *covariance};
+  return SeenPlane{pose * plane.centroid, pose.linear() * plane.normal, *covariance};
 }
 
 /** Counts how often found planes keep their number. A true plane is found in a cloud if
  * a found plane has an intersection over union above 0.5 with it. */
 struct KeptNumbers {
-  struct History {
+  /** A true plane over the sequence of clouds. */
+  struct TruePlane {
+    /** Number of clouds in which it is found. */
+    std::size_t times_found = 0;
+    /** The numbers that it had in these clouds, and the last one. */
     std::set<std::uint32_t> numbers;
-    std::uint32_t last = 0;
-    std::size_t sightings = 0;
-    std::optional<PlaneSighting> seen;
+    std::uint32_t last_number = 0;
+    /** The plane as it was found last, if poses and a covariance are known. */
+    std::optional<SeenPlane> last_seen;
   };
 
-  /** Keys are the labels of true planes. */
-  std::map<std::uint32_t, History> histories;
+  /** By the labels of the truth. */
+  std::map<std::uint32_t, TruePlane> true_planes;
   /** All numbers in the results, also those of planes that match no true plane. */
   std::set<std::uint32_t> numbers;
-  /** How often a true plane is found again, and how often with the number it had at its
-   * last sighting. */
-  std::size_t sightings = 0, sightings_kept = 0;
-  /** Differences between two successive sightings with the same number, as absolute
-   * values divided by their standard deviations. If covariances are right and errors
-   * have a normal distribution, the median is 0.67 and 90 % are below 1.64. Offset: the
-   * height of the second centroid over the first plane. Tilt: the slopes of the second
-   * plane along both axes of the first. */
+  /** How often a true plane is found that was found before, and how often with the
+   * number that it had when it was found last. */
+  std::size_t found_again = 0, found_again_with_number = 0;
+  /** Differences of a plane that is found again with its number, from when it was found
+   * last: absolute values divided by their standard deviations. If covariances are
+   * right and errors have a normal distribution, the median is 0.67 and 90 % are
+   * below 1.64. Offset: the height of the second centroid over the first plane. Tilt:
+   * the slopes of the second plane along both axes of the first. */
   std::vector<double> offset_errors, tilt_errors;
 
+  /** Adds the next cloud of the sequence.
+   * \param[in] pose of the cloud; nothing: errors are not computed */
   void
   add (const PlaneLabels& truth,
        const LabeledCloud& result,
        const std::optional<Eigen::Isometry3d>& pose)
   {
     const Confusion confusion = confusionOf (truth, result.labels);
-    const auto planes = pose ? planesOf (*result.cloud, confusion.result, {})
-                             : std::vector<PlaneSegment>();
+    const std::vector<PlaneSegment> planes =
+        pose ? planesOf (*result.cloud, confusion.result, {})
+             : std::vector<PlaneSegment>();
     numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
     for (const Overlap& overlap : confusion.overlaps) {
-      constexpr double half = 0.5; // above it a plane has at most one partner
-      if (confusion.iou (overlap) <= half)
+      constexpr double min_iou = 0.5; // above it a plane has at most one partner
+      if (confusion.iou (overlap) <= min_iou)
         continue;
-      History& history = histories[confusion.truth.label[overlap.truth]];
+      TruePlane& plane = true_planes[confusion.truth.label[overlap.truth]];
       const std::uint32_t number = confusion.result.label[overlap.result];
-      const bool keeps_number = history.sightings > 0 && number == history.last;
-      if (history.sightings > 0)
-        ++sightings;
+      const bool is_found_again = plane.times_found > 0;
+      const bool keeps_number = is_found_again && number == plane.last_number;
+      if (is_found_again)
+        ++found_again;
       if (keeps_number)
-        ++sightings_kept;
-      ++history.sightings;
-      history.last = number;
-      history.numbers.insert (number);
+        ++found_again_with_number;
+      ++plane.times_found;
+      plane.last_number = number;
+      plane.numbers.insert (number);
       if (!pose)
         continue;
-      const auto seen = sightingOf (*result.cloud, planes[overlap.result], *pose);
-      if (keeps_number && seen && history.seen)
-        addErrors (*history.seen, *seen);
-      history.seen = seen;
+      const std::optional<SeenPlane> seen =
+          seenPlaneOf (*result.cloud, planes[overlap.result], *pose);
+      if (keeps_number && seen && plane.last_seen)
+        addErrors (*plane.last_seen, *seen);
+      plane.last_seen = seen;
     }
   }
 
   void
-  addErrors (const PlaneSighting& first, const PlaneSighting& second)
+  addErrors (const SeenPlane& first, const SeenPlane& second)
   {
     const Eigen::Matrix<double, 3, 2>& axes = first.covariance.axes;
     const Vector3d between = second.centroid - first.centroid;
     const double cosine = second.normal.dot (first.normal);
     const Eigen::Vector2d slopes = -axes.transpose() * second.normal / cosine;
-    // Errors (slope along u, slope along v, offset), u and v the axes of the first
-    // plane. Its errors are moved to the second centroid; those of the second plane are
-    // turned to u and v.
-    Matrix3d of_first = Matrix3d::Identity();
-    of_first.bottomLeftCorner<1, 2>() = (axes.transpose() * between).transpose();
-    Matrix3d of_second = Matrix3d::Identity();
-    of_second.topLeftCorner<2, 2>() = axes.transpose() * second.covariance.axes;
+    // Errors are (slope along u, slope along v, offset), where u and v are the axes of
+    // the first plane. Its errors are taken at the second centroid, and those of the
+    // second plane are turned to u and v. C = A1 C1 A1^T + A2 C2 A2^T.
+    Matrix3d to_second_centroid = Matrix3d::Identity();
+    to_second_centroid.bottomLeftCorner<1, 2>() =
+        (axes.transpose() * between).transpose();
+    Matrix3d to_first_axes = Matrix3d::Identity();
+    to_first_axes.topLeftCorner<2, 2>() = axes.transpose() * second.covariance.axes;
     const Matrix3d covariance =
-        of_first * first.covariance.matrix * of_first.transpose() +
-        of_second * second.covariance.matrix * of_second.transpose();
+        to_second_centroid * first.covariance.matrix * to_second_centroid.transpose() +
+        to_first_axes * second.covariance.matrix * to_first_axes.transpose();
     const Vector3d sigmas = covariance.diagonal().cwiseSqrt();
     for (const Eigen::Index axis : {0, 1})
       tilt_errors.push_back (std::abs (slopes[axis]) / sigmas[axis]);
@@ -152,11 +165,14 @@ struct KeptNumbers {
   }
 };
 
+/** \param[in] poses_file empty: no poses
+ * \param[in] min_plane_points points of smaller true planes count as on no plane
+ * \throws WorkError if a file cannot be read, or does not fit the others */
 KeptNumbers
-keptIn (const std::string& truth_folder,
-        const std::filesystem::path& result_folder,
-        const std::string& poses_file,
-        std::size_t min_points)
+keptNumbersIn (const std::string& truth_folder,
+               const std::filesystem::path& result_folder,
+               const std::string& poses_file,
+               std::size_t min_plane_points)
 {
   const auto [files, problems] = findInputs ({truth_folder});
   if (!problems.empty())
@@ -173,7 +189,7 @@ keptIn (const std::string& truth_folder,
     stopIfInterrupted();
     const auto name = std::filesystem::path (files[i]).filename();
     const auto [truth, result] =
-        loadLabeledClouds (files[i], (result_folder / name).string(), min_points);
+        loadLabeledClouds (files[i], (result_folder / name).string(), min_plane_points);
     std::optional<Eigen::Isometry3d> pose;
     if (!poses.empty())
       pose = poses[i] * Eigen::Translation3d (result.shift);
@@ -185,19 +201,19 @@ keptIn (const std::string& truth_folder,
 Answer
 answerOf (const KeptNumbers& kept)
 {
-  std::size_t planes = 0; // found in at least two clouds
-  std::size_t planes_kept = 0;
-  for (const auto& [label, history] : kept.histories) {
-    if (history.sightings < 2)
+  std::size_t planes_found_again = 0;
+  std::size_t planes_with_one_number = 0;
+  for (const auto& [label, plane] : kept.true_planes) {
+    if (plane.times_found < 2)
       continue;
-    ++planes;
-    if (history.numbers.size() == 1)
-      ++planes_kept;
+    ++planes_found_again;
+    if (plane.numbers.size() == 1)
+      ++planes_with_one_number;
   }
-  Answer answer{{"planes", planes},
-                {"planes_kept", planes_kept},
-                {"sightings", kept.sightings},
-                {"sightings_kept", kept.sightings_kept},
+  Answer answer{{"planes", planes_found_again},
+                {"planes_kept", planes_with_one_number},
+                {"sightings", kept.found_again},
+                {"sightings_kept", kept.found_again_with_number},
                 {"numbers", kept.numbers.size()}};
   if (kept.offset_errors.empty())
     return answer;
@@ -216,7 +232,7 @@ compareCommand (int argc, const char* const* argv)
   std::string truth_file;
   std::string result_file;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  std::size_t min_points = 1;
+  std::size_t min_plane_points = 1;
   bool json = false;
   CommandLine line ("pcl_ops_evaluate compare",
                     "Compares the planes of two labeled clouds of the same "
@@ -226,12 +242,13 @@ compareCommand (int argc, const char* const* argv)
   line.addArgument (
       "RESULT", result_file, "the planes found, .pcd, .ply, .las or text");
   line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
-  line.add ("min-plane-points N", min_points, from (0))
+  line.add ("min-plane-points N", min_plane_points, from (0))
       .help ("true planes with fewer points count as no plane (1)");
   line.add ("json", json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return ExitCode::done;
-  const auto [truth, result] = loadLabeledClouds (truth_file, result_file, min_points);
+  const auto [truth, result] =
+      loadLabeledClouds (truth_file, result_file, min_plane_points);
   const Metrics metrics = compareLabels (
       *truth.cloud, truth.labels, result.labels, {up.cast<double>().normalized()});
   if (metrics.truth_planes == 0)
@@ -245,8 +262,8 @@ trackCommand (int argc, const char* const* argv)
 {
   std::string truth_folder;
   std::string result_folder;
-  std::string poses;
-  std::size_t min_points = 1;
+  std::string poses_file;
+  std::size_t min_plane_points = 1;
   bool json = false;
   CommandLine line (
       "pcl_ops_evaluate track",
@@ -258,14 +275,17 @@ trackCommand (int argc, const char* const* argv)
   line.addArgument ("TRUTH", truth_folder, "folder of the true planes");
   line.addArgument (
       "RESULT", result_folder, "folder of the planes found, by the same names");
-  line.add ("min-plane-points N", min_points, from (0))
+  line.add ("min-plane-points N", min_plane_points, from (0))
       .help ("true planes with fewer points in a cloud are not in it (1)");
-  line.add ("poses FILE", poses)
+  line.add ("poses FILE", poses_file)
       .help ("true poses of the sensor, one line per cloud: tells how planes differ\n"
              "from cloud to cloud over what planeCovariance allows");
   line.add ("json", json).help ("print JSON instead of text");
-  if (line.parse (argc, argv))
-    print (answerOf (keptIn (truth_folder, result_folder, poses, min_points)), json);
+  if (!line.parse (argc, argv))
+    return ExitCode::done;
+  const KeptNumbers kept =
+      keptNumbersIn (truth_folder, result_folder, poses_file, min_plane_points);
+  print (answerOf (kept), json);
   return ExitCode::done;
 }
 

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// The command planes: matches the planes of two results and tells how far they are
+// apart.
 #include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
@@ -25,23 +28,26 @@ using Json = nlohmann::json;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/** End of messages on a file that is no list of planes. */
 constexpr const char* fix =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
-/** Largest number accepted: above any float, while its fourth power is a finite double.
- */
-constexpr double largest = 1e40;
+/** Largest absolute value of a number: above any float, while its fourth power is a
+ * finite double. */
+constexpr double max_number = 1e40;
 
-/** A JSON value with its file and its path of keys, for messages. */
+/** A value in a JSON file. Functions that read it throw a WorkError if it is not as
+ * they expect. */
 struct Entry {
   const std::string& file;
-  std::string name;
+  /** Keys and indices that lead to the value: "planes[2].hull". */
+  std::string path;
   const Json& value;
 
   void
   require (bool is_fine, const std::string& problem) const
   {
     if (!is_fine)
-      throw WorkError (file, name + " " + problem + fix);
+      throw WorkError (file, path + " " + problem + fix);
   }
 
   bool
@@ -53,9 +59,9 @@ struct Entry {
   Entry
   at (const char* key) const
   {
-    const std::string path = name.empty() ? key : name + "." + key;
-    Entry{file, path, value}.require (has (key), "is missing");
-    return {file, path, value.at (key)};
+    const std::string path_of_key = path.empty() ? key : path + "." + key;
+    Entry{file, path_of_key, value}.require (has (key), "is missing");
+    return {file, path_of_key, value.at (key)};
   }
 
   std::vector<Entry>
@@ -63,22 +69,23 @@ struct Entry {
   {
     require (value.is_array(), "is no list");
     std::vector<Entry> entries;
-    for (const Json& one : value)
+    for (const Json& element : value)
       entries.push_back (
-          {file, name + "[" + std::to_string (entries.size()) + "]", one});
+          {file, path + "[" + std::to_string (entries.size()) + "]", element});
     return entries;
   }
 
   double
-  number (double least = -largest, double most = largest) const
+  number (double min = -max_number, double max = max_number) const
   {
     require (value.is_number() && std::isfinite (value.get<double>()), "is no number");
     const auto number = value.get<double>();
-    require (number <= most && number >= -largest, "is too large");
-    require (number >= least, "is too small");
+    require (number <= max && number >= -max_number, "is too large");
+    require (number >= min, "is too small");
     return number;
   }
 
+  /** Returns a list of exactly \p size numbers. */
   template <int size>
   Eigen::Matrix<double, size, 1>
   vector () const
@@ -94,11 +101,46 @@ struct Entry {
 
 using Ring = std::vector<Vector3d>;
 
+/** Integrals over an area in space, with positions x relative to a given center. */
+struct AreaIntegrals {
+  double area = 0.0;                  // of 1 [m^2]
+  Vector3d first = Vector3d::Zero();  // of x [m^3]
+  Matrix3d second = Matrix3d::Zero(); // of x x^T [m^4]
+};
+
+/** Integrates over an outline, triangle by triangle. The area of a triangle is signed:
+ * holes, and triangles outside a concave outline, are subtracted.
+ * \param[in] rings counter-clockwise about the normal, holes clockwise */
+AreaIntegrals
+integralsOver (const std::vector<Ring>& rings,
+               const Vector3d& normal,
+               const Vector3d& center)
+{
+  AreaIntegrals integrals;
+  for (const Ring& ring : rings)
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      Matrix3d corners;
+      corners << ring[0], ring[i], ring[i + 1];
+      corners.colwise() -= center;
+      const Vector3d side = corners.col (1) - corners.col (0);
+      const Vector3d other_side = corners.col (2) - corners.col (0);
+      const Vector3d sum = corners.rowwise().sum();
+      const double area = 0.5 * normal.dot (side.cross (other_side));
+      // Over a triangle of area A with corners c_i and their sum s, the integral of x
+      // is A/3 s, and that of x x^T is A/12 (s s^T + sum of c_i c_i^T).
+      integrals.area += area;
+      integrals.first += area / 3.0 * sum;
+      integrals.second +=
+          area / 12.0 * (sum * sum.transpose() + corners * corners.transpose());
+    }
+  return integrals;
+}
+
 /** Moves the centroid of a plane to that of the area of its outline, and sets the
  * moments of points spread evenly inside. Without an outline the standard deviation
  * along the plane is 1000 km.
  * \param[in] rings counter-clockwise, holes clockwise
- * \param[in] rms distance of the points to the plane
+ * \param[in] rms distance of the points to the plane [m]
  * \param[in] count number of points of the moments */
 void
 setExtent (const std::vector<Ring>& rings,
@@ -108,33 +150,15 @@ setExtent (const std::vector<Ring>& rings,
 {
   constexpr double endless = 1e6; // [m]
   const Matrix3d along_normal = plane.normal * plane.normal.transpose();
-  Matrix3d spread = endless * endless * (Matrix3d::Identity() - along_normal);
-  double area = 0.0;
-  Vector3d sum = Vector3d::Zero();
-  Matrix3d products = Matrix3d::Zero();
-  for (const Ring& ring : rings)
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-      Matrix3d corners;
-      corners << ring[0], ring[i], ring[i + 1];
-      corners.colwise() -= plane.centroid;
-      // The area is signed: holes, and triangles outside a concave outline, are
-      // subtracted.
-      const Vector3d edge = corners.col (1) - corners.col (0);
-      const Vector3d other = corners.col (2) - corners.col (0);
-      const Vector3d total = corners.rowwise().sum();
-      const double part = 0.5 * plane.normal.dot (edge.cross (other));
-      area += part;
-      sum += part / 3.0 * total;
-      products +=
-          part / 12.0 * (total * total.transpose() + corners * corners.transpose());
-    }
-  if (area != 0.0) {
-    const Vector3d mean = sum / area;
-    spread = products / area - mean * mean.transpose();
+  Matrix3d covariance = endless * endless * (Matrix3d::Identity() - along_normal);
+  const AreaIntegrals integrals = integralsOver (rings, plane.normal, plane.centroid);
+  if (integrals.area != 0.0) {
+    const Vector3d mean = integrals.first / integrals.area;
+    covariance = integrals.second / integrals.area - mean * mean.transpose();
     plane.centroid += mean;
   }
-  spread += rms * rms * along_normal;
-  plane.moments = Moments::of (count, plane.centroid, spread);
+  covariance += rms * rms * along_normal;
+  plane.moments = Moments::of (count, plane.centroid, covariance);
 }
 
 Ring
@@ -160,15 +184,16 @@ addRings (const Entry& entry, std::vector<Ring>& rings)
 PlaneSegment
 planeOf (const Entry& entry)
 {
-  constexpr double most_points = 1e15; // below 2^53: exact as double
+  constexpr double max_points = 1e15; // below 2^53: exact as double
   PlaneSegment plane;
-  const double count = entry.at ("points").number (1.0, most_points);
+  const double count = entry.at ("points").number (1.0, max_points);
   const double rms = entry.at ("rms").number (0.0);
   const Entry orientation = entry.at ("orientation");
-  const auto known = orientationCalled (
+  const std::optional<Orientation> named_orientation = orientationCalled (
       orientation.value.is_string() ? orientation.value.get<std::string>() : "");
-  orientation.require (known.has_value(), "is not horizontal, vertical or other");
-  plane.orientation = *known;
+  orientation.require (named_orientation.has_value(),
+                       "is not horizontal, vertical or other");
+  plane.orientation = *named_orientation;
   plane.centroid = entry.at ("centroid").vector<3>();
   const Entry coefficients = entry.at ("coefficients");
   const Vector3d normal = coefficients.vector<4>().head<3>();
@@ -206,19 +231,20 @@ loadPlaneList (const std::string& file)
   return list;
 }
 
-/** Matches planes in a frame whose origin is the mean centroid of the first result: for
- * matchPlanes the rotation error of the pose is about the origin. */
+/** Matches planes in a frame whose origin is the mean centroid of the first result, as
+ * matchPlanes takes the rotation error of the pose for one about the origin. */
 PlaneMatches
-matchAboutMiddle (std::vector<PlaneSegment> first,
-                  std::vector<PlaneSegment> second,
-                  const PlaneMatchingParameters& parameters)
+matchAboutMeanCentroid (std::vector<PlaneSegment> first,
+                        std::vector<PlaneSegment> second,
+                        const PlaneMatchingParameters& parameters)
 {
   Vector3d sum = Vector3d::Zero();
   for (const PlaneSegment& plane : first)
     sum += plane.centroid;
-  for (auto* planes : {&first, &second})
+  const double count = double (std::max<std::size_t> (1, first.size()));
+  for (std::vector<PlaneSegment>* planes : {&first, &second})
     for (PlaneSegment& plane : *planes)
-      plane.moveBy (-sum / double (std::max<std::size_t> (1, first.size())));
+      plane.moveBy (-sum / count);
   return matchPlanes (first, second, Eigen::Isometry3d::Identity(), parameters);
 }
 
@@ -227,11 +253,13 @@ comparePlanes (const PlaneList& first,
                const PlaneList& second,
                const PlaneMatchingParameters& parameters)
 {
-  const auto matches = matchAboutMiddle (first.planes, second.planes, parameters);
-  std::vector<std::size_t> partner_of (first.planes.size(), second.planes.size());
+  const PlaneMatches matches =
+      matchAboutMeanCentroid (first.planes, second.planes, parameters);
+  const std::size_t none = second.planes.size();
+  std::vector<std::size_t> partner_of (first.planes.size(), none);
   Answer matched = Answer::array();
-  Answer only_a = matched;
-  Answer only_b = matched;
+  Answer only_a = Answer::array();
+  Answer only_b = Answer::array();
   for (std::size_t i = 0; i < second.planes.size(); ++i)
     if (matches.previous[i] == no_plane)
       only_b.push_back (second.ids[i]);
@@ -239,7 +267,7 @@ comparePlanes (const PlaneList& first,
       partner_of[std::size_t (matches.previous[i])] = i;
   for (std::size_t i = 0; i < first.planes.size(); ++i) {
     const std::size_t partner = partner_of[i];
-    if (partner == second.planes.size()) {
+    if (partner == none) {
       only_a.push_back (first.ids[i]);
       continue;
     }
@@ -268,8 +296,8 @@ comparePlanes (const PlaneList& first,
 int
 planesCommand (int argc, const char* const* argv)
 {
-  std::string first;
-  std::string second;
+  std::string first_file;
+  std::string second_file;
   PlaneMatchingParameters matching;
   double rotation_error = toDegrees (matching.rotation_error);
   bool json = false;
@@ -280,8 +308,8 @@ planesCommand (int argc, const char* const* argv)
       "pcl_ops_segment\n"
       "or planes.json of pcl_ops_tiles.",
       PCL_OPS_VERSION);
-  line.addArgument ("A", first, "planes, .json");
-  line.addArgument ("B", second, "planes, .json");
+  line.addArgument ("A", first_file, "planes, .json");
+  line.addArgument ("B", second_file, "planes, .json");
   line.add ("rotation-error DEG", rotation_error, from (0).upTo (90))
       .help ("standard deviation of the rotation between both frames (3)");
   line.add ("translation-error M", matching.translation_error, from (0))
@@ -292,8 +320,9 @@ planesCommand (int argc, const char* const* argv)
   if (!line.parse (argc, argv))
     return ExitCode::done;
   matching.rotation_error = toRadians (rotation_error);
-  const PlaneList planes = loadPlaneList (first);
-  print (comparePlanes (planes, loadPlaneList (second), matching), json);
+  const PlaneList first = loadPlaneList (first_file);
+  const PlaneList second = loadPlaneList (second_file);
+  print (comparePlanes (first, second, matching), json);
   return ExitCode::done;
 }
 

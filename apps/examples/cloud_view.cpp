@@ -29,9 +29,10 @@ int
 main (int argc, char** argv)
 {
   std::ifstream file (argc == 2 ? argv[1] : "", std::ios::binary);
-  pcl::PCLPointCloud2 message; // x, y, z and intensity of each point, as in the file
+  // A message without a list of fields: x is the first one.
+  pcl::PCLPointCloud2 message;
   message.data.assign (std::istreambuf_iterator<char> (file), {});
-  message.point_step = 4 * sizeof (float);
+  message.point_step = 4 * sizeof (float); // x, y, z and intensity
   message.height = 1;
   message.width = message.data.size() / message.point_step;
   if (message.width == 0) {

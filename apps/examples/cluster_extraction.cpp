@@ -3,8 +3,8 @@
 
 // PCL's tutorial on cluster extraction, done twice. The first time a loop of
 // SACSegmentation removes the planes one by one, as in the tutorial. The second time
-// one call of pcl_ops replaces the loop. Lengths are those of the tutorial [m]. Prints
-// the duration of both.
+// one call of pcl_ops replaces the loop. Prints the duration of both. Lengths [m] and
+// other numbers are those of the tutorial.
 #include <pcl/common/time.h>
 #include <pcl/filters/extract_indices.h>
 #include <pcl/filters/voxel_grid.h>
@@ -24,9 +24,9 @@ downsampled (const Cloud::Ptr& cloud)
   pcl::VoxelGrid<pcl::PointXYZ> grid;
   grid.setInputCloud (cloud);
   grid.setLeafSize (0.01f, 0.01f, 0.01f);
-  Cloud::Ptr points (new Cloud);
-  grid.filter (*points);
-  return points;
+  Cloud::Ptr thinned (new Cloud);
+  grid.filter (*thinned);
+  return thinned;
 }
 
 static Cloud::Ptr
@@ -54,10 +54,12 @@ clustersOf (const Cloud::Ptr& cloud)
   return clusters;
 }
 
-/** Returns the points on no plane, by the loop of the tutorial. */
+/** \brief Returns the points on no plane, by the loop of the tutorial.
+ * \param[out] planes number of planes */
 static Cloud::Ptr
 restByLoop (const Cloud::Ptr& cloud, std::size_t& planes)
 {
+  constexpr double max_rest = 0.3; // share of the cloud at which the loop ends
   pcl::SACSegmentation<pcl::PointXYZ> finder;
   finder.setOptimizeCoefficients (true);
   finder.setModelType (pcl::SACMODEL_PLANE);
@@ -67,7 +69,7 @@ restByLoop (const Cloud::Ptr& cloud, std::size_t& planes)
   pcl::ModelCoefficients coefficients;
   pcl::PointIndices plane;
   Cloud::Ptr rest = cloud;
-  for (planes = 0; rest->size() > 0.3 * cloud->size(); ++planes) {
+  for (planes = 0; rest->size() > max_rest * cloud->size(); ++planes) {
     finder.setInputCloud (rest);
     finder.segment (plane, coefficients);
     if (plane.indices.empty())
@@ -77,19 +79,20 @@ restByLoop (const Cloud::Ptr& cloud, std::size_t& planes)
   return rest;
 }
 
-/** Returns the points on no plane, by one call of pcl_ops. */
+/** \brief Returns the points on no plane, by one call of pcl_ops.
+ * \param[out] planes number of planes */
 static Cloud::Ptr
 restByOps (const Cloud::Ptr& cloud, std::size_t& planes)
 {
   pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setInputCloud (cloud);
-  std::vector<pcl::PointIndices> clusters;
-  ops.extract (clusters);
-  planes = clusters.size();
-  pcl::Indices all;
-  for (const pcl::PointIndices& plane : clusters)
-    all.insert (all.end(), plane.indices.begin(), plane.indices.end());
-  return without (all, cloud);
+  std::vector<pcl::PointIndices> points_of_planes;
+  ops.extract (points_of_planes);
+  planes = points_of_planes.size();
+  pcl::Indices on_planes;
+  for (const pcl::PointIndices& plane : points_of_planes)
+    on_planes.insert (on_planes.end(), plane.indices.begin(), plane.indices.end());
+  return without (on_planes, cloud);
 }
 
 int

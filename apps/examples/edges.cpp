@@ -27,7 +27,7 @@ main (int argc, char** argv)
 
   // Other distances follow the noise and point density of the planes by default.
   pcl_ops::PlaneEdgeParameters parameters;
-  parameters.min_length = 0.2;
+  parameters.min_length = 0.2; // [m]
   const pcl_ops::PlaneEdges found =
       pcl_ops::findPlaneEdges (*cloud, planes, parameters);
   std::printf ("%zu edges, %zu corners\n", found.edges.size(), found.corners.size());

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Draws clouds from above, each point in a color for the noise around its plane.
+# Draws clouds from above, each point in a color for the noise around its plane. Lengths are in
+# meters.
 import sys
 
 import matplotlib
@@ -12,6 +13,9 @@ matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
 from matplotlib.colors import LogNorm
 
+MM = 1e3  # millimeters of a meter
+MAX_DRAWN = 60000  # points of a cloud; more would not change the picture
+
 
 def load(file):
     points = np.load(file) if file.endswith(".npy") else pcl_ops.read(file).points
@@ -19,26 +23,27 @@ def load(file):
 
 
 def noise_around(points):
-    """The noise around the plane of each point, as far as it is known; NaN elsewhere and on
-    ceilings, which would hide what is below."""
+    """Returns for each point the noise around its plane, NaN where it is not known, and whether
+    it is on a ceiling, which would hide what is below."""
     labels, planes = pcl_ops.segment(points)
-    of_plane = [plane.noise or np.nan for plane in planes]
-    is_ceiling = [plane.kind == "ceiling" for plane in planes]
-    return np.array(of_plane + [np.nan])[labels], np.array(is_ceiling + [False])[labels]
+    # The label -1, of no plane, takes the last value.
+    of_planes = np.array([plane.noise or np.nan for plane in planes] + [np.nan])
+    are_ceilings = np.array([plane.kind == "ceiling" for plane in planes] + [False])
+    return of_planes[labels], are_ceilings[labels]
 
 
 def draw(axes, points, noise, scale):
-    """From above, what is higher in front; 60,000 points are enough."""
-    some = np.random.default_rng(1).permutation(len(points))[:60000]
-    some = some[np.argsort(points[some, 2], kind="stable")]
-    known = np.isfinite(noise[some])
-    axes.scatter(*points[some[~known], :2].T, s=0.3, color="0.8", linewidths=0)
-    return axes.scatter(*points[some[known], :2].T, s=0.5, c=1e3 * noise[some[known]],
+    """Draws points from above, what is higher in front."""
+    drawn = np.random.default_rng(1).permutation(len(points))[:MAX_DRAWN]
+    drawn = drawn[np.argsort(points[drawn, 2], kind="stable")]
+    known = np.isfinite(noise[drawn])
+    axes.scatter(*points[drawn[~known], :2].T, s=0.3, color="0.8", linewidths=0)
+    return axes.scatter(*points[drawn[known], :2].T, s=0.5, c=MM * noise[drawn[known]],
                         linewidths=0, norm=scale, cmap="turbo")
 
 
 def show_most(axes, points):
-    """A square around all but the outermost points."""
+    """Shows a square around all but the outermost points."""
     low, high = np.quantile(points[:, :2], (0.02, 0.98), axis=0)
     half = (high - low).max() / 2
     for limit, middle in zip((axes.set_xlim, axes.set_ylim), (low + high) / 2):
@@ -50,7 +55,7 @@ def title_of(file, noise):
     name = file.rsplit("/", 1)[-1].rsplit(".", 1)[0]
     if np.isnan(noise).all():
         return f"{name}: not known"
-    return f"{name}: {1e3 * np.nanmin(noise):.1f} to {1e3 * np.nanmax(noise):.1f} mm"
+    return f"{name}: {MM * np.nanmin(noise):.1f} to {MM * np.nanmax(noise):.1f} mm"
 
 
 def main():
@@ -65,13 +70,13 @@ def main():
         print(title_of(file, clouds[-1][1]))
     known = np.concatenate([noise[np.isfinite(noise)] for _, noise in clouds])
     known = known if len(known) > 0 else np.array([1e-3])
-    scale = LogNorm(1e3 * known.min(), 1e3 * known.max() * 1.01)
+    scale = LogNorm(MM * known.min(), MM * known.max() * 1.01)  # larger, if all are the same
     figure, panels = plt.subplots(1, len(files), figsize=(3 * len(files), 3.4), squeeze=False)
     for axes, file, (points, noise) in zip(panels[0], files, clouds):
-        drawn = draw(axes, points, noise, scale)
+        colored = draw(axes, points, noise, scale)
         show_most(axes, points)
         axes.set_title(title_of(file, noise).replace(": ", "\n"), fontsize=9)
-    figure.colorbar(drawn, ax=panels[0].tolist(), label="noise [mm]", shrink=0.8)
+    figure.colorbar(colored, ax=panels[0].tolist(), label="noise [mm]", shrink=0.8)
     figure.savefig(sys.argv[1], dpi=100, bbox_inches="tight")
 
 

@@ -18,8 +18,9 @@
 using Point = pcl::PointNormal;
 using Model = pcl_ops::SampleConsensusModelOrientedPoint<Point>;
 
+/** \brief Finds the largest plane and prints it. */
 static void
-print (const char* name, pcl::SampleConsensus<Point>&& estimator)
+printPlane (const char* name, pcl::SampleConsensus<Point>&& estimator)
 {
   estimator.computeModel();
   estimator.refineModel();
@@ -38,14 +39,14 @@ main (int argc, char** argv)
   if (argc != 2 || pcl::io::loadPCDFile (argv[1], *points) < 0)
     return std::cerr << "Usage: one_point_ransac CLOUD.pcd\n", 2;
   pcl::VoxelGrid<pcl::PointXYZ> grid;
-  grid.setLeafSize (0.03f, 0.03f, 0.03f);
+  grid.setLeafSize (0.03f, 0.03f, 0.03f); // [m]
   grid.setInputCloud (points);
   grid.filter (*points);
   const pcl::PointCloud<Point>::Ptr cloud (new pcl::PointCloud<Point>);
   pcl::copyPointCloud (*points, *cloud);
   pcl::NormalEstimation<pcl::PointXYZ, Point> normals;
   normals.setInputCloud (points);
-  normals.setKSearch (30);
+  normals.setKSearch (30); // neighbors
   normals.compute (*cloud);
 
   const Model::Ptr all (new Model (cloud));
@@ -56,6 +57,8 @@ main (int argc, char** argv)
     return (*cloud)[a].curvature < (*cloud)[b].curvature;
   });
   const Model::Ptr flattest_first (new Model (cloud, by_flatness));
-  print ("RANSAC", pcl::RandomSampleConsensus<Point> (all, 0.05));
-  print ("PROSAC", pcl::ProgressiveSampleConsensus<Point> (flattest_first, 0.05));
+  constexpr double max_distance = 0.05; // of inliers to the plane [m]
+  printPlane ("RANSAC", pcl::RandomSampleConsensus<Point> (all, max_distance));
+  printPlane ("PROSAC",
+              pcl::ProgressiveSampleConsensus<Point> (flattest_first, max_distance));
 }

@@ -12,8 +12,10 @@
 
 using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
 
+/** \brief Finds the planes and prints how long the neighbor search took.
+ * \return whether planes were found */
 static bool
-print (const char* search, Ops& ops)
+printTimes (const char* search, Ops& ops)
 {
   std::vector<pcl_ops::PlaneSegment> planes;
   if (!ops.segment (planes))
@@ -44,9 +46,9 @@ main (int argc, char** argv)
   ops.setInputCloud (cloud);
   // Only Sampling::Points, the paper's preset, uses the search method.
   ops.setParameters (pcl_ops::OrientedPointSamplingParameters::paper());
-  bool done = print ("GridSearch", ops);
+  bool done = printTimes ("GridSearch", ops);
   using OrganizedNeighbor = pcl::search::OrganizedNeighbor<pcl::PointXYZ>;
   ops.setSearchMethod (pcl::make_shared<OrganizedNeighbor>());
-  done = print ("OrganizedNeighbor", ops) && done;
+  done = printTimes ("OrganizedNeighbor", ops) && done;
   return done ? 0 : 1;
 }

@@ -13,6 +13,8 @@ matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
 
 CUT = 1.2  # height above the lowest floor [m], as in floor plans
+NEAR_CUT = 0.3  # distance of points that are drawn from the height of the cut [m]
+MARGIN = 0.7  # around the rooms [m]
 
 
 def draw_line(axes, start, end, **style):
@@ -34,11 +36,12 @@ def draw_plan(axes, plan):
 
 
 def show_rooms(axes, plan):
+    """Shows the part of the picture around the rooms."""
     axes.set_aspect("equal")
     axes.set_axis_off()
     corners = [corner for room in plan.rooms for ring in room.rings for corner in ring[:, :2]]
     if corners:
-        low, high = np.min(corners, axis=0) - 0.7, np.max(corners, axis=0) + 0.7
+        low, high = np.min(corners, axis=0) - MARGIN, np.max(corners, axis=0) + MARGIN
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
 
 
@@ -54,7 +57,7 @@ def main():
         plan = buildings.floor_plan(planes)
         floors = [room.floor for room in plan.rooms if room.floor is not None]
         over_floor = points[:, 2] - (min(floors) if floors else points[:, 2].min())
-        near = points[np.abs(over_floor - CUT) < 0.3]
+        near = points[np.abs(over_floor - CUT) < NEAR_CUT]
         axes.scatter(near[:, 0], near[:, 1], s=0.5, c="0.6", linewidths=0)
         draw_plan(axes, plan)
         show_rooms(axes, plan)

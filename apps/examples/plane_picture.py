@@ -14,11 +14,13 @@ import matplotlib.pyplot as plt
 
 def box_room(points_per_side=15000):
     """A room of 5 m x 4 m x 2.5 m with a table, each surface with 3 mm of noise."""
-    draws = np.random.default_rng(1)
+    random = np.random.default_rng(1)
+    noise = 0.003
+    # Of floor, two walls and table top: a corner, and the size along x, y and z.
     sides = [((0, 0, 0), (5, 4, 0)), ((0, 4, 0), (5, 0, 2.5)), ((0, 0, 0), (0, 4, 2.5)),
              ((3, 2, 0.75), (1.4, 0.8, 0))]
-    clouds = [corner + draws.uniform(size=(points_per_side, 3)) * size for corner, size in sides]
-    return np.vstack(clouds) + draws.normal(0, 0.003, (4 * points_per_side, 3))
+    clouds = [corner + random.uniform(size=(points_per_side, 3)) * size for corner, size in sides]
+    return np.vstack(clouds) + random.normal(0, noise, (len(sides) * points_per_side, 3))
 
 
 def load(file):
@@ -28,8 +30,8 @@ def load(file):
 def draw(axes, points, labels, planes):
     colors = plt.get_cmap("tab20")(labels % 20)
     colors[labels < 0] = (0.6, 0.6, 0.6, 0.3)
-    some = np.random.default_rng(1).permutation(len(points))[:20000]
-    axes.scatter(*points[some].T, s=0.5, c=colors[some])
+    drawn = np.random.default_rng(1).permutation(len(points))[:20000]  # more would take long
+    axes.scatter(*points[drawn].T, s=0.5, c=colors[drawn])
     for plane in planes:
         axes.plot(*np.vstack([plane.hull, plane.hull[:1]]).T, color="black", linewidth=1)
     # Labels of more planes would overlap.
@@ -43,6 +45,7 @@ def main():
         sys.exit("Usage: plane_picture.py PICTURE.png [CLOUD.npy|CLOUD.pcd|...]")
     points = load(sys.argv[2]) if len(sys.argv) == 3 else box_room()
 
+    # Normals point to the viewpoint, which is in the room.
     labels, planes = pcl_ops.segment(points, viewpoint=(2.5, 1, 1.6))
 
     for plane in planes:

@@ -29,7 +29,8 @@ objectsOn (const pcl_ops::PlaneSegment& table,
   prism.setInputPlanarHull (hull);
   const Eigen::Vector3f sensor = cloud->sensor_origin_.head<3>();
   prism.setViewPoint (sensor.x(), sensor.y(), sensor.z());
-  prism.setHeightLimits (std::max (0.01, 4.0 * table.rms()), 0.5);
+  constexpr double min_height = 0.01, max_height = 0.5; // [m]
+  prism.setHeightLimits (std::max (min_height, 4.0 * table.rms()), max_height);
   pcl::PointIndices objects;
   prism.segment (objects);
   return objects;
@@ -50,9 +51,10 @@ main (int argc, char** argv)
   ops.setUpAxis (pcl_ops::cameraUp());
   // Merges parts of the table that clutter divides, even if far parts are bent by 1 cm.
   pcl_ops::MergingParameters merging;
-  merging.distance_threshold = 0.01;
+  merging.distance_threshold = 0.01; // [m]
   ops.setMergingParameters (merging);
-  for (int frame = 0; frame < 5; ++frame) {
+  constexpr int frames = 5; // the same cloud again and again, in place of a camera
+  for (int frame = 0; frame < frames; ++frame) {
     ops.setInputCloud (cloud);
     std::vector<pcl_ops::PlaneSegment> planes;
     if (!ops.segment (planes))

@@ -25,8 +25,9 @@ main (int argc, char** argv)
   // Pose of the sensor in the room: the true one, and the one that odometry gives.
   Eigen::Isometry3d truth = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d odometry = truth;
-  for (int i = 0; i < 5; ++i) {
-    const Cloud::Ptr frame (new Cloud);
+  constexpr int frames = 5;
+  for (int i = 0; i < frames; ++i) {
+    const Cloud::Ptr frame (new Cloud); // what the sensor sees: the room in its frame
     pcl::transformPointCloud (*room, *frame, truth.inverse().matrix().cast<float>());
     pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
     ops.setInputCloud (frame);
@@ -38,13 +39,14 @@ main (int argc, char** argv)
     std::printf ("frame %d, planes", i);
     for (const std::uint32_t number : numbers)
       std::printf (" %u", number);
-    const Eigen::AngleAxisd before (truth.linear().transpose() * odometry.linear());
-    const Eigen::AngleAxisd after (truth.linear().transpose() *
-                                   tracker.pose().linear());
+    const Eigen::AngleAxisd error_by_odometry (truth.linear().transpose() *
+                                               odometry.linear());
+    const Eigen::AngleAxisd error_by_planes (truth.linear().transpose() *
+                                             tracker.pose().linear());
     std::printf (
         "\n  the rotation is off by %.1f degrees by odometry, by %.1f by planes\n",
-        before.angle() * 180.0 / M_PI,
-        after.angle() * 180.0 / M_PI);
+        error_by_odometry.angle() * 180.0 / M_PI,
+        error_by_planes.angle() * 180.0 / M_PI);
 
     // The sensor moves forward and to the left, and turns by 0.1 rad. Odometry measures
     // only 0.08 rad.

@@ -29,8 +29,8 @@ main (int argc, char** argv)
 
   pcl_ops::PlaneFilter walls;
   walls.orientation = pcl_ops::Orientation::Vertical;
-  walls.min_area = 1.0;
-  walls.min_width = 0.5;
+  walls.min_area = 1.0;  // [m^2]
+  walls.min_width = 0.5; // [m]
   const pcl_ops::DroppedPlanes dropped = pcl_ops::filterPlanes (planes, walls, *cloud);
   std::printf ("%zu walls; left out: %zu not vertical, %zu too small, %zu too narrow\n",
                planes.size(),

@@ -8,7 +8,7 @@
 #include <boost/endian/arithmetic.hpp>
 
 #include "cloud_formats.h"
-#include "header_reader.h"
+#include "file_reader.h"
 #include "number_list.h"
 
 #include <algorithm>
@@ -23,62 +23,62 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief Whether a number may be a coordinate [m]. Bytes that mean something else
- * hardly ever pass; NaN fails. */
+/** \brief Whether a number may be a coordinate [m]. Bytes of something else, read as a
+ * number, are mostly much larger or smaller; NaN fails. */
 bool
 canBeCoordinate (float number)
 {
-  constexpr float farthest = 1e7f; // the largest northing of UTM
-  constexpr float nearest = 1e-9f;
-  const float size = std::abs (number);
-  return size == 0.0f || (size > nearest && size < farthest);
+  constexpr float largest = 1e7f;   // [m], the largest northing of UTM
+  constexpr float smallest = 1e-9f; // [m], far below what any sensor resolves
+  const float magnitude = std::abs (number);
+  return magnitude == 0.0f || (magnitude > smallest && magnitude < largest);
 }
 
 /** \brief Refuses a file in which most points have an impossible coordinate, as most
  * files called .bin that are no clouds. */
 void
-checkArePoints (const HeaderReader& reader, const FileCloud& cloud)
+checkArePoints (const FileReader& reader, const FileCloud& cloud)
 {
   std::size_t good = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    std::array<float, 3> place{};
+    std::array<float, 3> point{};
     std::memcpy (
-        place.data(), &cloud.points.data[i * cloud.points.point_step], sizeof (place));
-    good += std::all_of (place.begin(), place.end(), canBeCoordinate) ? 1 : 0;
+        point.data(), &cloud.points.data[i * cloud.points.point_step], sizeof (point));
+    good += std::all_of (point.begin(), point.end(), canBeCoordinate) ? 1 : 0;
   }
   if (2 * good < cloud.size())
     reader.fail ("most of its numbers are no coordinates in meters");
 }
 
-/** \brief Returns how much the mean sizes of the columns differ (largest minus
+/** \brief Returns by how much the mean absolute values of columns differ (largest minus
  * smallest) if the numbers are split into that many columns. It is near 0 if every
  * column mixes x, y and z. */
 double
 differenceOfColumns (const std::vector<float>& numbers, std::size_t columns)
 {
-  std::vector<double> sums (columns), counts (columns);
+  std::vector<double> sums (columns), counts (columns), means (columns);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (std::isfinite (numbers[i])) {
       sums[i % columns] += std::abs (numbers[i]);
       counts[i % columns] += 1.0;
     }
   for (std::size_t i = 0; i < columns; ++i)
-    sums[i] /= std::max (counts[i], 1.0);
-  const auto [least, most] = std::minmax_element (sums.begin(), sums.end());
-  return *most - *least;
+    means[i] = sums[i] / std::max (counts[i], 1.0);
+  const auto [smallest, largest] = std::minmax_element (means.begin(), means.end());
+  return *largest - *smallest;
 }
 
 /** \brief Refuses points that have only x, y and z: split into four columns, their
  * numbers mix and the columns are alike; split into three, they are not. */
 void
-refuseTriples (const HeaderReader& reader, const FileCloud& cloud)
+refuseTriples (const FileReader& reader, const FileCloud& cloud)
 {
-  constexpr std::size_t min_points = 100;
-  constexpr double likeness = 0.3;
+  constexpr std::size_t min_points = 100; // means of fewer differ by chance
+  constexpr double max_ratio = 0.3; // of the differences of four and three columns
   std::vector<float> numbers (cloud.points.data.size() / sizeof (float));
   std::memcpy (numbers.data(), cloud.points.data.data(), cloud.points.data.size());
   if (cloud.size() >= min_points && cloud.points.fields.size() == 4 &&
-      differenceOfColumns (numbers, 4) < likeness * differenceOfColumns (numbers, 3))
+      differenceOfColumns (numbers, 4) < max_ratio * differenceOfColumns (numbers, 3))
     reader.fail ("it seems to have three numbers for each point, not x, y, z and "
                  "intensity");
 }
@@ -87,23 +87,27 @@ refuseTriples (const HeaderReader& reader, const FileCloud& cloud)
 struct NpyHeader {
   /** \brief NumPy's name of the number type, e.g. <f4. */
   std::string type;
+  /** \brief Whether the first index is the fastest (Fortran), not the last (C). */
   bool is_fortran = false;
   std::vector<std::uint64_t> shape;
 };
 
-/** \brief Reads the Python literal that describes the array, without its spaces. */
+/** \brief Reads the Python literal that describes the array, without its spaces. It
+ * follows a signature of six bytes, the version in two bytes, and its length, in two
+ * bytes in version 1, in four in versions 2 and 3. */
 std::string
-readNpyLiteral (HeaderReader& reader)
+readNpyLiteral (FileReader& reader)
 {
-  constexpr std::uint32_t longest = 1U << 16U;
-  std::string start (std::min<std::uint64_t> (8, reader.fileSize()), '\0');
+  constexpr std::size_t start_size = 8, version_offset = 6;
+  constexpr std::uint32_t max_length = 1U << 16U;
+  std::string start (std::min<std::uint64_t> (start_size, reader.fileSize()), '\0');
   reader.read (start.data(), start.size());
   if (start.rfind ("\x93NUMPY", 0) != 0)
     reader.fail ("its first bytes are not \\x93NUMPY");
   boost::endian::little_uint32_t length = 0;
-  const bool is_long = start.size() == 8 && start[6] > 1; // version 2 or 3
+  const bool is_long = start.size() == start_size && start[version_offset] > 1;
   reader.read (&length, is_long ? 4 : 2);
-  if (length > longest)
+  if (length > max_length)
     reader.fail ("its header is longer than 64 KiB");
   std::string text (length, '\0');
   reader.read (text.data(), length);
@@ -112,35 +116,37 @@ readNpyLiteral (HeaderReader& reader)
 }
 
 NpyHeader
-readNpyHeader (HeaderReader& reader)
+readNpyHeader (FileReader& reader)
 {
   const std::string text = readNpyLiteral (reader);
-  // Skips one character behind the key, and returns the text from there up to `end`.
+  // Returns the text behind the key up to `end`, without its first character: a quote,
+  // a bracket, or the T or F of a truth value.
   const auto value_of = [&] (const std::string& key, char end) {
     const std::string before = "'" + key + "':";
-    const std::size_t begin = text.find (before);
+    const std::size_t found = text.find (before);
+    const std::size_t begin = found + before.size() + 1;
     const std::size_t stop =
-        begin == std::string::npos ? begin : text.find (end, begin + before.size() + 1);
+        found == std::string::npos ? found : text.find (end, begin);
     if (stop == std::string::npos)
       reader.fail ("its header has no " + key);
-    const std::size_t value = begin + before.size() + 1;
-    return text.substr (value, stop - value);
+    return text.substr (begin, stop - begin);
   };
   NpyHeader header;
   header.type = value_of ("descr", '\'');
-  header.is_fortran = value_of ("fortran_order", ',') == "rue"; // its T is skipped
+  header.is_fortran = value_of ("fortran_order", ',') == "rue"; // True
   const std::string shape = value_of ("shape", ')');
   std::vector<std::string_view> words;
   splitWords (shape, ',', words);
   for (const std::string_view word : words)
     if (!word.empty()) // empty behind the last comma
-      header.shape.push_back (reader.count ("its shape", std::string (word)));
+      header.shape.push_back (reader.parseCount ("its shape", std::string (word)));
   return header;
 }
 
-/** \return nullptr for a type that \ref NumberType lacks, or big endian */
+/** \param[in] name of the type in NumPy
+ * \return nullptr for a type that \ref NumberType lacks, or big endian */
 const NumberType*
-typeCalled (const std::string& name)
+numpyType (const std::string& name)
 {
   return findNumberType ([&] (const NumberType& type) {
     const char kind = type.kind == 'F' ? 'f' : type.kind == 'I' ? 'i' : 'u';
@@ -150,9 +156,9 @@ typeCalled (const std::string& name)
 }
 
 const NumberType&
-typeOf (const std::string& file, const NpyHeader& header)
+supportedType (const std::string& file, const NpyHeader& header)
 {
-  const NumberType* const type = typeCalled (header.type);
+  const NumberType* const type = numpyType (header.type);
   if (type == nullptr)
     throw WorkError (file,
                      "has no plain numbers that are little endian; save "
@@ -164,10 +170,11 @@ typeOf (const std::string& file, const NpyHeader& header)
 void
 refuseTransposed (const std::string& file, const std::vector<std::uint64_t>& shape)
 {
-  constexpr std::uint64_t usual_columns = 10; // coordinates, color, normal, intensity
-  if (shape.back() <= usual_columns)
+  constexpr std::uint64_t max_columns_of_points =
+      10; // x, y, z, color, normal, intensity
+  if (shape.back() <= max_columns_of_points)
     return;
-  if (shape.size() == 2 && shape[0] <= usual_columns)
+  if (shape.size() == 2 && shape[0] <= max_columns_of_points)
     throw WorkError (file,
                      "has an array of shape (" + std::to_string (shape[0]) + ", " +
                          std::to_string (shape[1]) +
@@ -183,12 +190,12 @@ refuseTransposed (const std::string& file, const std::vector<std::uint64_t>& sha
  * \throws WorkError unless the file has exactly the numbers of the shape */
 void
 declarePoints (const std::string& file,
-               HeaderReader& reader,
+               FileReader& reader,
                const NpyHeader& header,
                pcl::PCLPointCloud2& points)
 {
-  constexpr std::uint64_t most = std::numeric_limits<pcl::index_t>::max();
-  const NumberType& type = typeOf (file, header);
+  constexpr std::uint64_t max_points = std::numeric_limits<pcl::index_t>::max();
+  const NumberType& type = supportedType (file, header);
   const std::size_t dimensions = header.shape.size();
   const std::uint64_t columns = header.shape.empty() ? 0 : header.shape.back();
   if (dimensions < 2 || dimensions > 3 || columns < 3 || columns > max_columns)
@@ -200,8 +207,8 @@ declarePoints (const std::string& file,
   const std::uint64_t width = header.shape[dimensions - 2];
   if (width * height == 0)
     reader.failEmpty();
-  const std::uint64_t bytes = reader.fileSize() - reader.position();
-  if (width * height > most || width * height * columns > bytes / type.size)
+  const std::uint64_t bytes = reader.bytesLeft(); // of the numbers
+  if (width * height > max_points || width * height * columns > bytes / type.size)
     reader.failTruncated();
   if (width * height * columns * type.size != bytes)
     reader.fail ("it has more numbers than its shape says");
@@ -213,20 +220,22 @@ declarePoints (const std::string& file,
   points.height = static_cast<pcl::uindex_t> (height);
 }
 
-/** \brief Reorders the numbers of an array from Fortran order (first index fastest) to
- * C order (last index fastest). */
+/** \brief Returns the data of points whose numbers are in Fortran order, column by
+ * column, and in each column image column by image column, in the order of a cloud. */
 std::vector<std::uint8_t>
-fromFortran (const pcl::PCLPointCloud2& points)
+fromFortranOrder (const pcl::PCLPointCloud2& points)
 {
   std::vector<std::uint8_t> data (points.data.size());
   const std::size_t size = sizeOf (points);
   const std::size_t height = points.height;
-  const std::size_t length = points.point_step / points.fields.size();
+  const std::size_t number_size = points.point_step / points.fields.size();
   const std::uint8_t* from = points.data.data();
-  for (std::size_t column = 0; column < points.fields.size(); ++column)
-    for (std::size_t i = 0; i < size; ++i, from += length) {
-      const std::size_t point = i % height * points.width + i / height;
-      std::copy_n (from, length, &data[point * points.point_step + column * length]);
+  for (std::size_t field = 0; field < points.fields.size(); ++field)
+    for (std::size_t i = 0; i < size; ++i, from += number_size) {
+      const std::size_t row = i % height, column = i / height;
+      const std::size_t point = row * points.width + column;
+      std::copy_n (
+          from, number_size, &data[point * points.point_step + field * number_size]);
     }
   return data;
 }
@@ -236,7 +245,7 @@ fromFortran (const pcl::PCLPointCloud2& points)
 FileCloud
 readKitti (const std::string& file)
 {
-  HeaderReader reader (file, "KITTI");
+  FileReader reader (file, "KITTI");
   FileCloud cloud;
   for (const char* name : {"x", "y", "z", "intensity"})
     addField (name, PCLPointField::FLOAT32, cloud.points);
@@ -246,8 +255,8 @@ readKitti (const std::string& file)
   if (reader.fileSize() % step != 0)
     reader.fail ("its size is no multiple of the " + std::to_string (step) +
                  " bytes of a point");
-  cloud.points.width = static_cast<pcl::uindex_t> (
-      reader.count ("its number of points", std::to_string (reader.fileSize() / step)));
+  cloud.points.width = static_cast<pcl::uindex_t> (reader.parseCount (
+      "its number of points", std::to_string (reader.fileSize() / step)));
   cloud.points.height = 1;
   cloud.points.data.resize (reader.fileSize());
   reader.read (cloud.points.data.data(), cloud.points.data.size());
@@ -259,23 +268,23 @@ readKitti (const std::string& file)
 FileCloud
 readNpy (const std::string& file)
 {
-  HeaderReader reader (file, "NumPy");
+  FileReader reader (file, "NumPy");
   FileCloud cloud;
   const NpyHeader header = readNpyHeader (reader);
   declarePoints (file, reader, header, cloud.points);
   cloud.points.data.resize (cloud.size() * cloud.points.point_step);
   reader.read (cloud.points.data.data(), cloud.points.data.size());
   if (header.is_fortran)
-    cloud.points.data = fromFortran (cloud.points);
+    cloud.points.data = fromFortranOrder (cloud.points);
   return cloud;
 }
 
 std::vector<double>
 readNpyNumbers (const std::string& file)
 {
-  HeaderReader reader (file, "NumPy");
+  FileReader reader (file, "NumPy");
   const NpyHeader header = readNpyHeader (reader);
-  const NumberType& type = typeOf (file, header);
+  const NumberType& type = supportedType (file, header);
   const std::vector<std::uint64_t>& shape = header.shape;
   const bool is_list =
       shape.size() == 1 || (shape.size() == 2 && (shape[0] == 1 || shape[1] == 1));
@@ -284,7 +293,7 @@ readNpyNumbers (const std::string& file)
                      "has an array of another shape than (N,); save a number for each "
                      "point");
   const std::uint64_t count = *std::max_element (shape.begin(), shape.end());
-  const std::uint64_t bytes = reader.fileSize() - reader.position();
+  const std::uint64_t bytes = reader.bytesLeft();
   if (count > bytes / type.size)
     reader.failTruncated();
   if (count * type.size != bytes)

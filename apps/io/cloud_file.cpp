@@ -5,7 +5,7 @@
 #include <pcl/common/io.h>
 
 #include "cloud_formats.h"
-#include "header_reader.h"
+#include "file_reader.h"
 #include "inputs.h"
 #include "las_file.h"
 #include "output_file.h"
@@ -59,40 +59,59 @@ refuseIfc (const std::string& file)
                    "CloudCompare");
 }
 
+/** \brief Whether a file of a format is taken for a cloud where a folder is given (\ref
+ * isCloudFile). */
+enum class InFolder { Taken, LeftOut };
+
+/** \brief What clouds of a format come from: a survey has no pose
+ * (FileCloud::is_survey).
+ */
+enum class Origin { Sensor, Survey };
+
+/** \brief Whether messages name the extension. They do if every build reads it. */
+enum class InMessages { Named, LeftOut };
+
 struct Format {
   const char* extension;
   FileCloud (*read) (const std::string& file);
-  /** \brief The result of \ref isCloudFile. */
-  bool is_cloud_file;
-  /** \brief The value of FileCloud::is_survey. */
-  bool is_survey;
-  /** \brief Whether messages name the extension: every build reads it. */
-  bool is_named = true;
+  InFolder in_folder;
+  Origin origin = Origin::Sensor;
+  InMessages in_messages = InMessages::Named;
+
+  bool
+  isNamed () const
+  {
+    return in_messages == InMessages::Named;
+  }
 };
 
 const std::vector<Format>&
 allFormats ()
 {
+  constexpr InFolder taken = InFolder::Taken, left_out = InFolder::LeftOut;
+  constexpr Origin sensor = Origin::Sensor, survey = Origin::Survey;
+  constexpr InMessages unnamed = InMessages::LeftOut;
+  const InFolder taken_with_laszip = hasLaszip() ? taken : left_out;
   static const std::vector<Format> formats = {
-      {".pcd", readPcd, true, false},
-      {".ply", readPly, true, false},
-      {".las", readLas, true, true},
-      {".laz", readLas, hasLaszip(), true, false},
-      {".ptx", readPtx, true, false},
-      {".xyz", readTextCloud, true, true},
-      {".xyzrgb", readTextCloud, true, true},
-      {".pts", readTextCloud, true, true},
-      {".asc", readTextCloud, true, true},
-      {".txt", readTextCloud, false, true},
-      {".csv", readTextCloud, false, true},
-      {".bin", readKitti, true, false},
-      {".npy", readNpy, false, false},
-      {".off", readOff, false, true},
-      {".obj", readObj, false, true},
-      {".e57", refuseE57, false, false, false},
-      {".rcp", refuseRecap, false, false, false},
-      {".rcs", refuseRecap, false, false, false},
-      {".ifc", refuseIfc, false, false, false}};
+      {".pcd", readPcd, taken, sensor},
+      {".ply", readPly, taken, sensor},
+      {".las", readLas, taken, survey},
+      {".laz", readLas, taken_with_laszip, survey, unnamed},
+      {".ptx", readPtx, taken, sensor},
+      {".xyz", readTextCloud, taken, survey},
+      {".xyzrgb", readTextCloud, taken, survey},
+      {".pts", readTextCloud, taken, survey},
+      {".asc", readTextCloud, taken, survey},
+      {".txt", readTextCloud, left_out, survey},
+      {".csv", readTextCloud, left_out, survey},
+      {".bin", readKitti, taken, sensor},
+      {".npy", readNpy, left_out, sensor},
+      {".off", readOff, left_out, survey},
+      {".obj", readObj, left_out, survey},
+      {".e57", refuseE57, left_out, sensor, unnamed},
+      {".rcp", refuseRecap, left_out, sensor, unnamed},
+      {".rcs", refuseRecap, left_out, sensor, unnamed},
+      {".ifc", refuseIfc, left_out, sensor, unnamed}};
   return formats;
 }
 
@@ -111,20 +130,20 @@ formatOf (const std::string& file)
 std::string
 listOf (const std::function<bool (const Format&)>& is_wanted)
 {
-  std::string list;
+  std::string all_but_last;
   std::string last;
   for (const Format& format : allFormats())
     if (is_wanted (format)) {
-      list += (list.empty() || last.empty() ? "" : ", ") + last;
+      all_but_last += (all_but_last.empty() || last.empty() ? "" : ", ") + last;
       last = format.extension;
     }
-  return list + " or " + last;
+  return all_but_last + " or " + last;
 }
 
 /** \brief Reads the standard input until the buffer is full or the input ends.
  * \return number of bytes read */
 std::size_t
-readInput (std::vector<char>& buffer)
+readStandardInput (std::vector<char>& buffer)
 {
   std::size_t filled = 0;
   while (filled < buffer.size()) {
@@ -144,13 +163,13 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
-/** \brief Returns the extension of a format that is recognized by its first bytes;
+/** \brief Returns the extension of a format that has a signature, its first bytes;
  * empty for other formats. */
 std::string
-extensionOfBinary (const std::string& start)
+extensionOfSignature (const std::string& start)
 {
-  const auto begins_with = [&start] (const char* mark) {
-    return start.rfind (mark, 0) == 0;
+  const auto begins_with = [&start] (const char* signature) {
+    return start.rfind (signature, 0) == 0;
   };
   if (begins_with ("LASF"))
     return ".las";
@@ -163,14 +182,15 @@ extensionOfBinary (const std::string& start)
   return "";
 }
 
-/** \brief Returns the extension of a text format, or of PCD, by the first word that is
- * no number and in no comment. */
+/** \brief Returns the extension of a text format, or of PCD, by the first word of the
+ * first line that is neither a comment nor a single number. */
 std::string
 extensionOfWord (const std::string& word)
 {
+  constexpr std::size_t max_letters_before_off = 2; // COFF, NOFF, CNOFF
   if (word == "ply")
     return ".ply";
-  if (word.find ("OFF") < 3)
+  if (word.find ("OFF") <= max_letters_before_off)
     return ".off";
   const auto first = static_cast<unsigned char> (word[0]);
   return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
@@ -178,31 +198,31 @@ extensionOfWord (const std::string& word)
 
 /** \brief Returns the extension of the format of a cloud, by its first bytes. KITTI's
  * .bin and .obj cannot be recognized.
- * \param[in] start of the cloud, as long as the longest header */
+ * \param[in] start of the file, as long as the longest header */
 std::string
 extensionOfContent (const std::string& start)
 {
-  const std::string of_binary = extensionOfBinary (start);
-  if (!of_binary.empty())
-    return of_binary;
+  const std::string of_signature = extensionOfSignature (start);
+  if (!of_signature.empty())
+    return of_signature;
   std::istringstream lines (start);
   std::string line;
   std::vector<std::string_view> words;
-  bool is_behind_number = false;
+  bool follows_number = false;
   while (std::getline (lines, line)) {
     splitWords (line, ' ', words);
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string word (words[0]);
     const auto first = static_cast<unsigned char> (word[0]);
-    const bool is_number = words.size() == 1 && std::isdigit (first) != 0;
-    if (!is_number)
+    const bool is_one_number = words.size() == 1 && std::isdigit (first) != 0;
+    if (!is_one_number)
       return extensionOfWord (word);
-    if (is_behind_number) // a line with the columns, one with the rows
+    if (follows_number) // a line with the columns, one with the rows
       return ".ptx";
-    is_behind_number = true;
+    follows_number = true;
   }
-  return is_behind_number ? ".xyz" : ".pcd";
+  return follows_number ? ".xyz" : ".pcd";
 }
 
 pcl::PCLPointField
@@ -223,15 +243,34 @@ fieldOf (const std::string& name,
 void
 nameCoordinates (pcl::PCLPointCloud2& points)
 {
-  const std::pair<const char*, const char*> names[] = {
-      {"x", "X"}, {"y", "Y"}, {"z", "Z"}};
-  for (const auto& [name, capital] : names)
+  struct Axis {
+    const char *name, *capital;
+  };
+  for (const auto& [name, capital] : {Axis{"x", "X"}, Axis{"y", "Y"}, Axis{"z", "Z"}})
     if (pcl::getFieldIndex (points, name) < 0)
       for (pcl::PCLPointField& field : points.fields)
         if (field.name == capital)
           field.name = name;
 }
 
+/** \brief Sets an invalid origin to zero and an invalid orientation to the identity,
+ * and normalizes a valid one. */
+void
+repairPose (FileCloud& cloud)
+{
+  // A quaternion written in single precision stays unchanged.
+  constexpr double rounding = 1e-6;
+  if (!cloud.origin.allFinite())
+    cloud.origin.setZero();
+  const double norm = cloud.orientation.norm();
+  if (!std::isfinite (norm) || norm <= 0.0)
+    cloud.orientation.setIdentity();
+  else if (std::abs (norm - 1.0) > rounding)
+    cloud.orientation.normalize();
+}
+
+/** \brief Returns \p count points of a cloud from index \p first on, with the changes
+ * of \p set_fields. */
 FileCloud
 partOf (const FileCloud& cloud,
         std::size_t first,
@@ -252,22 +291,23 @@ partOf (const FileCloud& cloud,
 std::string
 cloudFileKinds ()
 {
-  return "a " + listOf ([] (const Format& format) { return format.is_named; }) +
+  return "a " + listOf ([] (const Format& format) { return format.isNamed(); }) +
          " file";
 }
 
 std::string
 folderExtensions ()
 {
-  return listOf (
-      [] (const Format& format) { return format.is_cloud_file && format.is_named; });
+  return listOf ([] (const Format& format) {
+    return format.in_folder == InFolder::Taken && format.isNamed();
+  });
 }
 
 bool
 isCloudFile (const std::string& file)
 {
   const Format* const format = formatOf (file);
-  return format != nullptr && format->is_cloud_file;
+  return format != nullptr && format->in_folder == InFolder::Taken;
 }
 
 bool
@@ -287,7 +327,8 @@ loadCloud (const std::string& file)
     throw UsageError (file, "has an unknown extension; give " + cloudFileKinds());
   checkReadable (file, cloudFileKinds());
   std::ifstream stream (file, std::ios::binary);
-  if (stream.get() == 0x1f && stream.get() == 0x8b)
+  constexpr int gzip_mark[] = {0x1f, 0x8b};
+  if (stream.get() == gzip_mark[0] && stream.get() == gzip_mark[1])
     throw gzip;
   FileCloud cloud = format->read (file);
   nameCoordinates (cloud.points);
@@ -297,16 +338,8 @@ loadCloud (const std::string& file)
                        std::string ("has no field ") + axis +
                            "; give a cloud with x, y and z");
   cloud.points.row_step = cloud.points.point_step * cloud.points.width;
-  if (!cloud.origin.allFinite())
-    cloud.origin.setZero();
-  constexpr double rounding =
-      1e-6; // a quaternion written in single precision stays unchanged
-  const double norm = cloud.orientation.norm();
-  if (!std::isfinite (norm) || norm <= 0.0)
-    cloud.orientation.setIdentity();
-  else if (std::abs (norm - 1.0) > rounding)
-    cloud.orientation.normalize();
-  cloud.is_survey = format->is_survey;
+  repairPose (cloud);
+  cloud.is_survey = format->origin == Origin::Survey;
   return cloud;
 }
 
@@ -324,15 +357,15 @@ emptyLike (const FileCloud& cloud, std::size_t size)
 void
 saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set_fields)
 {
-  constexpr std::size_t block = 1U << 14U;
+  constexpr std::size_t points_in_block = 1U << 14U;
   const bool is_ply = extensionOf (file) == ".ply";
   writeFile (file, [&] (std::ostream& stream) {
     FileCloud header = partOf (cloud, 0, 0, set_fields);
     header.points.width = cloud.points.width;
     header.points.height = cloud.points.height;
     stream << (is_ply ? plyHeader (header.points) : pcdHeader (header));
-    for (std::size_t i = 0; i < cloud.size() && stream; i += block) {
-      const std::size_t count = std::min (block, cloud.size() - i);
+    for (std::size_t i = 0; i < cloud.size() && stream; i += points_in_block) {
+      const std::size_t count = std::min (points_in_block, cloud.size() - i);
       const FileCloud part = partOf (cloud, i, count, set_fields);
       if (is_ply)
         stream << plyVertices (part.points);
@@ -346,19 +379,19 @@ saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set
 FileCloud
 loadStandardInput ()
 {
-  constexpr std::size_t buffer_size = 1U << 20U;
+  constexpr std::size_t buffer_size = 1U << 20U; // as the longest header
   if (::isatty (STDIN_FILENO) == 1)
     throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
   std::vector<char> buffer (buffer_size);
-  std::size_t count = readInput (buffer);
-  const Spool spool (extensionOfContent (std::string (buffer.data(), count)),
-                     standard_input);
-  spool.fill ([&] (std::ostream& stream) {
-    for (; count > 0 && stream; count = readInput (buffer))
+  std::size_t count = readStandardInput (buffer);
+  const TemporaryFile temporary (
+      extensionOfContent (std::string (buffer.data(), count)), standard_input);
+  temporary.fill ([&] (std::ostream& stream) {
+    for (; count > 0 && stream; count = readStandardInput (buffer))
       stream.write (buffer.data(), static_cast<std::streamsize> (count));
   });
   try {
-    return loadCloud (spool.name());
+    return loadCloud (temporary.name());
   }
   catch (const WorkError& error) {
     throw WorkError (standard_input, error.problem);
@@ -382,42 +415,45 @@ hasField (const FileCloud& cloud, const std::string& name)
 }
 
 void
-setField (FileCloud& file_cloud,
+setField (FileCloud& cloud,
           const std::string& name,
           std::uint8_t datatype,
           const void* values,
           const std::string& before)
 {
-  constexpr pcl::uindex_t size = 4;
-  pcl::PCLPointCloud2& cloud = file_cloud.points;
-  const int known = pcl::getFieldIndex (cloud, name);
-  const int next = known < 0 ? pcl::getFieldIndex (cloud, before) : known;
-  const std::size_t place =
-      next < 0 ? cloud.fields.size() : static_cast<std::size_t> (next);
-  const auto start_of = [&] (std::size_t field) {
-    return field < cloud.fields.size() ? cloud.fields[field].offset : cloud.point_step;
+  constexpr pcl::uindex_t length = 4; // of the field [bytes]
+  pcl::PCLPointCloud2& points = cloud.points;
+  const int replaced = pcl::getFieldIndex (points, name);
+  const bool is_new = replaced < 0;
+  const int next = is_new ? pcl::getFieldIndex (points, before) : replaced;
+  const std::size_t index =
+      next < 0 ? points.fields.size() : static_cast<std::size_t> (next);
+  const auto offset_of = [&] (std::size_t i) {
+    return i < points.fields.size() ? points.fields[i].offset : points.point_step;
   };
-  const pcl::uindex_t begin = start_of (place);
-  const pcl::uindex_t end = known < 0 ? begin : start_of (place + 1);
-  const pcl::uindex_t step = cloud.point_step - (end - begin) + size;
+  // The field replaces the bytes of a point from begin to end.
+  const pcl::uindex_t begin = offset_of (index);
+  const pcl::uindex_t end = is_new ? begin : offset_of (index + 1);
+  const pcl::uindex_t step = points.point_step - (end - begin) + length;
 
-  std::vector<std::uint8_t> bytes (file_cloud.size() * step);
+  std::vector<std::uint8_t> bytes (cloud.size() * step);
   std::uint8_t* out = bytes.data();
-  for (std::size_t i = 0; i < file_cloud.size(); ++i) {
-    const std::uint8_t* const point = cloud.data.data() + i * cloud.point_step;
+  const auto* value = static_cast<const std::uint8_t*> (values);
+  for (std::size_t i = 0; i < cloud.size(); ++i, value += length) {
+    const std::uint8_t* const point = points.data.data() + i * points.point_step;
     out = std::copy_n (point, begin, out);
-    out = std::copy_n (static_cast<const std::uint8_t*> (values) + i * size, size, out);
-    out = std::copy (point + end, point + cloud.point_step, out);
+    out = std::copy_n (value, length, out);
+    out = std::copy (point + end, point + points.point_step, out);
   }
-  if (known < 0)
-    cloud.fields.insert (cloud.fields.begin() + static_cast<std::ptrdiff_t> (place),
-                         pcl::PCLPointField());
-  cloud.fields[place] = fieldOf (name, begin, datatype, 1);
-  for (std::size_t i = place + 1; i < cloud.fields.size(); ++i)
-    cloud.fields[i].offset = begin + size + (cloud.fields[i].offset - end);
-  cloud.data = std::move (bytes);
-  cloud.point_step = step;
-  cloud.row_step = step * cloud.width;
+  if (is_new)
+    points.fields.insert (points.fields.begin() + static_cast<std::ptrdiff_t> (index),
+                          pcl::PCLPointField());
+  points.fields[index] = fieldOf (name, begin, datatype, 1);
+  for (std::size_t i = index + 1; i < points.fields.size(); ++i)
+    points.fields[i].offset = begin + length + (points.fields[i].offset - end);
+  points.data = std::move (bytes);
+  points.point_step = step;
+  points.row_step = step * points.width;
 }
 
 } // namespace pcl_ops::apps

@@ -22,7 +22,7 @@ struct LasFile;
 struct Scan {
   std::size_t first;
   /** \brief The position of the scanner, in the common frame of all scans. */
-  Eigen::Vector3d place;
+  Eigen::Vector3d position;
 };
 
 /** \brief Lists the extensions of \ref loadCloud for messages: "a .pcd, ... or .obj
@@ -89,8 +89,10 @@ loadCloud (const std::string& file);
 FileCloud
 emptyLike (const FileCloud& cloud, std::size_t size);
 
-/** \brief Sets or changes fields of \p part, a copy of the points of a cloud from index
- * \p first on. It is also called with an empty \p part, for the header of a file. */
+/** \brief Sets or changes fields of \p part, a copy of some points of a cloud: those
+ * from index \p first on. It is also called with an empty \p part, for the header of a
+ * file.
+ */
 using SetFields = std::function<void (FileCloud& part, std::size_t first)>;
 
 /** \brief Writes a .ply (\ref plyHeader), or for any other extension a binary PCD, by
@@ -128,8 +130,9 @@ bool
 hasField (const FileCloud& cloud, const std::string& name);
 
 /** \brief Sets a field of four bytes of every point. It replaces the field of its name,
- * with any padding up to the next field; else it goes in front of the field called
- * \p before, else to the end.
+ * with any padding up to the next field. If there is none, it goes in front of the
+ * field called \p before, or to the end if there is none of that name either.
+ * \param[in] datatype a type of pcl::PCLPointField
  * \param[in] values four bytes for each point */
 void
 setField (FileCloud& cloud,

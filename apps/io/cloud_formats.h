@@ -18,7 +18,7 @@ isPcdKey (const std::string& word);
 FileCloud
 readPcd (const std::string& file);
 
-/** \brief Returns the header of a binary PCD; \p cloud.points.data can follow it
+/** \brief Returns the header of a binary PCD, which FileCloud::points.data follows
  * unchanged. */
 std::string
 pcdHeader (const FileCloud& cloud);

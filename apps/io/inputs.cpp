@@ -25,6 +25,7 @@ isPattern (const std::string& name)
   return name.find_first_of ("*?[") != std::string::npos;
 }
 
+/** \brief Adds the clouds in a folder, sorted. */
 void
 addFolder (const std::string& folder, InputFiles& found)
 {
@@ -67,6 +68,7 @@ addPattern (const std::string& pattern, InputFiles& found)
   ::globfree (&matches);
 }
 
+/** \brief Adds what a name given by the user stands for. */
 void
 addName (const std::string& name, InputFiles& found)
 {

@@ -35,9 +35,9 @@ saveLabeledPcd (const std::string& file,
   points.height = cloud.height;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const pcl::PointXYZL& point = cloud[i];
-    const auto* const place = reinterpret_cast<const std::uint8_t*> (point.data);
+    const auto* const xyz = reinterpret_cast<const std::uint8_t*> (point.data);
     const auto* const label = reinterpret_cast<const std::uint8_t*> (&point.label);
-    points.data.insert (points.data.end(), place, place + 3 * sizeof (float));
+    points.data.insert (points.data.end(), xyz, xyz + 3 * sizeof (float));
     points.data.insert (points.data.end(), label, label + sizeof (point.label));
     if (!is_ignored.empty())
       points.data.push_back (std::uint8_t (is_ignored[i]));

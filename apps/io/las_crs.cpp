@@ -5,41 +5,35 @@
 #include "las_unit.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <regex>
 
 namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Returns the value of a GeoTIFF key that is stored in the directory itself; 0
- * if there is no such key. */
+/** \brief Returns the value of the GeoTIFF key with the id \p wanted; 0 if there is no
+ * such key, or its value is not in the directory.
+ * \param[in] directory content of the VLR with GeoTIFF keys */
 std::uint16_t
-shortKey (const std::string& directory, std::uint16_t wanted)
+valueOfKey (const std::string& directory, std::uint16_t wanted)
 {
-  // An entry: the key, where its value is (0: in the entry), the number of values, the
-  // value. The first entry has the version and the number of keys.
-  using Entry = std::array<LasHeader::Short, 4>;
-  for (std::size_t at = sizeof (Entry); at + sizeof (Entry) <= directory.size();
-       at += sizeof (Entry)) {
-    Entry entry;
-    std::memcpy (&entry, &directory[at], sizeof (entry));
-    if (entry[0] == wanted && entry[1] == 0)
-      return entry[3];
-  }
+  for (const GeoKey& key : geoKeysIn (directory))
+    if (key.id == wanted && key.location == 0)
+      return key.value;
   return 0;
 }
 
+/** \brief Returns the reference system as \ref crsOf does. */
 std::string
 crsInKeys (const std::string& directory)
 {
-  constexpr std::uint16_t projected = 3072;
-  constexpr std::uint16_t geographic = 2048;
+  // Ids of keys, whose values are EPSG numbers of reference systems, and a value.
+  constexpr std::uint16_t projected_id = 3072;
+  constexpr std::uint16_t geographic_id = 2048;
   constexpr std::uint16_t user_defined = 32767;
   // A file with a projected system may name its geographic base, too.
-  for (const std::uint16_t key : {projected, geographic}) {
-    const std::uint16_t number = shortKey (directory, key);
+  for (const std::uint16_t id : {projected_id, geographic_id}) {
+    const std::uint16_t number = valueOfKey (directory, id);
     if (number == user_defined)
       return "";
     if (number != 0)
@@ -54,16 +48,17 @@ std::string
 crsInWkt (const std::string& text)
 {
   // The EPSG number ends the text of a system; a vertical system may follow.
-  static const std::regex last (
+  static const std::regex epsg_at_end (
       R"re((AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?([0-9]{1,7})"?\s*\]\s*\]\s*,?\s*$)re");
   std::string system = text.substr (0, text.find ("VERT"));
   while (!system.empty() && system.back() == '\0')
     system.pop_back();
-  constexpr std::size_t enough = 100;
+  constexpr std::size_t max_searched =
+      100; // letters; the number and what follows are shorter
   const std::string end =
-      system.substr (system.size() - std::min (enough, system.size()));
+      system.substr (system.size() - std::min (max_searched, system.size()));
   std::smatch found;
-  return std::regex_search (end, found, last) ? "EPSG:" + found[2].str() : "";
+  return std::regex_search (end, found, epsg_at_end) ? "EPSG:" + found[2].str() : "";
 }
 
 std::string
@@ -80,7 +75,7 @@ crsOf (LasFile& las)
 double
 unitsInMeter (LasFile& las)
 {
-  constexpr double foot = 0.3048; // [m]; the US survey foot is 2 ppm longer
+  constexpr double foot = 0.3048; // [m], international; the US foot is 2 ppm longer
   return unitOf (las) == LasUnit::Foot ? 1.0 / foot : 1.0;
 }
 

@@ -20,45 +20,53 @@ namespace {
 
 using pcl::PCLPointField;
 
+/** \brief Bytes of a field that is written: all have 32 bits. */
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
-/** \brief The values that are read from a record, in the order of the fields. */
-struct Point {
-  Eigen::Vector3d place;
+constexpr std::uint64_t max_uint16 = std::numeric_limits<std::uint16_t>::max();
+constexpr std::uint64_t max_uint32 = std::numeric_limits<std::uint32_t>::max();
+
+/** \brief A point of \ref LasFile::readPoints, in its byte layout. Clouds without
+ * labels end in front of the label. */
+struct PackedPoint {
+  Eigen::Vector3d position;
   float intensity;
   std::uint32_t label;
 };
 
+/** \brief Calls \p visit with a pointer to each point record, in their order. */
 template <typename Visit>
 void
 forRecords (LasFile& las, Visit&& visit)
 {
-  constexpr std::uint64_t block = 1U << 14U;
+  constexpr std::uint64_t records_in_block = 1U << 14U;
+  const std::uint64_t record_length = las.header.record_length;
+  const std::uint64_t block_length = records_in_block * record_length;
   const std::uint64_t end = las.header.pointsEnd();
-  const std::uint64_t length = las.header.record_length;
-  for (std::uint64_t at = las.header.points_offset; at < end; at += block * length) {
-    const std::string records = las.bytes (at, std::min (end, at + block * length));
-    for (std::size_t i = 0; i < records.size(); i += length)
+  for (std::uint64_t begin = las.header.points_offset; begin < end;
+       begin += block_length) {
+    const std::string records = las.bytes (begin, std::min (end, begin + block_length));
+    for (std::size_t i = 0; i < records.size(); i += record_length)
       visit (&records[i]);
   }
 }
 
 Eigen::Vector3d
-placeIn (const char* record, const LasFile& las)
+positionIn (const char* record, const LasFile& las)
 {
   const auto& point = *reinterpret_cast<const LasPoint*> (record);
   const Eigen::Vector3d raw (point.raw[0], point.raw[1], point.raw[2]);
   return raw.cwiseProduct (las.scale) + las.offset;
 }
 
-/** \brief Returns the offset in a record [bytes] of the field with this name and type.
- */
+/** \brief Returns the offset in a record [bytes] of the field with the name and type of
+ * \p field, if the file has one. */
 std::optional<std::uint64_t>
-placeOf (const LasField& field, const LasFile& las)
+offsetOf (const LasField& field, const LasFile& las)
 {
   for (const LasField& described : las.fields)
     if (described.name == field.name && described.type == field.type)
-      return described.place;
+      return described.offset;
   return {};
 }
 
@@ -67,16 +75,19 @@ placeOf (const LasField& field, const LasFile& las)
 std::string
 descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
 {
-  const std::uint64_t unknown = las.header.record_length - las.fields_end;
   // One description per byte: CloudCompare counts several undocumented bytes as one
   // (LasExtraScalarField::elementSize) and then reads later fields at wrong offsets.
-  constexpr std::uint64_t max_single = 64;
-  constexpr std::uint64_t longest = 255;
+  // More than 64 bytes, whose descriptions would be long, get as few as possible.
+  constexpr std::uint64_t max_described_one_by_one = 64;
+  constexpr std::uint64_t most_in_description =
+      std::numeric_limits<std::uint8_t>::max();
+  const std::uint64_t unknown = las.header.record_length - las.fields_end;
+  const std::uint64_t in_each =
+      unknown > max_described_one_by_one ? most_in_description : 1;
   std::string bytes;
   for (std::uint64_t left = unknown; left > 0;) {
     LasField undocumented;
-    undocumented.options =
-        std::uint8_t (unknown > max_single ? std::min (left, longest) : 1);
+    undocumented.options = std::uint8_t (std::min (left, in_each));
     bytes += descriptionOf (undocumented);
     left -= undocumented.options;
   }
@@ -85,68 +96,70 @@ descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
   return bytes;
 }
 
-/** \brief Returns the bytes in front of the points of a copy whose records have further
- * fields. */
+/** \brief Returns the bytes in front of the points of a copy whose records end with
+ * further fields. */
 std::string
-frontWith (const std::vector<LasField>& fields, LasFile& las)
+frontWith (const std::vector<LasField>& added, LasFile& las)
 {
   const LasHeader& header = las.header;
   std::string front = las.bytes (0, header.points_offset);
-  if (fields.empty())
+  if (added.empty())
     return front;
-  const std::uint64_t length = fields.size() * field_length;
-  const std::string description = descriptionsOf (fields, las);
+  const std::uint64_t added_length = added.size() * field_length;
+  const std::string descriptions = descriptionsOf (added, las);
   LasHeader copy = header;
-  copy.record_length = static_cast<std::uint16_t> (header.record_length + length);
+  copy.record_length = static_cast<std::uint16_t> (header.record_length + added_length);
   if (las.extra_bytes) {
-    const std::uint64_t size = las.extra_bytes->size() + description.size();
-    auto& vlr = reinterpret_cast<LasShortVlrHeader&> (front[las.extra_bytes->begin]);
-    vlr.length = static_cast<std::uint16_t> (size);
-    front.insert (las.extra_bytes->end, description);
+    const std::uint64_t size = las.extra_bytes->contentSize() + descriptions.size();
+    auto& vlr = reinterpret_cast<LasStandardVlrHeader&> (front[las.extra_bytes->begin]);
+    vlr.content_length = static_cast<std::uint16_t> (size);
+    front.insert (las.extra_bytes->end, descriptions);
   }
   else {
     ++copy.vlr_count;
-    front.insert (las.vlrs_end, extraBytesVlr (description, header.minor_version));
+    front.insert (las.vlrs_end, extraBytesVlr (descriptions, header.minor_version));
   }
-  const std::uint64_t end = front.size() + las.size() * copy.record_length;
-  las.putHeader (copy, header.pointsEnd(), end, front);
+  const std::uint64_t copy_points_end = front.size() + las.size() * copy.record_length;
+  las.replaceHeader (copy, header.pointsEnd(), copy_points_end, front);
   return front;
 }
 
+/** \brief Writes the file with \p columns, uncompressed. */
 void
 writeWith (const std::vector<LasColumn>& columns, LasFile& las, std::ostream& stream)
 {
   std::vector<LasField> added;
-  std::vector<std::uint64_t> places;
-  std::uint64_t length = las.header.record_length;
-  for (const auto& [field, bits] : columns) {
-    const std::optional<std::uint64_t> place = placeOf (field, las);
-    places.push_back (place.value_or (length));
-    if (place)
+  std::vector<std::uint64_t> offsets; // in a record, of each column
+  std::uint64_t copy_length = las.header.record_length;
+  for (const LasColumn& column : columns) {
+    const std::optional<std::uint64_t> known = offsetOf (column.field, las);
+    offsets.push_back (known.value_or (copy_length));
+    if (known)
       continue;
-    added.push_back (field);
-    length += field_length;
+    added.push_back (column.field);
+    copy_length += field_length;
   }
   stream << frontWith (added, las);
-  constexpr std::size_t block = 1U << 16U;
+  constexpr std::size_t buffer_size = 1U << 16U;
   std::string records;
   forRecords (las, [&] (const char* record) {
     const std::size_t begin = records.size();
     records.append (record, las.header.record_length);
-    records.resize (begin + length);
-    const Eigen::Vector3d place = placeIn (record, las);
+    records.resize (begin + copy_length);
+    const Eigen::Vector3d position = positionIn (record, las);
     for (std::size_t i = 0; i < columns.size(); ++i)
-      reinterpret_cast<LasHeader::Long&> (records[begin + places[i]]) =
-          columns[i].second (place);
-    if (records.size() < block)
+      reinterpret_cast<LasHeader::UInt32&> (records[begin + offsets[i]]) =
+          columns[i].next_value (position);
+    if (records.size() < buffer_size)
       return;
     stream << records;
     records.clear();
   });
   stream << records;
-  las.copyRest (las.header.pointsEnd(), stream);
+  las.copyFrom (las.header.pointsEnd(), stream);
 }
 
+/** \brief Returns the header of \ref saveLas, but for the offset to the points. */
 LasHeader
 headerOf (const std::vector<LasPoint>& points,
           double scale,
@@ -156,21 +169,21 @@ headerOf (const std::vector<LasPoint>& points,
   header.signature = {'L', 'A', 'S', 'F'};
   header.major_version = 1;
   header.minor_version = 2;
-  std::strcpy (header.software.data(), "pcl_ops");
-  header.size = 227;
+  std::strcpy (header.generating_software.data(), "pcl_ops");
+  header.header_size = las_1_2_header_size;
   header.vlr_count = 1;
   header.record_length = sizeof (LasPoint);
-  header.legacy_points = static_cast<std::uint32_t> (points.size());
-  header.legacy_points_by_return[0] = header.legacy_points;
-  Eigen::AlignedBox<std::int32_t, 3> box;
+  header.legacy_point_count = static_cast<std::uint32_t> (points.size());
+  header.legacy_point_counts_by_return[0] = header.legacy_point_count;
+  Eigen::AlignedBox<std::int32_t, 3> raw_box;
   for (const LasPoint& point : points)
-    box.extend (Eigen::Vector3i (point.raw[0], point.raw[1], point.raw[2]));
+    raw_box.extend (Eigen::Vector3i (point.raw[0], point.raw[1], point.raw[2]));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index> (axis);
     header.scale.at (axis) = scale;
     header.offset.at (axis) = offset[i];
-    header.bounds.at (2 * axis) = box.max()[i] * scale + offset[i];
-    header.bounds.at (2 * axis + 1) = box.min()[i] * scale + offset[i];
+    header.bounds.at (2 * axis) = raw_box.max()[i] * scale + offset[i];
+    header.bounds.at (2 * axis + 1) = raw_box.min()[i] * scale + offset[i];
   }
   return header;
 }
@@ -184,56 +197,57 @@ LasFile::readPoints()
   for (const char* axis : {"x", "y", "z"})
     addField (axis, PCLPointField::FLOAT64, cloud);
   addField ("intensity", PCLPointField::FLOAT32, cloud);
-  const std::optional<std::uint64_t> label = placeOf (label_field, *this);
-  if (label)
+  const std::optional<std::uint64_t> label_offset = offsetOf (label_field, *this);
+  if (label_offset)
     addField ("label", PCLPointField::UINT32, cloud);
   cloud.width = static_cast<pcl::uindex_t> (size());
   cloud.height = 1;
   cloud.data.resize (size() * cloud.point_step);
-  std::uint8_t* point = cloud.data.data();
+  std::uint8_t* out = cloud.data.data();
   forRecords (*this, [&] (const char* record) {
-    const LasHeader::Short intensity =
+    const LasHeader::UInt16 intensity =
         reinterpret_cast<const LasPoint*> (record)->intensity;
-    Point read{placeIn (record, *this), float (intensity), 0};
-    if (label)
-      read.label = reinterpret_cast<const LasHeader::Long&> (record[*label]);
-    std::memcpy (point, &read, cloud.point_step);
-    point += cloud.point_step;
+    PackedPoint point{positionIn (record, *this), float (intensity), 0};
+    if (label_offset)
+      point.label = reinterpret_cast<const LasHeader::UInt32&> (record[*label_offset]);
+    std::memcpy (out, &point, cloud.point_step);
+    out += cloud.point_step;
   });
   return cloud;
 }
 
 Eigen::Vector3d
-LasFile::place (std::uint64_t point)
+LasFile::position (std::uint64_t point)
 {
   // Successive points are read in blocks, any other one alone: a jump in the file costs
   // more than reading a point.
-  constexpr std::uint64_t most = 4096;
-  if (point < first_in_block || point >= first_in_block + points_in_block) {
-    const bool is_next = point == first_in_block + points_in_block;
-    points_in_block = is_next ? std::min (most, header.pointCount() - point) : 1;
+  constexpr std::uint64_t max_in_block = 4096;
+  const std::uint64_t block_end = first_in_block + points_in_block;
+  if (point < first_in_block || point >= block_end) {
+    const bool is_next = point == block_end;
+    points_in_block = is_next ? std::min (max_in_block, size() - point) : 1;
     first_in_block = point;
     const std::uint64_t begin = header.points_offset + point * header.record_length;
     block = bytes (begin, begin + points_in_block * header.record_length);
   }
-  return placeIn (&block[(point - first_in_block) * header.record_length], *this);
+  return positionIn (&block[(point - first_in_block) * header.record_length], *this);
 }
 
 void
-LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
+LasFile::forPositions (const std::function<void (const Eigen::Vector3d&)>& visit)
 {
-  forRecords (*this, [&] (const char* record) { visit (placeIn (record, *this)); });
+  forRecords (*this, [&] (const char* record) { visit (positionIn (record, *this)); });
 }
 
 void
-LasFile::forLabels (const VisitLabelled& visit)
+LasFile::forLabels (const VisitLabeledPosition& visit)
 {
-  const std::optional<std::uint64_t> label = placeOf (label_field, *this);
-  if (!label)
+  const std::optional<std::uint64_t> label_offset = offsetOf (label_field, *this);
+  if (!label_offset)
     throw WorkError (file, "has no labels; give a file with labels");
   forRecords (*this, [&] (const char* record) {
-    visit (placeIn (record, *this),
-           reinterpret_cast<const LasHeader::Long&> (record[*label]));
+    visit (positionIn (record, *this),
+           reinterpret_cast<const LasHeader::UInt32&> (record[*label_offset]));
   });
 }
 
@@ -242,7 +256,7 @@ LasFile::validate (const std::vector<LasField>& wanted) const
 {
   std::vector<LasField> added;
   for (const LasField& field : wanted) {
-    if (placeOf (field, *this))
+    if (offsetOf (field, *this))
       continue;
     for (const LasField& known : fields)
       if (known.name == field.name)
@@ -252,13 +266,14 @@ LasFile::validate (const std::vector<LasField>& wanted) const
   }
   if (added.empty())
     return "";
-  constexpr std::uint64_t max_short = std::numeric_limits<std::uint16_t>::max();
-  const std::uint64_t described = extra_bytes ? extra_bytes->size() : 0;
-  const std::uint64_t description = descriptionsOf (added, *this).size();
-  const std::uint64_t with_vlr = extraBytesVlr ("", 0).size() + description;
-  if (described + description > max_short ||
-      header.record_length + added.size() * field_length > max_short ||
-      header.points_offset + with_vlr > std::numeric_limits<std::uint32_t>::max())
+  const std::uint64_t content_size = extra_bytes ? extra_bytes->contentSize() : 0;
+  const std::uint64_t added_size = descriptionsOf (added, *this).size();
+  const std::uint64_t added_with_vlr = extraBytesVlr ("", 0).size() + added_size;
+  const bool is_vlr_too_long = content_size + added_size > max_uint16;
+  const bool is_record_too_long =
+      header.record_length + added.size() * field_length > max_uint16;
+  const bool are_points_too_far = header.points_offset + added_with_vlr > max_uint32;
+  if (is_vlr_too_long || is_record_too_long || are_points_too_far)
     return "has no room for a further extra-bytes field; give an OUTPUT.pcd";
   return "";
 }
@@ -278,10 +293,10 @@ openLas (const std::string& file)
     las->checkPoints();
     return las;
   }
-  const Spool spool (".las", file);
-  spool.fill ([&] (std::ostream& stream) { decompressLaz (file, stream); });
+  const TemporaryFile temporary (".las", file);
+  temporary.fill ([&] (std::ostream& stream) { decompressLaz (file, stream); });
   try {
-    las = std::make_shared<LasFile> (spool.name());
+    las = std::make_shared<LasFile> (temporary.name());
     las->checkPoints();
     return las;
   }
@@ -298,25 +313,26 @@ saveLasWith (const std::string& file,
   const auto write = [&] (std::ostream& stream) { writeWith (columns, las, stream); };
   if (extensionOf (file) != ".laz")
     return writeFile (file, write);
-  const Spool spool (".las", file);
-  spool.fill (write);
-  writeFile (file, [&] (std::ostream& stream) { compressLas (spool.name(), stream); });
+  const TemporaryFile temporary (".las", file);
+  temporary.fill (write);
+  writeFile (file,
+             [&] (std::ostream& stream) { compressLas (temporary.name(), stream); });
 }
 
 void
-saveLabelledLas (const std::string& file,
-                 LasFile& las,
-                 const std::vector<std::uint32_t>& labels,
-                 const std::vector<float>& distances,
-                 const std::vector<std::uint32_t>& planes)
+saveLabeledLas (const std::string& file,
+                LasFile& las,
+                const std::vector<std::uint32_t>& labels,
+                const std::vector<float>& distances,
+                const std::vector<std::uint32_t>& planes)
 {
   const auto column = [] (const LasField& field, const auto& values) {
-    return LasColumn (field, [&values, i = 0U] (const Eigen::Vector3d&) mutable {
-      std::uint32_t bits;
-      static_assert (sizeof (bits) == sizeof (values[i]));
-      std::memcpy (&bits, &values[i++], sizeof (bits));
-      return bits;
-    });
+    return LasColumn{field, [&values, i = 0U] (const Eigen::Vector3d&) mutable {
+                       std::uint32_t bits;
+                       static_assert (sizeof (bits) == sizeof (values[i]));
+                       std::memcpy (&bits, &values[i++], sizeof (bits));
+                       return bits;
+                     }};
   };
   std::vector<LasColumn> columns = {column (label_field, labels)};
   if (!distances.empty())
@@ -335,9 +351,9 @@ saveLas (const std::string& file,
   LasHeader header = headerOf (points, scale, offset);
   const std::string vlr =
       extraBytesVlr (descriptionOf (label_field), header.minor_version);
-  header.points_offset = static_cast<std::uint32_t> (header.size + vlr.size());
+  header.points_offset = static_cast<std::uint32_t> (header.header_size + vlr.size());
   writeFile (file, [&] (std::ostream& stream) {
-    stream.write (reinterpret_cast<const char*> (&header), header.size) << vlr;
+    stream.write (reinterpret_cast<const char*> (&header), header.header_size) << vlr;
     stream.write (reinterpret_cast<const char*> (points.data()),
                   static_cast<std::streamsize> (points.size() * sizeof (LasPoint)));
   });

@@ -12,21 +12,23 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief Returns the label of the next point, given its coordinates. It is called once
- * for each point, in their order. */
-using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
+/** \brief Returns the four bytes of a field, e.g. the label, of the next point, given
+ * its position. It is called once for each point, in their order. */
+using NextFieldValue = std::function<std::uint32_t (const Eigen::Vector3d& position)>;
 
-/** \brief Called with the coordinates and the label of a point. */
-using VisitLabelled = std::function<void (const Eigen::Vector3d&, std::uint32_t)>;
+/** \brief Called with the position and the label of a point. */
+using VisitLabeledPosition =
+    std::function<void (const Eigen::Vector3d& position, std::uint32_t label)>;
 
-/** \brief A field of extra bytes, and the function that returns its four bytes for the
- * next point. */
-using LasColumn = std::pair<LasField, LabelOfPlace>;
+/** \brief A field of extra bytes, and its values for all points. */
+struct LasColumn {
+  LasField field;
+  NextFieldValue next_value;
+};
 
 /** \brief A LAS file, versions 1.0 to 1.4. It stays open, so that attributes other than
  * coordinates can be copied later and need no memory. The file may be removed
@@ -36,6 +38,7 @@ struct LasFile {
    * before the points, or the Extra Bytes VLR describes more bytes than a record has */
   explicit LasFile (const std::string& file);
 
+  /** \brief Number of points. */
   std::uint64_t
   size () const
   {
@@ -46,11 +49,11 @@ struct LasFile {
   bool
   isCompressed () const
   {
-    return header.format != header.pointFormat() || laszip;
+    return header.format_bits != header.pointFormat() || laszip;
   }
 
-  /** \throws WorkError if the file has no points, or more than PCL's indices can tell
-   * apart */
+  /** \throws WorkError if the file has no points, or more than PCL's indices can number
+   */
   void
   checkCount () const;
 
@@ -64,25 +67,27 @@ struct LasFile {
   pcl::PCLPointCloud2
   readPoints ();
 
+  /** \param[in] point index in the file, from 0 */
   Eigen::Vector3d
-  place (std::uint64_t point);
+  position (std::uint64_t point);
 
-  /** \brief Calls \p visit with the coordinates of every point. Only a block of points
-   * is in memory at a time. */
+  /** \brief Calls \p visit with the position of every point, in their order. Only a
+   * block of points is in memory at a time. */
   void
-  forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
+  forPositions (const std::function<void (const Eigen::Vector3d&)>& visit);
 
-  /** \brief Calls \p visit with the coordinates and the label of every point, as
-   * \ref forPlaces.
+  /** \brief Calls \p visit with the position and the label of every point, as
+   * \ref forPositions.
    * \throws WorkError if the file has no labels */
   void
-  forLabels (const VisitLabelled& visit);
+  forLabels (const VisitLabeledPosition& visit);
 
-  /** \brief Returns why the fields cannot be added to the others, and the fix; empty if
-   * they can. */
+  /** \brief Checks whether a copy of the file can have these fields, too.
+   * \return why not, and the fix; empty if it can */
   std::string
   validate (const std::vector<LasField>& wanted) const;
 
+  /** \brief Returns the bytes of the file from the offset \p begin up to \p end. */
   std::string
   bytes (std::uint64_t begin, std::uint64_t end)
   {
@@ -92,23 +97,27 @@ struct LasFile {
     return bytes;
   }
 
-  /** \brief Writes the header of a copy into \p front, the bytes of the copy before its
-   * points, with the offsets to the points and to all that follows them.
-   * \param[in] points_end, copy_points_end where the points end in the file and in the
-   * copy */
+  /** \brief Sets the offsets in the header of a copy of this file, and replaces the
+   * header that \p front begins with by it.
+   * \param[in] points_end, copy_points_end offsets of the end of the points in this file
+   * and in the copy
+   * \param[in,out] front all bytes of the copy in front of its points */
   void
-  putHeader (LasHeader copy,
-             std::uint64_t points_end,
-             std::uint64_t copy_points_end,
-             std::string& front) const;
+  replaceHeader (LasHeader copy,
+                 std::uint64_t points_end,
+                 std::uint64_t copy_points_end,
+                 std::string& front) const;
 
+  /** \brief Writes the bytes from the offset \p begin up to the end of the file. */
   void
-  copyRest (std::uint64_t begin, std::ostream& stream);
+  copyFrom (std::uint64_t begin, std::ostream& stream);
 
   std::string file;
-  HeaderReader reader;
+  FileReader reader;
   LasHeader header;
+  /** \brief Those of the header. */
   Eigen::Vector3d scale, offset;
+  /** \brief Offset of the end of the last VLR in the file [bytes]. */
   std::uint64_t vlrs_end;
   /** \brief The VLRs that describe the extra bytes of a record, and compressed points.
    */
@@ -116,11 +125,11 @@ struct LasFile {
   /** \brief The VLRs with the reference system as WKT and as GeoTIFF keys; the last one
    * of each kind counts. */
   std::optional<LasVlr> wkt, geo_keys;
-  /** \brief The fields that the Extra Bytes VLR describes, and where they end in a
-   * record. */
+  /** \brief The fields that the Extra Bytes VLR describes. */
   std::vector<LasField> fields;
+  /** \brief Offset of the end of these fields in a record [bytes]. */
   std::uint64_t fields_end;
-  /** \brief The records that \ref place read last. */
+  /** \brief The records that \ref position read last. */
   std::string block;
   std::uint64_t first_in_block = 0, points_in_block = 0;
 };
@@ -134,8 +143,9 @@ isLasName (const std::string& file);
 std::shared_ptr<LasFile>
 openLas (const std::string& file);
 
-/** \brief Writes every byte of a file, with further fields, by \ref writeFile;
- * compressed if \p file is a .laz. A field replaces one of the same name and type.
+/** \brief Writes a copy of \p las with further fields by \ref writeFile; compressed if
+ * \p file is a .laz. A field replaces one of the same name and type; all other bytes
+ * are kept.
  * \throws WorkError if the file was cut meanwhile */
 void
 saveLasWith (const std::string& file,
@@ -145,25 +155,27 @@ saveLasWith (const std::string& file,
 /** \brief Calls \ref saveLasWith with a label and, unless these are empty, a distance
  * and a plane for each point. */
 void
-saveLabelledLas (const std::string& file,
-                 LasFile& las,
-                 const std::vector<std::uint32_t>& labels,
-                 const std::vector<float>& distances = {},
-                 const std::vector<std::uint32_t>& planes = {});
+saveLabeledLas (const std::string& file,
+                LasFile& las,
+                const std::vector<std::uint32_t>& labels,
+                const std::vector<float>& distances = {},
+                const std::vector<std::uint32_t>& planes = {});
 
-/** \brief A record of point data record format 0 with a label. Its beginning, the raw
- * coordinates and the intensity, is that of all formats. Coordinates are raw * scale +
- * offset. */
+/** \brief A record of point data record format 0 with a label. All formats begin with
+ * the raw coordinates and the intensity. */
 struct LasPoint {
+  /** \brief Coordinates are raw * LasHeader::scale + LasHeader::offset. */
   std::array<boost::endian::little_int32_t, 3> raw{};
-  LasHeader::Short intensity = 0;
+  LasHeader::UInt16 intensity = 0;
+  /** \brief Number of the return, class and the like. */
   std::array<char, 6> others{};
-  LasHeader::Long label = 0;
+  LasHeader::UInt32 label = 0;
 };
 static_assert (sizeof (LasPoint) == 24, "without padding");
 
 /** \brief Writes a LAS 1.2 of point data record format 0 by \ref writeFile, with the
- * labels as extra bytes. */
+ * labels as extra bytes.
+ * \param[in] scale [m] the same for each axis */
 void
 saveLas (const std::string& file,
          const std::vector<LasPoint>& points,
@@ -177,11 +189,11 @@ hasLaszip ();
 // These two throw a WorkError if the file is damaged or LASzip is missing, and
 // Interrupted.
 
-/** \brief Writes the LAS that a LAZ was made from, byte by byte the same. */
+/** \brief Writes the LAS that the LAZ \p file was made from, byte by byte the same. */
 void
 decompressLaz (const std::string& file, std::ostream& stream);
 
-/** \brief Writes a LAS with compressed points; every other byte is kept. */
+/** \brief Writes the LAS \p file with compressed points; every other byte is kept. */
 void
 compressLas (const std::string& file, std::ostream& stream);
 

@@ -16,13 +16,13 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::uint8_t newest_minor = 4;
+constexpr std::uint8_t newest_minor_version = 4;
 constexpr std::uint16_t extra_bytes_id = 4;
-constexpr const char* specification = "LASF_Spec";
+constexpr const char* extra_bytes_user = "LASF_Spec";
 
 /** \brief The description of a field in an Extra Bytes VLR, in its byte layout. */
 struct Description {
-  LasHeader::Short reserved;
+  LasHeader::UInt16 reserved;
   std::uint8_t type, options;
   std::array<char, 32> name;
   std::array<char, 124> limits_and_scales;
@@ -42,26 +42,32 @@ textIn (const std::array<char, size>& bytes)
 std::uint64_t
 extraBytesLength (const LasField& field)
 {
-  constexpr std::array<std::uint8_t, 10> lengths = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  if (field.type == 0)
-    return field.options;
   // Types 1 to 10 are single numbers, 11 to 20 pairs of them, 21 to 30 triples.
-  const std::size_t count = 1 + (field.type - 1U) / lengths.size();
-  return count > 3 ? 0 : count * lengths.at ((field.type - 1U) % lengths.size());
+  constexpr std::array<std::uint8_t, 10> number_lengths = {
+      1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  if (field.type == las_undocumented)
+    return field.options;
+  const std::size_t count = 1 + (field.type - 1U) / number_lengths.size();
+  const std::size_t number_type = (field.type - 1U) % number_lengths.size();
+  return count > 3 ? 0 : count * number_lengths.at (number_type);
 }
 
 /** \brief Returns the number of bytes of the header in its version, 1.0 to 1.4. */
 std::size_t
 headerLength (const LasHeader& header)
 {
-  constexpr std::array<std::size_t, 5> lengths = {227, 227, 227, 235, sizeof (header)};
+  constexpr std::array<std::size_t, 5> lengths = {las_1_2_header_size,
+                                                  las_1_2_header_size,
+                                                  las_1_2_header_size,
+                                                  235,
+                                                  sizeof (header)};
   return lengths.at (header.minor_version);
 }
 
-/** \brief Returns the number of bytes of a record in a point data record format; 0 if
- * there is no such format. */
+/** \brief Returns the number of bytes of a record in a point data record format,
+ * without extra bytes; 0 if there is no such format. */
 std::uint16_t
-formatLength (std::uint8_t format)
+minRecordLength (std::uint8_t format)
 {
   constexpr std::array<std::uint16_t, 11> lengths = {
       20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
@@ -74,25 +80,27 @@ toEigen (const LasHeader::Vector& vector)
   return {vector[0], vector[1], vector[2]};
 }
 
+/** \throws WorkError if the header contradicts itself or the length of the file */
 void
-check (const LasHeader& header, const HeaderReader& reader)
+checkHeader (const LasHeader& header, const FileReader& reader)
 {
   using std::to_string;
   const auto require = [&] (bool is_fine, const std::string& problem) {
     if (!is_fine)
       reader.fail (problem);
   };
-  require (header.size >= headerLength (header),
-           "its header size " + to_string (header.size) +
+  require (header.header_size >= headerLength (header),
+           "its header size " + to_string (header.header_size) +
                " is too small for its version");
-  require (header.points_offset >= header.size &&
+  require (header.points_offset >= header.header_size &&
                header.points_offset <= reader.fileSize(),
            "its offset to point data " + to_string (header.points_offset) +
                " is within its header or behind its end");
   const std::string format = to_string (header.pointFormat());
-  const std::uint16_t length = formatLength (header.pointFormat());
-  require (length > 0, "its point data record format " + format + " is not 0 to 10");
-  require (header.record_length >= length,
+  const std::uint16_t min_length = minRecordLength (header.pointFormat());
+  require (min_length > 0,
+           "its point data record format " + format + " is not 0 to 10");
+  require (header.record_length >= min_length,
            "its point data record length " + to_string (header.record_length) +
                " is too small for the format " + format);
   const Eigen::Vector3d scale = toEigen (header.scale);
@@ -100,47 +108,56 @@ check (const LasHeader& header, const HeaderReader& reader)
            "a scale factor of its coordinates is zero or no number");
   require (toEigen (header.offset).allFinite(),
            "an offset of its coordinates is no number");
-  require (header.points == 0 || header.legacy_points == 0 ||
-               header.points == header.legacy_points,
-           "its numbers of points " + to_string (header.points) + " and " +
-               to_string (header.legacy_points) + " (legacy) differ");
+  require (header.point_count == 0 || header.legacy_point_count == 0 ||
+               header.point_count == header.legacy_point_count,
+           "its numbers of points " + to_string (header.point_count) + " and " +
+               to_string (header.legacy_point_count) + " (legacy) differ");
 }
 
-/** \brief Returns the length of the mark at the offset to the points, or 0. In LAS 1.0
- * two bytes mark the beginning of the points. The specification lets the offset point
- * behind the mark, but some writers let it point to the mark. */
+/** \brief Returns the length [bytes] of the mark at \ref LasHeader::points_offset, 0 if
+ * there is none. In LAS 1.0 two bytes mark the beginning of the points. By the
+ * specification the offset is that of the points behind the mark, but some writers
+ * store that of the mark. */
 std::uint32_t
-lengthOfMark (const LasHeader& header, HeaderReader& reader)
+lengthOfMark (const LasHeader& header, FileReader& reader)
 {
   constexpr std::uint16_t mark = 0xccdd;
   const bool has_room = header.pointsEnd() + sizeof (mark) <= reader.fileSize();
   return header.minor_version == 0 && has_room &&
-                 reader.at<LasHeader::Short> (header.points_offset) == mark
+                 reader.readAt<LasHeader::UInt16> (header.points_offset) == mark
              ? sizeof (mark)
              : 0;
 }
 
+/** \brief Reads the headers of \p count variable length records, which follow one
+ * another from the offset \p begin on.
+ * \tparam Length as of LasVlrHeader
+ * \throws WorkError if they reach beyond the offset \p end */
 template <typename Length>
 std::vector<LasVlr>
-readVlrs (HeaderReader& reader,
+readVlrs (FileReader& reader,
           std::uint64_t begin,
           std::uint64_t end,
           std::uint32_t count)
 {
-  const auto check = [&] (std::uint64_t size) {
-    if (size > end - begin)
+  std::uint64_t offset = begin;
+  const auto require_room = [&] (std::uint64_t size) {
+    if (size > end - offset)
       reader.fail ("a variable length record reaches beyond its place");
   };
   std::vector<LasVlr> vlrs;
-  for (; count > 0; --count) {
-    check (sizeof (LasVlrHeader<Length>));
-    const auto header = reader.at<LasVlrHeader<Length>> (begin);
-    const std::uint64_t content = begin + sizeof (header);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    require_room (sizeof (LasVlrHeader<Length>));
+    const auto header = reader.readAt<LasVlrHeader<Length>> (offset);
     LasVlr& vlr = vlrs.emplace_back();
-    vlr = {begin, content, content + header.length, textIn (header.user), header.id};
-    begin = content;
-    check (header.length);
-    begin = vlr.end;
+    vlr.begin = offset;
+    vlr.content = offset + sizeof (header);
+    vlr.end = vlr.content + header.content_length;
+    vlr.user_id = textIn (header.user_id);
+    vlr.record_id = header.record_id;
+    offset = vlr.content;
+    require_room (header.content_length);
+    offset = vlr.end;
   }
   return vlrs;
 }
@@ -148,25 +165,27 @@ readVlrs (HeaderReader& reader,
 bool
 describesExtraBytes (const LasVlr& vlr)
 {
-  return vlr.user == specification && vlr.id == extra_bytes_id;
+  return vlr.user_id == extra_bytes_user && vlr.record_id == extra_bytes_id;
 }
 
-/** \param[in,out] end offset in a record where the fields end [bytes] */
+/** \brief Returns the fields that an Extra Bytes VLR describes.
+ * \param[in,out] record_end offset in a record [bytes] at which the fields begin; later
+ * at which they end */
 std::vector<LasField>
-describedFields (const LasVlr& vlr, HeaderReader& reader, std::uint64_t& end)
+describedFields (const LasVlr& vlr, FileReader& reader, std::uint64_t& record_end)
 {
-  if (vlr.size() % sizeof (Description) != 0)
+  if (vlr.contentSize() % sizeof (Description) != 0)
     reader.fail ("its Extra Bytes VLR ends within a description");
   std::vector<LasField> fields;
   for (std::uint64_t at = vlr.content; at < vlr.end; at += sizeof (Description)) {
-    const auto description = reader.at<Description> (at);
+    const auto description = reader.readAt<Description> (at);
     LasField& field = fields.emplace_back();
     field.name = textIn (description.name);
     field.type = description.type;
     field.options = description.options;
-    field.place = end;
-    end += extraBytesLength (field);
-    if (end == field.place)
+    field.offset = record_end;
+    record_end += extraBytesLength (field);
+    if (record_end == field.offset)
       reader.fail ("its Extra Bytes VLR has an unknown type, " +
                    std::to_string (field.type));
   }
@@ -176,21 +195,20 @@ describedFields (const LasVlr& vlr, HeaderReader& reader, std::uint64_t& end)
 } // namespace
 
 LasHeader
-readLasHeader (HeaderReader& reader)
+readLasHeader (FileReader& reader)
 {
-  constexpr std::uint64_t smallest = 227;
   LasHeader header{};
   auto* const bytes = reinterpret_cast<char*> (&header);
   reader.read (bytes, std::min<std::uint64_t> (sizeof (header), reader.fileSize()));
   if (std::string (bytes, 4) != "LASF")
     reader.fail ("its first bytes are not LASF");
-  if (reader.fileSize() < smallest)
+  if (reader.fileSize() < las_1_2_header_size)
     reader.fail ("it ends within its header");
-  if (header.major_version != 1 || header.minor_version > newest_minor)
+  if (header.major_version != 1 || header.minor_version > newest_minor_version)
     reader.fail ("its version " + std::to_string (header.major_version) + "." +
                  std::to_string (header.minor_version) + " is not 1.0 to 1.4");
   std::fill (bytes + headerLength (header), bytes + sizeof (header), '\0');
-  check (header, reader);
+  checkHeader (header, reader);
   header.points_offset += lengthOfMark (header, reader);
   return header;
 }
@@ -202,22 +220,22 @@ descriptionOf (const LasField& field)
   description.type = field.type;
   description.options = field.options;
   field.name.copy (description.name.data(), description.name.size());
-  field.text.copy (description.text.data(), description.text.size());
+  field.description.copy (description.text.data(), description.text.size());
   return bytesOf (description);
 }
 
 std::string
-extraBytesVlr (const std::string& content, std::uint8_t minor_version)
+extraBytesVlr (const std::string& descriptions, std::uint8_t minor_version)
 {
-  constexpr std::uint16_t signature_of_1_0 = 0xaabb; // later versions reserve it
-  LasShortVlrHeader header{};
+  constexpr std::uint16_t signature_of_1_0 = 0xaabb; // later versions reserve its bytes
+  LasStandardVlrHeader header{};
   if (minor_version == 0)
     header.reserved = signature_of_1_0;
-  std::strcpy (header.user.data(), specification);
-  header.id = extra_bytes_id;
-  header.length = static_cast<std::uint16_t> (content.size());
+  std::strcpy (header.user_id.data(), extra_bytes_user);
+  header.record_id = extra_bytes_id;
+  header.content_length = static_cast<std::uint16_t> (descriptions.size());
   std::strcpy (header.description.data(), "Extra Bytes");
-  return bytesOf (header) + content;
+  return bytesOf (header) + descriptions;
 }
 
 LasFile::LasFile (const std::string& name)
@@ -226,29 +244,29 @@ LasFile::LasFile (const std::string& name)
 , header (readLasHeader (reader))
 , scale (toEigen (header.scale))
 , offset (toEigen (header.offset))
-, vlrs_end (header.size)
-, fields_end (formatLength (header.pointFormat()))
+, vlrs_end (header.header_size)
+, fields_end (minRecordLength (header.pointFormat()))
 {
   constexpr std::uint16_t laszip_id = 22204;
   constexpr std::uint16_t wkt_id = 2112;
   constexpr std::uint16_t geo_keys_id = 34735;
-  constexpr const char* projection = "LASF_Projection";
-  const auto set =
-      [&] (std::optional<LasVlr>& single, const LasVlr& vlr, const char* kind) {
-        if (single)
+  constexpr const char* projection_user = "LASF_Projection";
+  const auto set_once =
+      [&] (std::optional<LasVlr>& member, const LasVlr& vlr, const char* kind) {
+        if (member)
           reader.fail (std::string ("it has two ") + kind + " VLRs");
-        single = vlr;
+        member = vlr;
       };
-  for (const LasVlr& vlr : readVlrs<LasHeader::Short> (
-           reader, header.size, header.points_offset, header.vlr_count)) {
+  for (const LasVlr& vlr : readVlrs<LasHeader::UInt16> (
+           reader, header.header_size, header.points_offset, header.vlr_count)) {
     vlrs_end = vlr.end;
-    if (vlr.user == "laszip encoded" && vlr.id == laszip_id)
-      set (laszip, vlr, "LASzip");
+    if (vlr.user_id == "laszip encoded" && vlr.record_id == laszip_id)
+      set_once (laszip, vlr, "LASzip");
     if (describesExtraBytes (vlr))
-      set (extra_bytes, vlr, "Extra Bytes");
-    if (vlr.user == projection && vlr.id == wkt_id)
+      set_once (extra_bytes, vlr, "Extra Bytes");
+    if (vlr.user_id == projection_user && vlr.record_id == wkt_id)
       wkt = vlr;
-    if (vlr.user == projection && vlr.id == geo_keys_id)
+    if (vlr.user_id == projection_user && vlr.record_id == geo_keys_id)
       geo_keys = vlr;
   }
   if (extra_bytes)
@@ -260,13 +278,13 @@ LasFile::LasFile (const std::string& name)
 void
 LasFile::checkCount() const
 {
-  constexpr auto most = std::numeric_limits<pcl::index_t>::max();
+  constexpr auto max_points = std::numeric_limits<pcl::index_t>::max();
   if (size() == 0)
     reader.failEmpty();
-  if (size() > static_cast<std::uint64_t> (most))
+  if (size() > static_cast<std::uint64_t> (max_points))
     throw WorkError (file,
                      "has " + std::to_string (size()) + " points, more than " +
-                         std::to_string (most) + "; split it into tiles");
+                         std::to_string (max_points) + "; split it into tiles");
 }
 
 void
@@ -280,33 +298,34 @@ LasFile::checkPoints()
   if (header.evlr_offset < header.pointsEnd() || header.evlr_offset > reader.fileSize())
     reader.fail ("its offset to extended variable length records is within its points "
                  "or behind its end");
-  const auto vlrs = readVlrs<LasHeader::LongLong> (
+  const auto vlrs = readVlrs<LasHeader::UInt64> (
       reader, header.evlr_offset, reader.fileSize(), header.evlr_count);
   if (std::any_of (vlrs.begin(), vlrs.end(), describesExtraBytes))
     reader.fail ("its Extra Bytes are described behind its points");
 }
 
 void
-LasFile::putHeader (LasHeader copy,
-                    std::uint64_t points_end,
-                    std::uint64_t copy_points_end,
-                    std::string& front) const
+LasFile::replaceHeader (LasHeader copy,
+                        std::uint64_t points_end,
+                        std::uint64_t copy_points_end,
+                        std::string& front) const
 {
   copy.points_offset = static_cast<std::uint32_t> (front.size());
-  for (LasHeader::LongLong* offset : {&copy.waveform_offset, &copy.evlr_offset})
+  for (LasHeader::UInt64* follower : {&copy.waveform_offset, &copy.evlr_offset})
     // If the copy is shorter, the unsigned difference wraps, and the sum wraps back.
-    if (*offset >= points_end && *offset <= reader.fileSize())
-      *offset += copy_points_end - points_end;
+    if (*follower >= points_end && *follower <= reader.fileSize())
+      *follower += copy_points_end - points_end;
   const std::size_t length = headerLength (copy);
   front.replace (0, length, reinterpret_cast<const char*> (&copy), length);
 }
 
 void
-LasFile::copyRest (std::uint64_t begin, std::ostream& stream)
+LasFile::copyFrom (std::uint64_t begin, std::ostream& stream)
 {
-  constexpr std::uint64_t block = 1U << 20U;
-  for (const std::uint64_t size = reader.fileSize(); begin < size; begin += block)
-    stream << bytes (begin, std::min (size, begin + block));
+  constexpr std::uint64_t block_size = 1U << 20U;
+  const std::uint64_t end = reader.fileSize();
+  for (; begin < end; begin += block_size)
+    stream << bytes (begin, std::min (end, begin + block_size));
 }
 
 } // namespace pcl_ops::apps

@@ -4,7 +4,7 @@
 
 #include <boost/endian/arithmetic.hpp>
 
-#include "header_reader.h"
+#include "file_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -14,54 +14,65 @@
 namespace pcl_ops::apps {
 
 /** \brief Returns the bytes of an object without padding, as a file has them. */
-template <typename What>
+template <typename Object>
 std::string
-bytesOf (const What& what)
+bytesOf (const Object& object)
 {
-  return {reinterpret_cast<const char*> (&what), sizeof (what)};
+  return {reinterpret_cast<const char*> (&object), sizeof (object)};
 }
 
-/** \brief The public header block of LAS 1.4, in its byte layout. Before version 1.3 it
- * ends in front of the waveform offset, in 1.3 in front of that of the extended
- * variable length records. */
+/** \brief The public header block of LAS 1.4, in its byte layout. Offsets are from the
+ * beginning of the file, in bytes. Before version 1.3 the header ends in front of \ref
+ * waveform_offset, in 1.3 in front of \ref evlr_offset. */
 struct LasHeader {
-  using Short = boost::endian::little_uint16_t;
-  using Long = boost::endian::little_uint32_t;
-  using LongLong = boost::endian::little_uint64_t;
+  using UInt16 = boost::endian::little_uint16_t;
+  using UInt32 = boost::endian::little_uint32_t;
+  using UInt64 = boost::endian::little_uint64_t;
   using Vector = std::array<boost::endian::little_float64_t, 3>;
 
   std::array<char, 4> signature;
-  Short source, encoding;
-  std::array<char, 16> project;
+  UInt16 source_id, global_encoding;
+  std::array<char, 16> project_id;
   std::uint8_t major_version, minor_version;
-  std::array<char, 32> system, software;
-  Short day, year, size;
-  Long points_offset, vlr_count;
+  std::array<char, 32> system_id, generating_software;
+  UInt16 creation_day, creation_year;
+  UInt16 header_size;
+  UInt32 points_offset;
+  /** \brief Number of variable length records (VLRs), which follow the header. */
+  UInt32 vlr_count;
   /** \brief Point data record format, 0 to 10, and two high bits that mark LAZ. */
-  std::uint8_t format;
-  Short record_length;
-  Long legacy_points;
-  std::array<Long, 5> legacy_points_by_return;
+  std::uint8_t format_bits;
+  /** \brief Bytes of a point record. */
+  UInt16 record_length;
+  /** \brief The number of points if readers of LAS 1.3 can read the file, else 0. */
+  UInt32 legacy_point_count;
+  std::array<UInt32, 5> legacy_point_counts_by_return;
+  /** \brief Coordinates are raw * scale + offset, for each axis. */
   Vector scale, offset;
   /** \brief Largest x, smallest x, largest y, smallest y, largest z, smallest z. */
   std::array<boost::endian::little_float64_t, 6> bounds;
-  LongLong waveform_offset, evlr_offset;
-  Long evlr_count;
-  LongLong points;
-  std::array<LongLong, 15> points_by_return;
+  UInt64 waveform_offset;
+  /** \brief Offset and number of the extended variable length records (EVLRs), which
+   * follow the points. */
+  UInt64 evlr_offset;
+  UInt32 evlr_count;
+  UInt64 point_count;
+  std::array<UInt64, 15> point_counts_by_return;
 
   std::uint8_t
   pointFormat () const
   {
-    return format & 0x3fU;
+    return format_bits & 0x3fU;
   }
 
+  /** \brief Returns the member with the number of points that the version has. */
   std::uint64_t
   pointCount () const
   {
-    return std::max<std::uint64_t> (points, legacy_points);
+    return std::max<std::uint64_t> (point_count, legacy_point_count);
   }
 
+  /** \brief The offset behind the points, if they are not compressed. */
   std::uint64_t
   pointsEnd () const
   {
@@ -70,63 +81,73 @@ struct LasHeader {
 };
 static_assert (sizeof (LasHeader) == 375, "as in LAS 1.4");
 
+/** \brief Bytes of the headers of versions 1.0 to 1.2. */
+constexpr std::uint16_t las_1_2_header_size = 227;
+
 /** \brief Reads and checks the header. Members that an older version does not have are
  * zero. Whether the file holds all of its points is not checked.
  * \throws WorkError if the header contradicts itself or the length of the file */
 LasHeader
-readLasHeader (HeaderReader& reader);
+readLasHeader (FileReader& reader);
 
-/** \brief The header of a variable length record (VLR), in its byte layout. Extended
- * records have a longer \p length. */
+/** \brief The header of a variable length record, in its byte layout.
+ * \tparam Length type of \p content_length: 16 bits for a VLR, 64 for an EVLR */
 template <typename Length>
 struct LasVlrHeader {
-  LasHeader::Short reserved;
-  std::array<char, 16> user;
-  LasHeader::Short id;
-  Length length;
+  LasHeader::UInt16 reserved;
+  std::array<char, 16> user_id;
+  LasHeader::UInt16 record_id;
+  Length content_length;
   std::array<char, 32> description;
 };
-using LasShortVlrHeader = LasVlrHeader<LasHeader::Short>;
+using LasStandardVlrHeader = LasVlrHeader<LasHeader::UInt16>;
 
-/** \brief A variable length record: the bytes in the file where it, its content and its
- * end are, and its ids. */
+/** \brief Where a variable length record is in the file, and its ids, which tell what
+ * it is. */
 struct LasVlr {
+  /** \brief Offsets in the file [bytes] of the record and of its content, which reaches
+   * up to \p end. */
   std::uint64_t begin, content, end;
-  std::string user;
-  std::uint16_t id;
+  std::string user_id;
+  std::uint16_t record_id;
 
   std::uint64_t
-  size () const
+  contentSize () const
   {
     return end - content;
   }
 };
 
-/** \brief A field among the extra bytes of a record. */
+/** \brief Numbers of types in Extra Bytes VLRs (LAS 1.4, table 24). */
+constexpr std::uint8_t las_undocumented = 0, las_uint32 = 5, las_float = 9;
+
+/** \brief A field among the extra bytes of a point record. */
 struct LasField {
   std::string name;
-  /** \brief The number of the type in Extra Bytes VLRs; 0 for undocumented bytes. */
-  std::uint8_t type = 0;
+  std::uint8_t type = las_undocumented;
+  /** \brief The type in messages. */
   const char* type_name = "";
-  std::string text = {};
-  /** \brief For type 0 the number of undocumented bytes; else option bits. */
+  std::string description = {};
+  /** \brief Of undocumented bytes their number, of other types option bits. */
   std::uint8_t options = 0;
   /** \brief Offset of the field in a record [bytes]. */
-  std::uint64_t place = 0;
+  std::uint64_t offset = 0;
 };
 
-inline const LasField label_field = {"label", 5, "uint32", "0: on no plane"};
+inline const LasField label_field = {"label", las_uint32, "uint32", "0: on no plane"};
 inline const LasField distance_field = {
-    "distance", 9, "float", "to its plane; NaN: on none"};
-inline const LasField plane_field = {"plane", 5, "uint32", "of the piece; 0: on none"};
+    "distance", las_float, "float", "to its plane; NaN: on none"};
+inline const LasField plane_field = {
+    "plane", las_uint32, "uint32", "of the piece; 0: on none"};
 
 /** \brief Returns the 192 bytes with which an Extra Bytes VLR describes a field. */
 std::string
 descriptionOf (const LasField& field);
 
-/** \brief Returns an Extra Bytes VLR.
- * \param[in] content descriptions as from \ref descriptionOf, one after the other */
+/** \brief Returns the bytes of an Extra Bytes VLR.
+ * \param[in] descriptions as from \ref descriptionOf, one after the other
+ * \param[in] minor_version of the LAS file */
 std::string
-extraBytesVlr (const std::string& content, std::uint8_t minor_version);
+extraBytesVlr (const std::string& descriptions, std::uint8_t minor_version);
 
 } // namespace pcl_ops::apps

@@ -10,36 +10,39 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief An entry of the GeoKeyDirectoryTag; the first one is its header, of the same
- * size. */
-struct GeoKey {
-  LasHeader::Short id, location, count, value;
-};
-
+/** \brief Returns the unit of x and y by a directory of GeoTIFF keys. */
 LasUnit
-unitInKeys (const std::string& bytes)
+unitInKeys (const std::string& directory)
 {
-  constexpr std::uint16_t model_type = 1024;
-  constexpr std::uint16_t geographic = 2;
-  constexpr std::uint16_t linear_unit = 3076;
-  constexpr std::uint16_t meter = 9001;
-  constexpr std::uint16_t last_foot = 9003; // US foot; 9002: international one
+  constexpr std::uint16_t model_type_id = 1024, geographic = 2;
+  constexpr std::uint16_t linear_unit_id = 3076;
+  constexpr std::uint16_t meter = 9001, international_foot = 9002, us_foot = 9003;
   LasUnit unit = LasUnit::Unknown;
-  for (std::size_t at = sizeof (GeoKey); at + sizeof (GeoKey) <= bytes.size();
-       at += sizeof (GeoKey)) {
-    GeoKey key;
-    std::memcpy (&key, &bytes[at], sizeof (key));
-    if (key.id == model_type && key.value == geographic)
+  for (const GeoKey& key : geoKeysIn (directory)) {
+    if (key.id == model_type_id && key.value == geographic)
       return LasUnit::Degree;
-    if (key.id == linear_unit && key.value == meter)
+    if (key.id != linear_unit_id)
+      continue;
+    if (key.value == meter)
       unit = LasUnit::Meter;
-    if (key.id == linear_unit && key.value > meter && key.value <= last_foot)
+    if (key.value == international_foot || key.value == us_foot)
       unit = LasUnit::Foot;
   }
   return unit;
 }
 
 } // namespace
+
+std::vector<GeoKey>
+geoKeysIn (const std::string& directory)
+{
+  // In front of the entries is a header of the same size.
+  constexpr std::size_t size = sizeof (GeoKey);
+  std::vector<GeoKey> keys;
+  for (std::size_t begin = size; begin + size <= directory.size(); begin += size)
+    std::memcpy (&keys.emplace_back(), &directory[begin], size);
+  return keys;
+}
 
 LasUnit
 unitInWkt (const std::string& text)
@@ -49,13 +52,13 @@ unitInWkt (const std::string& text)
   // In a projected system the last unit is that of x and y; the angle unit of its base
   // comes before it.
   const std::string key = "UNIT[\"";
-  const std::size_t begin = system.rfind (key);
-  if (begin == std::string::npos)
+  const std::size_t key_begin = system.rfind (key);
+  if (key_begin == std::string::npos)
     return LasUnit::Unknown;
-  const std::size_t name = begin + key.size();
-  const std::string unit = system.substr (name, system.find ('"', name) - name);
-  const auto has = [&] (const char* word) {
-    return unit.find (word) != std::string::npos;
+  const std::size_t begin = key_begin + key.size();
+  const std::string unit = system.substr (begin, system.find ('"', begin) - begin);
+  const auto has = [&] (const char* part_of_name) {
+    return unit.find (part_of_name) != std::string::npos;
   };
   if (has ("DEGREE"))
     return LasUnit::Degree;

@@ -5,8 +5,23 @@
 #include "las_file.h"
 
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
+
+/** \brief An entry of the directory of GeoTIFF keys (OGC 19-008), in its byte layout.
+ */
+struct GeoKey {
+  LasHeader::UInt16 id;
+  /** \brief 0 if the value is in \ref value; else the tag that has it. */
+  LasHeader::UInt16 location;
+  LasHeader::UInt16 count, value;
+};
+
+/** \brief Returns the entries of a directory of GeoTIFF keys.
+ * \param[in] directory content of LasFile::geo_keys */
+std::vector<GeoKey>
+geoKeysIn (const std::string& directory);
 
 enum class LasUnit { Unknown, Meter, Foot, Degree };
 

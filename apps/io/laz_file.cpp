@@ -17,8 +17,10 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::uint8_t compressed = 0x80;
-/** \brief LASzip's number of the compressor that does not divide points into chunks. */
+/** \brief The bit of LasHeader::format_bits that LASzip sets for compressed points. */
+constexpr std::uint8_t compressed_bit = 0x80;
+/** \brief The value of the first byte of a LASzip VLR if the points are not divided
+ * into chunks. */
 constexpr char in_one_chunk = 1;
 
 [[noreturn]] void
@@ -49,6 +51,8 @@ struct Laszip {
     laszip_destroy (handle);
   }
 
+  /** \param[in] failed what a function of LASzip returned; 0 is success
+   * \throws std::bad_alloc if memory ran out, else WorkError */
   void
   check (laszip_I32 failed) const
   {
@@ -63,7 +67,7 @@ struct Laszip {
   }
 
   void
-  setForm (const LasHeader& header) const
+  setPointFormat (const LasHeader& header) const
   {
     check (laszip_set_point_type_and_size (
         handle, header.pointFormat(), header.record_length));
@@ -73,38 +77,45 @@ struct Laszip {
   laszip_POINTER handle = nullptr;
 };
 
-/** \throws WorkError if LASzip cannot compress points of this format */
+/** \brief Returns the bytes of the LASzip VLR that LASzip writes for the point format
+ * of a file.
+ * \throws WorkError if LASzip cannot compress points of this format */
 std::string
-laszipVlr (const LasFile& las)
+newLaszipVlr (const LasFile& las)
 {
   const Laszip writer (las.file);
-  writer.setForm (las.header);
+  writer.setPointFormat (las.header);
   laszip_U8* bytes = nullptr;
   laszip_U32 size = 0;
   writer.check (laszip_create_laszip_vlr (writer.handle, &bytes, &size));
   return {reinterpret_cast<const char*> (bytes), size};
 }
 
-/** \throws WorkError if the points are damaged, Interrupted */
+enum class Conversion { Compress, Decompress };
+
+/** \brief Writes the points of a file, compressed or not.
+ * \throws WorkError if the points are damaged, Interrupted */
 void
-convertPoints (const LasFile& las, bool compresses, std::ostream& stream)
+convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
 {
   const std::string& file = las.file;
-  constexpr std::uint64_t block = 1U << 14U;
+  constexpr std::uint64_t points_between_checks = 1U << 14U;
+  constexpr laszip_BOOL write_no_header = 1;
   const Laszip reader (file);
   Laszip writer (file);
   laszip_BOOL is_compressed = 0;
   reader.check (laszip_open_reader (reader.handle, file.c_str(), &is_compressed));
-  writer.setForm (las.header);
+  writer.setPointFormat (las.header);
+  const laszip_BOOL compresses = conversion == Conversion::Compress ? 1 : 0;
   writer.check (
-      laszip_open_writer_stream (writer.handle, stream, compresses ? 1 : 0, 1));
-  laszip_point* from = nullptr;
-  reader.check (laszip_get_point_pointer (reader.handle, &from));
+      laszip_open_writer_stream (writer.handle, stream, compresses, write_no_header));
+  laszip_point* point = nullptr;
+  reader.check (laszip_get_point_pointer (reader.handle, &point));
   for (std::uint64_t i = 0; i < las.size(); ++i) {
-    if (i % block == 0)
+    if (i % points_between_checks == 0)
       stopIfInterrupted();
     reader.check (laszip_read_point (reader.handle));
-    writer.check (laszip_set_point (writer.handle, from));
+    writer.check (laszip_set_point (writer.handle, point));
     const laszip_I32 failed = laszip_write_point (writer.handle);
     if (!stream)
       break;
@@ -121,23 +132,29 @@ convertPoints (const LasFile& las, bool compresses, std::ostream& stream)
 /** \brief Returns the content of the LASzip VLR.
  * \throws WorkError if it does not fit the format of the points: LASzip would crash */
 std::string
-checkedDescription (LasFile& las, const LasVlr& laszip)
+checkedLaszipContent (LasFile& las, const LasVlr& laszip)
 {
-  constexpr std::size_t free_begin = 4, free_end = 32, items = 34, item_size = 6,
-                        version_at = 4, version_size = 2;
-  constexpr unsigned newest_in_one_chunk = 5;
-  std::string expected = laszipVlr (las).substr (laszip.content - laszip.begin);
-  if (laszip.size() != expected.size())
+  // Offsets and lengths in the content [bytes]. First is the compressor, from 4 to 32
+  // are versions, options and the size of chunks, from 34 on the items of a point:
+  // type, size and version.
+  constexpr std::size_t compressor_length = 1;
+  constexpr std::size_t options_begin = 4, options_end = 32;
+  constexpr std::size_t items_begin = 34, item_length = 6;
+  constexpr std::size_t version_in_item = 4, version_length = 2;
+  constexpr unsigned newest_format_in_one_chunk = 5;
+  std::string expected = newLaszipVlr (las).substr (laszip.content - laszip.begin);
+  if (laszip.contentSize() != expected.size())
     failDamagedPoints (las.file);
   const std::string content = las.bytes (laszip.content, laszip.end);
-  const auto take = [&] (std::size_t begin, std::size_t size) {
-    expected.replace (begin, size, content, begin, size);
+  const auto accept_any = [&] (std::size_t begin, std::size_t length) {
+    expected.replace (begin, length, content, begin, length);
   };
-  take (free_begin, free_end - free_begin);
-  for (std::size_t item = items; item < expected.size(); item += item_size)
-    take (item + version_at, version_size);
-  if (content[0] == in_one_chunk && las.header.pointFormat() <= newest_in_one_chunk)
-    take (0, 1);
+  accept_any (options_begin, options_end - options_begin);
+  for (std::size_t item = items_begin; item < expected.size(); item += item_length)
+    accept_any (item + version_in_item, version_length);
+  if (content[0] == in_one_chunk &&
+      las.header.pointFormat() <= newest_format_in_one_chunk)
+    accept_any (0, compressor_length);
   if (content != expected)
     failDamagedPoints (las.file);
   return content;
@@ -149,33 +166,37 @@ checkedDescription (LasFile& las, const LasVlr& laszip)
 void
 checkCompression (LasFile& las)
 {
-  struct Chunks {
-    LasHeader::Long version, count;
+  struct TableHeader {
+    LasHeader::UInt32 version, chunk_count;
   };
-  constexpr std::uint64_t chunk_size_at = 12, head = sizeof (Chunks);
-  constexpr std::uint32_t of_any_size = std::numeric_limits<std::uint32_t>::max();
-  constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();
-  if (checkedDescription (las, *las.laszip)[0] == in_one_chunk)
+  constexpr std::uint64_t chunk_size_in_content = 12; // offset [bytes]
+  constexpr std::uint32_t sizes_differ = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint64_t table_offset_at_end =
+      std::numeric_limits<std::uint64_t>::max();
+  if (checkedLaszipContent (las, *las.laszip)[0] == in_one_chunk)
     return;
-  HeaderReader& reader = las.reader;
-  const std::uint32_t size =
-      reader.at<LasHeader::Long> (las.laszip->content + chunk_size_at);
+  FileReader& reader = las.reader;
+  const std::uint32_t chunk_size = // number of points
+      reader.readAt<LasHeader::UInt32> (las.laszip->content + chunk_size_in_content);
   const auto check = [&] (bool is_good) {
     if (!is_good)
       failDamagedPoints (las.file);
   };
   const LasHeader& header = las.header;
-  const std::uint64_t begin = header.points_offset + head, end = reader.fileSize();
-  check (begin + head <= end && size > 0);
-  std::uint64_t table = reader.at<LasHeader::LongLong> (header.points_offset);
-  if (table == at_end)
-    table = reader.at<LasHeader::LongLong> (end - head);
-  check (begin <= table && table <= end - head);
-  const auto chunks = reader.at<Chunks> (table);
+  // The offset of the chunk table is in front of the chunks, or at the end of the file.
+  const std::uint64_t begin = header.points_offset + sizeof (LasHeader::UInt64);
+  const std::uint64_t end = reader.fileSize();
+  check (begin + sizeof (TableHeader) <= end && chunk_size > 0);
+  std::uint64_t table_offset = reader.readAt<LasHeader::UInt64> (header.points_offset);
+  if (table_offset == table_offset_at_end)
+    table_offset = reader.readAt<LasHeader::UInt64> (end - sizeof (LasHeader::UInt64));
+  check (begin <= table_offset && table_offset <= end - sizeof (TableHeader));
+  const auto table = reader.readAt<TableHeader> (table_offset);
   // The first point of each chunk is not compressed.
-  check (chunks.version == 0 && chunks.count > 0 &&
-         chunks.count <= (end - begin) / header.record_length);
-  check (size == of_any_size || chunks.count == (las.size() + size - 1) / size);
+  check (table.version == 0 && table.chunk_count > 0 &&
+         table.chunk_count <= (end - begin) / header.record_length);
+  check (chunk_size == sizes_differ ||
+         table.chunk_count == (las.size() + chunk_size - 1) / chunk_size);
 }
 
 } // namespace
@@ -187,11 +208,11 @@ decompressLaz (const std::string& file, std::ostream& stream)
   const LasHeader& header = las.header;
   las.checkCount();
   std::string front = las.bytes (0, header.points_offset);
-  LasHeader plain = header;
-  plain.format = header.pointFormat();
+  LasHeader plain_header = header;
+  plain_header.format_bits = header.pointFormat();
   if (las.laszip) {
     checkCompression (las);
-    --plain.vlr_count;
+    --plain_header.vlr_count;
     front.erase (las.laszip->begin, las.laszip->end - las.laszip->begin);
   }
   // No field of the header tells where compressed points end.
@@ -200,27 +221,28 @@ decompressLaz (const std::string& file, std::ostream& stream)
     if (next > header.points_offset)
       end = std::min (end, next);
   const std::uint64_t plain_size = las.size() * header.record_length;
-  las.putHeader (plain, end, front.size() + plain_size, front);
+  las.replaceHeader (plain_header, end, front.size() + plain_size, front);
   stream << front;
-  convertPoints (las, false, stream);
-  las.copyRest (end, stream);
+  convertPoints (las, Conversion::Decompress, stream);
+  las.copyFrom (end, stream);
 }
 
 void
 compressLas (const std::string& file, std::ostream& stream)
 {
   LasFile las (file);
-  LasHeader header = las.header;
-  header.format = header.pointFormat() | compressed;
-  ++header.vlr_count;
-  std::string front = las.bytes (0, header.points_offset);
-  front.insert (las.vlrs_end, laszipVlr (las));
+  LasHeader packed_header = las.header;
+  packed_header.format_bits = packed_header.pointFormat() | compressed_bit;
+  ++packed_header.vlr_count;
+  std::string front = las.bytes (0, las.header.points_offset);
+  front.insert (las.vlrs_end, newLaszipVlr (las));
   stream << front;
-  convertPoints (las, true, stream);
+  convertPoints (las, Conversion::Compress, stream);
   // The end of the compressed points is known only now.
   const auto end = static_cast<std::uint64_t> (std::streamoff (stream.tellp()));
-  las.copyRest (header.pointsEnd(), stream);
-  las.putHeader (header, header.pointsEnd(), end, front);
+  const std::uint64_t plain_end = las.header.pointsEnd();
+  las.copyFrom (plain_end, stream);
+  las.replaceHeader (packed_header, plain_end, end, front);
   stream.seekp (0);
   stream << front;
   stream.seekp (0, std::ios::end);

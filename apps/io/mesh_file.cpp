@@ -3,7 +3,7 @@
 #include <pcl/PCLPointField.h>
 
 #include "cloud_formats.h"
-#include "header_reader.h"
+#include "file_reader.h"
 #include "point_rows.h"
 
 namespace pcl_ops::apps {
@@ -12,51 +12,55 @@ namespace {
 
 struct OffHeader {
   bool has_normals = false, has_colors = false;
-  std::uint64_t vertices = 0;
+  std::uint64_t vertex_count = 0;
 };
 
 /** \brief Reads the word OFF, with letters in front of it that tell what vertices have
  * besides coordinates. The numbers of vertices, faces and edges follow it or are in the
  * next line. */
 OffHeader
-readOffHeader (HeaderReader& reader)
+readOffHeader (FileReader& reader)
 {
-  reader.skipMark();
+  reader.skipByteOrderMark();
   if (!reader.nextWords())
     reader.failEmpty();
   const std::string first (reader.word (0));
-  const std::size_t place = first.find ("OFF");
-  const std::string letters = first.substr (0, place);
-  if (place == std::string::npos ||
+  const std::string key = "OFF";
+  const std::size_t key_begin = first.find (key);
+  const std::string letters = first.substr (0, key_begin);
+  if (key_begin == std::string::npos ||
       letters.find_first_not_of ("CN") != std::string::npos)
     reader.fail ("its first line is not OFF, COFF, NOFF or CNOFF");
   OffHeader header;
   header.has_normals = letters.find ('N') != std::string::npos;
   header.has_colors = letters.find ('C') != std::string::npos;
-  std::string counts = first.substr (place + 3); // ModelNet has no blank there
+  std::string counts =
+      first.substr (key_begin + key.size()); // ModelNet has no blank there
   for (std::size_t i = 1; i < reader.wordCount(); ++i)
     counts += " " + std::string (reader.word (i));
-  reader.takeNumbers (counts, ' ');
+  reader.setLine (counts, ' ');
   if (reader.wordCount() == 0 && !reader.nextWords())
     reader.failTruncated();
-  header.vertices =
-      reader.count ("its number of vertices", std::string (reader.word (0)));
-  if (header.vertices == 0)
+  header.vertex_count =
+      reader.parseCount ("its number of vertices", std::string (reader.word (0)));
+  if (header.vertex_count == 0)
     reader.failEmpty();
   return header;
 }
 
-/** \brief Returns names for the columns behind the coordinates of a vertex with this
- * many numbers. */
+/** \brief Returns names for the columns behind the coordinates of a vertex: three of
+ * the normal, then as many of the color as there are numbers left.
+ * \param[in] numbers of a vertex, with its coordinates */
 Words
 furtherNames (const OffHeader& header, std::size_t numbers)
 {
+  constexpr std::size_t coordinates = 3;
   Words names;
   if (header.has_normals)
     names = {"normal_x", "normal_y", "normal_z"};
   if (header.has_colors)
     for (const char* color : {"r", "g", "b", "a"})
-      if (names.size() + 3 < numbers)
+      if (coordinates + names.size() < numbers)
         names.emplace_back (color);
   return names;
 }
@@ -66,10 +70,10 @@ furtherNames (const OffHeader& header, std::size_t numbers)
 FileCloud
 readOff (const std::string& file)
 {
-  HeaderReader reader (file, "OFF");
+  FileReader reader (file, "OFF");
   const OffHeader header = readOffHeader (reader);
   PointRows rows (reader);
-  while (rows.size() < header.vertices) {
+  while (rows.size() < header.vertex_count) {
     if (!reader.nextWords())
       reader.failTruncated();
     if (!rows.hasColumns())
@@ -82,17 +86,18 @@ readOff (const std::string& file)
 FileCloud
 readObj (const std::string& file)
 {
-  HeaderReader reader (file, "OBJ");
-  reader.skipMark();
+  FileReader reader (file, "OBJ");
+  reader.skipByteOrderMark();
   PointRows rows (reader);
   while (reader.nextWords()) {
     if (reader.word (0) != "v")
       continue;
-    reader.dropWord();
+    reader.dropFirstWord();
     const Words color = {"r", "g", "b"};
     const Words weight = {"w"};
+    const bool has_weight = reader.wordCount() == 4; // x, y, z, w
     if (!rows.hasColumns())
-      rows.addColumnsOfLine (reader.wordCount() == 4 ? weight : color);
+      rows.addColumnsOfLine (has_weight ? weight : color);
     rows.addPoint();
   }
   return {rows.take()};

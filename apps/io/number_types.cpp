@@ -41,6 +41,9 @@ readFloat (std::string_view text, Float& number)
   return rest == end && !std::isinf (std::strtod (text.data(), nullptr));
 }
 
+/** \brief Reads an integer, or cuts off the decimals of another number, as \ref
+ * NumberType::parse says.
+ * \return false unless all of the text is a number */
 template <typename Integer>
 bool
 readInteger (std::string_view text, Integer& number)
@@ -52,8 +55,9 @@ readInteger (std::string_view text, Integer& number)
   double real = 0.0;
   if (!readFloat (text, real))
     return false;
-  const bool fits = std::abs (real) < std::ldexp (1.0, 63);
-  number = fits ? static_cast<Integer> (static_cast<std::int64_t> (real)) : Integer (0);
+  const bool fits_int64 = std::abs (real) < std::ldexp (1.0, 63);
+  number = fits_int64 ? static_cast<Integer> (static_cast<std::int64_t> (real))
+                      : Integer (0);
   return true;
 }
 
@@ -85,6 +89,7 @@ typeOf (std::uint8_t id,
   return {id, kind, size, ply_name, ply_name_with_bits, read<Number>, parse<Number>};
 }
 
+/** \brief In the order of their ids, which begin with 1. */
 constexpr std::array<NumberType, 10> types = {
     {typeOf<std::int8_t> (1, 'I', "char", "int8"),
      typeOf<std::uint8_t> (2, 'U', "uchar", "uint8"),

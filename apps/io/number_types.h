@@ -14,11 +14,12 @@ using NumberReader = double (*) (const std::uint8_t* bytes);
 
 /** \brief A type of the numbers in a cloud's fields. */
 struct NumberType {
-  /** \brief The value in pcl::PCLPointField, which lacks 64-bit integers before PCL
-   * 1.13. */
+  /** \brief The value of pcl::PCLPointField::datatype. PCL lacks 64-bit integers before
+   * version 1.13. */
   std::uint8_t id;
-  /** \brief I, U or F, the TYPE in a PCD. */
+  /** \brief The TYPE in a PCD: I, U (unsigned) or F (floating point). */
   char kind;
+  /** \brief Bytes of a number. */
   std::size_t size;
   /** \brief The two spellings in PLY; empty for 64-bit integers. */
   std::string_view ply_name, ply_name_with_bits;
@@ -32,6 +33,7 @@ struct NumberType {
   bool (*parse) (std::string_view text, void* bytes);
 };
 
+/** \throws std::out_of_range if no type has the id */
 const NumberType&
 numberType (std::uint8_t id);
 

@@ -26,6 +26,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Throws an OutputError with the reason in errno. */
 [[noreturn]] void
 failToWrite (const std::string& file)
 {
@@ -34,15 +35,16 @@ failToWrite (const std::string& file)
                          "); make room or give another name");
 }
 
-/** \brief Creates a file with a short name that no other program uses in the folder. */
+/** \brief Creates a file with a short name that no other program uses in the folder.
+ * \param[in] output the file that error messages name */
 fs::path
-newFileIn (const fs::path& folder, const std::string& file)
+newFileIn (const fs::path& folder, const std::string& output)
 {
-  static std::atomic<unsigned> number{0};
+  static std::atomic<unsigned> created{0};
   constexpr mode_t permissions = 0666; // the user's umask removes some
   for (;;) {
     fs::path path = folder / (".pcl_ops." + std::to_string (::getpid()) + "." +
-                              std::to_string (++number));
+                              std::to_string (++created));
     const int descriptor =
         ::open (path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
     if (descriptor >= 0) {
@@ -50,20 +52,22 @@ newFileIn (const fs::path& folder, const std::string& file)
       return path;
     }
     if (errno != EEXIST)
-      failToWrite (file);
+      failToWrite (output);
   }
 }
 
+/** \brief Throws a WorkError with the reason in errno. */
 [[noreturn]] void
-failToSpool (const std::string& subject, const std::string& name)
+failToFillTemporary (const std::string& subject, const std::string& name)
 {
   throw WorkError (subject,
                    "cannot be copied to " + name + " (" + std::strerror (errno) +
                        "); set TMPDIR to a folder with more space");
 }
 
+/** \brief Creates a file in the folder for temporary files and returns its name. */
 std::string
-newSpool (const std::string& extension, const std::string& subject)
+newTemporaryFile (const std::string& extension, const std::string& subject)
 {
   std::error_code error;
   const fs::path folder = fs::temp_directory_path (error);
@@ -72,7 +76,7 @@ newSpool (const std::string& extension, const std::string& subject)
   std::string name = folder / ("pcl_ops_XXXXXX" + extension);
   const int file = ::mkstemps (name.data(), static_cast<int> (extension.size()));
   if (file < 0)
-    failToSpool (subject, name);
+    failToFillTemporary (subject, name);
   ::close (file);
   return name;
 }
@@ -95,7 +99,7 @@ resolvedName (const std::string& file)
   std::error_code error;
   fs::path path = fs::absolute (file, error);
   // weakly_canonical does not follow a link to a file that does not exist yet.
-  constexpr int max_links = 40;
+  constexpr int max_links = 40; // as Linux follows at most
   for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
     path = path.parent_path() / fs::read_symlink (path, error);
   const fs::path canonical = fs::weakly_canonical (path, error);
@@ -108,27 +112,31 @@ checkWritable (const std::string& file)
   const fs::path target = resolvedName (file);
   const fs::path folder = target.parent_path();
   std::error_code error;
-  std::error_code of_folder;
+  std::error_code ignored;
   const fs::file_status status = fs::status (target, error);
-  const bool exists = fs::exists (status);
-  const std::pair<bool, const char*> problems[] = {
+  struct Problem {
+    bool exists;
+    const char* what_and_fix;
+  };
+  const bool file_exists = fs::exists (status);
+  const Problem problems[] = {
       {!target.has_filename(), "is no file name; give one to write to"},
       {error == std::errc::filename_too_long,
        "has a name that is too long; give a shorter one"},
       {error == std::errc::too_many_symbolic_link_levels,
        "is a link that leads nowhere; give another name"},
       {fs::is_directory (status), "is a folder; give the name of a file in it"},
-      {exists && !fs::is_regular_file (status),
+      {file_exists && !fs::is_regular_file (status),
        "is no regular file; give another name"},
-      {exists && ::access (target.c_str(), W_OK) != 0,
+      {file_exists && ::access (target.c_str(), W_OK) != 0,
        "is write-protected; give another name"},
-      {!fs::is_directory (folder, of_folder),
+      {!fs::is_directory (folder, ignored),
        "its folder does not exist; create it or give another name"},
       {::access (folder.c_str(), W_OK | X_OK) != 0,
        "its folder cannot be written to; choose another one"}};
-  for (const auto& [is_so, problem] : problems)
-    if (is_so)
-      throw WorkError (file, problem);
+  for (const Problem& problem : problems)
+    if (problem.exists)
+      throw WorkError (file, problem.what_and_fix);
 }
 
 void
@@ -201,15 +209,15 @@ isSameFile (const std::string& first, const std::string& second)
          resolvedName (first) == resolvedName (second);
 }
 
-Spool::Spool (const std::string& extension, std::string subject)
-: subject_ (std::move (subject)), file_ (newSpool (extension, subject_))
+TemporaryFile::TemporaryFile (const std::string& extension, std::string subject)
+: subject_ (std::move (subject)), file_ (newTemporaryFile (extension, subject_))
 {}
 
 void
-Spool::fill (const std::function<void (std::ostream& stream)>& write) const
+TemporaryFile::fill (const std::function<void (std::ostream& stream)>& write) const
 {
   if (!fillFile (file_.path, write))
-    failToSpool (subject_, name());
+    failToFillTemporary (subject_, name());
 }
 
 FolderLock::FolderLock (const std::string& folder)

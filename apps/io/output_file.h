@@ -60,8 +60,8 @@ resolvedName (const std::string& file);
 bool
 isSameFile (const std::string& first, const std::string& second);
 
-/** \brief A file, or a folder with its content, that the destructor removes unless it
- * has been renamed. */
+/** \brief A file, or a folder with its content, that the destructor removes. If it was
+ * renamed, the file of the new name stays. */
 struct TemporaryPath {
   explicit TemporaryPath (std::filesystem::path name) : path (std::move (name)) {}
   TemporaryPath (const TemporaryPath&) = delete;
@@ -78,11 +78,11 @@ struct TemporaryPath {
 
 /** \brief A new temporary file ($TMPDIR), for libraries that read or write files only.
  */
-class Spool {
+class TemporaryFile {
 public:
   /** \param[in] subject the file or option that error messages name
    * \throws WorkError if the file cannot be created */
-  Spool (const std::string& extension, std::string subject);
+  TemporaryFile (const std::string& extension, std::string subject);
 
   /** \brief Fills the file by \p write, as \ref writeFile does. */
   void
@@ -99,8 +99,8 @@ private:
   TemporaryPath file_;
 };
 
-/** \brief A lock on a folder for one run, released when the run ends in any way. On a
- * file system without locks every run gets it. */
+/** \brief A lock on a folder for one run of a program, released when the run ends in
+ * any way. On a file system without locks every run gets it. */
 class FolderLock {
 public:
   explicit FolderLock (const std::string& folder);
@@ -114,11 +114,13 @@ public:
   void
   wait () const;
 
-  /** \return false if another run has the lock */
+  /** \brief Takes the lock unless another run has it.
+   * \return whether it was taken */
   bool
   take () const;
 
 private:
+  /** \brief File descriptor of the folder. */
   int folder_;
 };
 

@@ -19,8 +19,9 @@ namespace {
 
 using IsOurs = std::function<bool (const std::string& name)>;
 
+/** \brief Returns the names of the files in a folder that are outputs. */
 std::set<std::string>
-filesIn (const fs::path& folder, const IsOurs& is_ours)
+outputsIn (const fs::path& folder, const IsOurs& is_ours)
 {
   std::set<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator (folder))
@@ -40,22 +41,24 @@ temporaryFolderIn (const std::string& folder)
   return name;
 }
 
-/** \brief Moves the files of a run from \p with into \p folder, and removes those that
- * an earlier run left there. */
+/** \brief Moves the files of a run from \p written_folder into \p folder, and removes
+ * those that an earlier run left there. */
 void
-exchangeFiles (const fs::path& folder, const fs::path& with, const IsOurs& is_ours)
+exchangeFiles (const fs::path& folder,
+               const fs::path& written_folder,
+               const IsOurs& is_ours)
 {
   // Other runs that exchange the files of the folder wait for this one.
   const FolderLock lock (folder);
   lock.wait();
-  std::set<std::string> stale = filesIn (folder, is_ours);
-  const std::set<std::string> written = filesIn (with, is_ours);
+  std::set<std::string> stale = outputsIn (folder, is_ours);
+  const std::set<std::string> written = outputsIn (written_folder, is_ours);
   for (const std::string& name : written)
     if (fs::is_directory (folder / name))
       throw fs::filesystem_error (name,
                                   std::make_error_code (std::errc::is_a_directory));
   for (const std::string& name : written) {
-    fs::rename (with / name, folder / name);
+    fs::rename (written_folder / name, folder / name);
     stale.erase (name);
   }
   for (const std::string& name : stale)

@@ -9,8 +9,8 @@
 namespace pcl_ops::apps {
 
 /** \brief Writes files that belong together into a folder, which is created if missing.
- * They replace the files of an earlier run. The folder does not change until all are
- * written. Other runs that replace files in it wait meanwhile.
+ * They replace the files of an earlier run of a program. The folder does not change
+ * until all are written. Other runs that replace files in it wait meanwhile.
  * \param[in] is_ours whether a name is that of an output: only such files are moved
  * into the folder, and removed from it if \p write did not write them again
  * \param[in] write fills a temporary folder with the files

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_formats.h"
-#include "header_reader.h"
+#include "file_reader.h"
 #include "number_types.h"
 
 #include <algorithm>
@@ -19,11 +19,11 @@ namespace {
 using PcdHeader = std::map<std::string, Words>;
 
 PcdHeader
-readHeader (HeaderReader& reader)
+readHeader (FileReader& reader)
 {
   PcdHeader header;
   while (header.count ("DATA") == 0) {
-    Words words = reader.nextLine ("DATA");
+    Words words = reader.nextHeaderLine ("DATA");
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
@@ -35,8 +35,9 @@ readHeader (HeaderReader& reader)
   return header;
 }
 
+/** \throws WorkError if the header has no such line */
 const Words&
-lineOf (const HeaderReader& reader, const PcdHeader& header, const char* key)
+lineOf (const FileReader& reader, const PcdHeader& header, const char* key)
 {
   const auto line = header.find (key);
   if (line == header.end())
@@ -44,8 +45,9 @@ lineOf (const HeaderReader& reader, const PcdHeader& header, const char* key)
   return line->second;
 }
 
+/** \brief Declares the fields by the lines FIELDS, SIZE, TYPE and COUNT. */
 void
-readFields (const HeaderReader& reader,
+readFields (const FileReader& reader,
             const PcdHeader& header,
             pcl::PCLPointCloud2& points)
 {
@@ -60,8 +62,8 @@ readFields (const HeaderReader& reader,
       counts.size() != names.size())
     reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
 
-  constexpr std::uint64_t max_count = 1U << 20U;
-  // PCL's readers take at most as many.
+  constexpr std::uint64_t max_count = 1U << 20U; // far above that of any descriptor
+  // PCL's readers take at most as many in a point.
   constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -70,7 +72,7 @@ readFields (const HeaderReader& reader,
     });
     if (type == nullptr)
       reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
-    const std::uint64_t count = reader.count ("COUNT", counts[i]);
+    const std::uint64_t count = reader.parseCount ("COUNT", counts[i]);
     if (count > max_count)
       reader.fail ("COUNT " + counts[i] + " is out of range");
     if (count > 0) // PCL drops fields of COUNT 0, too
@@ -85,7 +87,7 @@ readFields (const HeaderReader& reader,
 }
 
 void
-readSize (const HeaderReader& reader,
+readSize (const FileReader& reader,
           const PcdHeader& header,
           pcl::PCLPointCloud2& points)
 {
@@ -93,7 +95,7 @@ readSize (const HeaderReader& reader,
     const Words& line = lineOf (reader, header, key.c_str());
     if (line.size() != 1)
       reader.fail (key + " is not one number");
-    return reader.count (key, line[0]);
+    return reader.parseCount (key, line[0]);
   };
   const std::uint64_t size = value ("POINTS");
   std::uint64_t width = value ("WIDTH");
@@ -111,7 +113,7 @@ readSize (const HeaderReader& reader,
 }
 
 void
-readViewpoint (const HeaderReader& reader, const PcdHeader& header, FileCloud& cloud)
+readViewpoint (const FileReader& reader, const PcdHeader& header, FileCloud& cloud)
 {
   const auto line = header.find ("VIEWPOINT");
   if (line == header.end())
@@ -128,37 +130,43 @@ readViewpoint (const HeaderReader& reader, const PcdHeader& header, FileCloud& c
 }
 
 void
-readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
+readText (FileReader& reader, pcl::PCLPointCloud2& points)
 {
   std::size_t numbers = 0;
   for (const pcl::PCLPointField& field : points.fields)
     numbers += field.count;
-  // A number takes at least two bytes, a digit and a separator.
-  const std::uint64_t rest = reader.fileSize() - reader.position();
-  if (sizeOf (points) > (rest + 1) / (2 * numbers))
+  // A number takes at least two bytes, a digit and a separator, which the last one may
+  // lack.
+  constexpr std::uint64_t min_bytes_of_number = 2;
+  if (sizeOf (points) > (reader.bytesLeft() + 1) / (min_bytes_of_number * numbers))
     reader.failTruncated();
   points.data.resize (sizeOf (points) * points.point_step);
-  std::uint8_t* number = points.data.data();
-  while (number != points.data.data() + points.data.size()) {
+  std::uint8_t* out = points.data.data();
+  while (out != points.data.data() + points.data.size()) {
     if (!reader.nextNumbers())
       continue; // PCL's reader skips it, too
-    reader.expectNumbers (numbers);
+    reader.expectWordCount (numbers);
     std::size_t word = 0;
     for (const pcl::PCLPointField& field : points.fields) {
       const NumberType& type = numberType (field.datatype);
-      for (pcl::uindex_t i = 0; i < field.count; ++i, number += type.size)
-        reader.readNumber (word++, type, number);
+      for (pcl::uindex_t i = 0; i < field.count; ++i, out += type.size)
+        reader.readNumber (word++, type, out);
     }
   }
   reader.expectEnd();
 }
 
 /** \brief Decompresses bytes of the LZF format (M. Lehmann's LibLZF), without PCL's
- * library, which loads VTK. */
-class LzfBytes {
+ * library, which loads VTK. The format is a sequence of two kinds of chunks. The first
+ * byte of a chunk, its head, has two parts: l, the upper 3 bits, and r, the lower 5.
+ * - l = 0: r + 1 literal bytes follow.
+ * - else: l + 2 bytes repeat earlier ones; if l = 7, one further byte is added to that
+ *   number. Behind it is the low byte of the distance back, whose high byte is r. */
+class LzfDecoder {
 public:
-  LzfBytes (const std::vector<std::uint8_t>& compressed,
-            std::vector<std::uint8_t>& bytes)
+  /** \param[out] bytes of the expected size */
+  LzfDecoder (const std::vector<std::uint8_t>& compressed,
+              std::vector<std::uint8_t>& bytes)
   : compressed_ (compressed), bytes_ (bytes)
   {}
 
@@ -169,7 +177,7 @@ public:
     while (in_ < compressed_.size()) {
       const std::size_t head = compressed_[in_];
       ++in_;
-      if (head < literals) {
+      if (head < lower_part) {
         if (!copyLiterals (head + 1))
           return false;
       }
@@ -180,8 +188,8 @@ public:
   }
 
 private:
-  /** \brief A head byte h below this value stands for h + 1 literal bytes. */
-  static constexpr std::size_t literals = 32;
+  /** \brief A head is l * lower_part + r. */
+  static constexpr std::size_t lower_part = 32;
 
   bool
   copyLiterals (std::size_t count)
@@ -199,16 +207,19 @@ private:
   repeat (std::size_t head)
   {
     constexpr std::size_t longest_in_head = 7;
-    std::size_t count = head / literals;
-    const std::size_t rest = count == longest_in_head ? 2 : 1;
-    if (rest > compressed_.size() - in_)
+    constexpr std::size_t min_count = 2, min_distance = 1;
+    std::size_t count = head / lower_part;
+    const bool is_long = count == longest_in_head;
+    const std::size_t bytes_left_of_chunk = is_long ? 2 : 1;
+    if (bytes_left_of_chunk > compressed_.size() - in_)
       return false;
-    if (count == longest_in_head) {
+    if (is_long) {
       count += compressed_[in_];
       ++in_;
     }
-    count += 2;
-    const std::size_t distance = head % literals * 256 + compressed_[in_] + 1;
+    count += min_count;
+    const std::size_t high_byte = head % lower_part;
+    const std::size_t distance = high_byte * 256 + compressed_[in_] + min_distance;
     ++in_;
     if (distance > out_ || count > bytes_.size() - out_)
       return false;
@@ -219,29 +230,32 @@ private:
 
   const std::vector<std::uint8_t>& compressed_;
   std::vector<std::uint8_t>& bytes_;
-  std::size_t in_ = 0;
-  std::size_t out_ = 0;
+  /** \brief Numbers of bytes read and written so far. */
+  std::size_t in_ = 0, out_ = 0;
 };
 
 /** \brief Reads binary_compressed data, which have the values of all points field by
  * field. */
 void
-readCompressed (HeaderReader& reader, pcl::PCLPointCloud2& points)
+readCompressed (FileReader& reader, pcl::PCLPointCloud2& points)
 {
   // LZF expands three bytes to at most 264.
   constexpr std::uint64_t max_expansion = 100;
+  struct Sizes {
+    std::uint32_t compressed, expanded;
+  };
   const std::size_t size = sizeOf (points);
-  std::array<std::uint32_t, 2> sizes{};
-  reader.read (sizes.data(), sizeof (sizes));
-  if (sizes[1] != size * points.point_step)
+  Sizes bytes{};
+  reader.read (&bytes, sizeof (bytes));
+  if (bytes.expanded != size * points.point_step)
     reader.fail ("the size of its compressed data is not that of its points");
-  if (sizes[0] > reader.fileSize() - reader.position() ||
-      sizes[1] > max_expansion * sizes[0])
+  if (bytes.compressed > reader.bytesLeft() ||
+      bytes.expanded > max_expansion * bytes.compressed)
     reader.failTruncated();
-  std::vector<std::uint8_t> compressed (sizes[0]);
-  std::vector<std::uint8_t> by_field (sizes[1]);
+  std::vector<std::uint8_t> compressed (bytes.compressed);
+  std::vector<std::uint8_t> by_field (bytes.expanded);
   reader.read (compressed.data(), compressed.size());
-  if (!LzfBytes (compressed, by_field).decompress())
+  if (!LzfDecoder (compressed, by_field).decompress())
     reader.fail ("its compressed data are damaged");
   points.data.resize (by_field.size());
   const std::uint8_t* from = by_field.data();
@@ -253,10 +267,9 @@ readCompressed (HeaderReader& reader, pcl::PCLPointCloud2& points)
 }
 
 void
-readBinary (HeaderReader& reader, pcl::PCLPointCloud2& points)
+readBinary (FileReader& reader, pcl::PCLPointCloud2& points)
 {
-  const std::uint64_t rest = reader.fileSize() - reader.position();
-  if (sizeOf (points) > rest / points.point_step)
+  if (sizeOf (points) > reader.bytesLeft() / points.point_step)
     reader.failTruncated();
   points.data.resize (sizeOf (points) * points.point_step);
   reader.read (points.data.data(), points.data.size());
@@ -275,18 +288,18 @@ isPcdKey (const std::string& word)
 FileCloud
 readPcd (const std::string& file)
 {
-  HeaderReader reader (file, "PCD");
+  FileReader reader (file, "PCD");
   const PcdHeader header = readHeader (reader);
   FileCloud cloud;
   readFields (reader, header, cloud.points);
   readSize (reader, header, cloud.points);
   readViewpoint (reader, header, cloud);
-  const Words& kind = header.at ("DATA");
-  if (kind == Words{"ascii"})
+  const Words& encoding = header.at ("DATA");
+  if (encoding == Words{"ascii"})
     readText (reader, cloud.points);
-  else if (kind == Words{"binary"})
+  else if (encoding == Words{"binary"})
     readBinary (reader, cloud.points);
-  else if (kind == Words{"binary_compressed"})
+  else if (encoding == Words{"binary_compressed"})
     readCompressed (reader, cloud.points);
   else
     reader.fail ("DATA is not ascii, binary or binary_compressed");
@@ -300,10 +313,12 @@ namespace {
 std::string
 textOf (double number)
 {
+  constexpr int first_digits = 6; // those of a stream by default
   const bool is_single = static_cast<double> (static_cast<float> (number)) == number;
   std::string text;
   double read = NAN;
-  for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+  for (int digits = first_digits; digits <= std::numeric_limits<double>::max_digits10;
+       ++digits) {
     std::ostringstream stream;
     stream.imbue (std::locale::classic());
     stream.precision (digits);
@@ -332,18 +347,18 @@ pcdHeader (const FileCloud& cloud)
     types += std::string (" ") + type.kind;
     counts += " " + std::to_string (count);
   };
-  pcl::uindex_t end = 0;
-  const auto pad = [&] (pcl::uindex_t to) {
-    if (to > end) // PCD calls padding _
-      add ("_", numberType (pcl::PCLPointField::UINT8), to - end);
+  pcl::uindex_t end = 0; // of the fields so far, in a point [bytes]
+  const auto pad_up_to = [&] (pcl::uindex_t offset) {
+    if (offset > end) // PCD calls padding _
+      add ("_", numberType (pcl::PCLPointField::UINT8), offset - end);
   };
   for (const pcl::PCLPointField& field : points.fields) {
     const NumberType& type = numberType (field.datatype);
-    pad (field.offset);
+    pad_up_to (field.offset);
     add (field.name, type, field.count);
     end = field.offset + static_cast<pcl::uindex_t> (field.count * type.size);
   }
-  pad (points.point_step);
+  pad_up_to (points.point_step);
   const Eigen::Quaterniond& q = cloud.orientation;
   std::ostringstream header;
   header.imbue (std::locale::classic());

@@ -3,7 +3,7 @@
 #include <boost/endian/conversion.hpp>
 
 #include "cloud_formats.h"
-#include "header_reader.h"
+#include "file_reader.h"
 #include "number_types.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace pcl_ops::apps {
@@ -19,19 +20,29 @@ namespace {
 
 using pcl::PCLPointField;
 
+/** \brief A property of an element, and the field that it becomes if the element is
+ * vertex. */
 struct PlyProperty {
   std::string name;
   const NumberType* type = nullptr;
   /** \brief Type of the length in front of a list; nullptr: no list. */
   const NumberType* length_type = nullptr;
-  /** \brief Where the property begins in a point [bytes]. */
+  /** \brief Offset of the property in a point of the cloud [bytes]. */
   pcl::uindex_t offset = 0;
+  /** \brief Whether it becomes a field of another type, float. */
   bool becomes_float = false;
+
+  bool
+  isList () const
+  {
+    return length_type != nullptr;
+  }
 };
 using PlyProperties = std::vector<PlyProperty>;
 
 struct PlyElement {
   std::string name;
+  /** \brief Number of rows, each with a value of every property. */
   std::uint64_t count = 0;
   PlyProperties properties;
   bool has_lists = false;
@@ -42,9 +53,9 @@ struct PlyHeader {
   std::string format;
   /** \brief In the order of the data. */
   std::vector<PlyElement> elements;
-  /** \brief Numbers by name: num_cols and num_rows of obj_info, later those of the
-   * camera element. */
-  std::map<std::string, double> grid;
+  /** \brief Width and height of an organized cloud, by the names num_cols and num_rows
+   * of obj_info, and, once the data are read, all properties of the camera element. */
+  std::map<std::string, double> size_numbers;
 
   /** \return nullptr if no element has the name */
   const PlyElement*
@@ -57,10 +68,11 @@ struct PlyHeader {
   }
 };
 
+/** \brief Far above those of any cloud, so that a broken header fails soon. */
 constexpr std::size_t max_elements = 1000, max_properties = 10000;
 
 void
-readElement (const HeaderReader& reader, const Words& words, PlyHeader& header)
+readElement (const FileReader& reader, const Words& words, PlyHeader& header)
 {
   if (words.size() != 3)
     reader.fail ("its line element is incomplete");
@@ -69,11 +81,11 @@ readElement (const HeaderReader& reader, const Words& words, PlyHeader& header)
   if (header.find (words[1]) != nullptr)
     reader.fail ("it has the element " + words[1] + " twice");
   header.elements.push_back (
-      {words[1], reader.count ("element " + words[1], words[2]), {}});
+      {words[1], reader.parseCount ("element " + words[1], words[2]), {}});
 }
 
 void
-readProperty (const HeaderReader& reader, const Words& words, PlyHeader& header)
+readProperty (const FileReader& reader, const Words& words, PlyHeader& header)
 {
   const bool is_list = words.size() == 5 && words[1] == "list";
   if (header.elements.empty() || (words.size() != 3 && !is_list))
@@ -97,7 +109,7 @@ readProperty (const HeaderReader& reader, const Words& words, PlyHeader& header)
 }
 
 void
-checkHeader (const HeaderReader& reader, const PlyHeader& header)
+checkHeader (const FileReader& reader, const PlyHeader& header)
 {
   if (header.format != "ascii" && header.format != "binary_little_endian" &&
       header.format != "binary_big_endian")
@@ -107,8 +119,7 @@ checkHeader (const HeaderReader& reader, const PlyHeader& header)
     reader.fail ("it has no element vertex");
   std::set<std::string> names;
   for (const PlyProperty& property : vertex->properties) {
-    const bool is_number = property.length_type == nullptr;
-    if (is_number && !names.insert (property.name).second)
+    if (!property.isList() && !names.insert (property.name).second)
       reader.fail ("its vertices have " + property.name + " twice");
   }
   if (vertex->count == 0)
@@ -116,13 +127,13 @@ checkHeader (const HeaderReader& reader, const PlyHeader& header)
 }
 
 PlyHeader
-readPlyHeader (HeaderReader& reader)
+readPlyHeader (FileReader& reader)
 {
   PlyHeader header;
-  if (reader.nextLine ("ply") != Words{"ply"})
+  if (reader.nextHeaderLine ("ply") != Words{"ply"})
     reader.fail ("its first line is not ply");
   for (Words words; words != Words{"end_header"};) {
-    words = reader.nextLine ("end_header");
+    words = reader.nextHeaderLine ("end_header");
     const std::string key = words.empty() ? "" : words[0];
     if (key == "format" && words.size() == 3)
       header.format = words[1];
@@ -132,7 +143,8 @@ readPlyHeader (HeaderReader& reader)
       readProperty (reader, words, header);
     else if (key == "obj_info" && words.size() > 2 &&
              (words[1] == "num_cols" || words[1] == "num_rows"))
-      header.grid[words[1]] = static_cast<double> (reader.count (words[1], words[2]));
+      header.size_numbers[words[1]] =
+          static_cast<double> (reader.parseCount (words[1], words[2]));
     else if (key != "obj_info" && key != "comment" && key != "end_header")
       reader.fail ("its line '" + key + "' is unknown or incomplete");
   }
@@ -143,19 +155,22 @@ readPlyHeader (HeaderReader& reader)
 /** \brief Reads the data of a PLY, number by number. */
 class PlyData {
 public:
-  PlyData (HeaderReader& reader, const std::string& format)
+  PlyData (FileReader& reader, const std::string& format)
   : reader_ (reader), is_text_ (format == "ascii")
   {
     using boost::endian::order;
     is_swapped_ = (format == "binary_big_endian") != (order::native == order::big);
   }
 
+  /** \brief Call it before the first row of each element. */
   void
   beginElement ()
   {
     line_lengths_.clear();
   }
 
+  /** \brief In a text, goes on to the line of the next row, or its lines if rows
+   * without lists are divided into several. */
   void
   beginRow (const PlyElement& element)
   {
@@ -163,15 +178,16 @@ public:
     if (!is_text_)
       return;
     if (line_lengths_.size() > 1)
-      return reader_.nextLines (line_lengths_);
+      return reader_.nextJoinedLines (line_lengths_);
     reader_.nextNumbers();
     if (element.has_lists)
       return;
     if (line_lengths_.empty())
-      line_lengths_ = reader_.joinLines (element.properties.size());
-    reader_.expectNumbers (element.properties.size());
+      line_lengths_ = reader_.joinNextLines (element.properties.size());
+    reader_.expectWordCount (element.properties.size());
   }
 
+  /** \brief Reads the next number of the row, in the byte order of the machine. */
   void
   read (const NumberType& type, std::uint8_t* bytes)
   {
@@ -187,8 +203,7 @@ public:
   double
   readProperty (const PlyProperty& property)
   {
-    const double count =
-        property.length_type == nullptr ? 1.0 : number (*property.length_type);
+    const double count = property.isList() ? number (*property.length_type) : 1.0;
     if (!(count >= 0.0))
       failAtList();
     double last = 0.0;
@@ -231,7 +246,7 @@ private:
     reader_.fail ("a list has no length");
   }
 
-  HeaderReader& reader_;
+  FileReader& reader_;
   bool is_text_, is_swapped_ = false;
   std::size_t next_word_ = 0;
   /** \brief The number of words in each line of the first row of the element. */
@@ -241,17 +256,17 @@ private:
 /** \brief The names of the bytes of PCL's packed color, from the lowest. */
 constexpr std::array<const char*, 4> color_names = {"blue", "green", "red", "alpha"};
 
-/** \brief Returns the byte of PCL's packed color that a property of type uchar becomes;
- * -1 if it is no color. */
-int
-placeInColor (const PlyProperty& property)
+/** \brief Returns the byte of PCL's packed color that a property of type uchar becomes,
+ * if it is a color. */
+std::optional<pcl::uindex_t>
+byteInColor (const PlyProperty& property)
 {
-  for (std::size_t i = 0; i < color_names.size(); ++i)
+  for (pcl::uindex_t i = 0; i < color_names.size(); ++i)
     if (property.type->id == PCLPointField::UINT8 &&
-        (property.name == color_names[i] ||
-         property.name == std::string ("diffuse_") + color_names[i]))
-      return static_cast<int> (i);
-  return -1;
+        (property.name == color_names.at (i) ||
+         property.name == std::string ("diffuse_") + color_names.at (i)))
+      return i;
+  return {};
 }
 
 /** \brief Adds the field of a property that is no part of a color. */
@@ -273,36 +288,37 @@ addOwnField (PlyProperty& property, pcl::PCLPointCloud2& points)
 void
 addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
 {
-  std::size_t color = 0; // index of the color field plus 1; 0: none yet
+  std::optional<std::size_t> color_index; // of the color field, once there is one
   for (PlyProperty& property : vertex.properties) {
-    if (property.length_type != nullptr)
+    if (property.isList())
       continue;
-    const int place = placeInColor (property);
-    if (place < 0) {
+    const std::optional<pcl::uindex_t> byte = byteInColor (property);
+    if (!byte) {
       addOwnField (property, points);
       continue;
     }
-    if (color == 0) {
+    if (!color_index) {
+      color_index = points.fields.size();
       addField ("rgb", PCLPointField::FLOAT32, points);
-      color = points.fields.size();
     }
-    PCLPointField& field = points.fields[color - 1];
+    PCLPointField& field = points.fields[*color_index];
     if (property.name == "alpha") {
       field.name = "rgba";
       field.datatype = PCLPointField::UINT32;
     }
-    property.offset = field.offset + static_cast<pcl::uindex_t> (place);
+    property.offset = field.offset + *byte;
   }
   points.data.resize (vertex.count * points.point_step);
 }
 
-/** \brief Reads the rows of an element. It keeps the vertices, and the numbers of PCL's
- * camera element, which have the size of the cloud. */
+/** \brief Reads the rows of an element. It keeps the vertices in \p points, and the
+ * numbers of PCL's camera element, which has the size of the cloud, in
+ * \p size_numbers. */
 void
 readRows (PlyData& data,
           const PlyElement& element,
           pcl::PCLPointCloud2& points,
-          std::map<std::string, double>& grid)
+          std::map<std::string, double>& size_numbers)
 {
   const bool is_vertex = element.name == "vertex";
   std::uint8_t* point = points.data.data();
@@ -310,35 +326,39 @@ readRows (PlyData& data,
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     data.beginRow (element);
     for (const PlyProperty& property : element.properties) {
-      const bool is_list = property.length_type != nullptr;
-      if (is_vertex && !is_list && !property.becomes_float) {
+      const bool is_field = is_vertex && !property.isList();
+      if (is_field && !property.becomes_float) {
         data.read (*property.type, point + property.offset);
         continue;
       }
       const double number = data.readProperty (property);
       const auto single = static_cast<float> (number);
-      if (is_vertex && !is_list)
+      if (is_field)
         std::memcpy (point + property.offset, &single, sizeof (single));
       else if (element.name == "camera")
-        grid[property.name] = number;
+        size_numbers[property.name] = number;
     }
     data.endRow();
     point += is_vertex ? points.point_step : 0;
   }
 }
 
+/** \brief Sets width and height of a cloud with \p size points: those of the camera
+ * element, else of obj_info; unorganized if they do not fit the size. */
 void
 organize (std::uint64_t size,
-          std::map<std::string, double>& grid,
+          std::map<std::string, double>& size_numbers,
           pcl::PCLPointCloud2& points)
 {
-  const auto size_of = [&] (const char* of_camera, const char* of_info) {
-    return grid.count (of_camera) > 0 ? grid[of_camera] : grid[of_info];
+  const auto number = [&] (const char* of_camera, const char* of_info) {
+    return size_numbers.count (of_camera) > 0 ? size_numbers[of_camera]
+                                              : size_numbers[of_info];
   };
-  const double width = size_of ("viewportx", "num_cols");
-  const double height = size_of ("viewporty", "num_rows");
-  const bool fits = width * height == static_cast<double> (size) && width >= 1.0 &&
-                    width == std::floor (width) && height == std::floor (height);
+  const double width = number ("viewportx", "num_cols");
+  const double height = number ("viewporty", "num_rows");
+  const bool are_whole = width == std::floor (width) && height == std::floor (height);
+  const bool fits =
+      are_whole && width >= 1.0 && width * height == static_cast<double> (size);
   points.width = static_cast<pcl::uindex_t> (fits ? width : static_cast<double> (size));
   points.height = static_cast<pcl::uindex_t> (fits ? height : 1.0);
 }
@@ -352,20 +372,21 @@ isColor (const PCLPointField& field)
          numberType (field.datatype).size == sizeof (std::uint32_t);
 }
 
-/** \brief Returns the properties red, green, blue (and alpha) of PCL's packed color,
- * whose lowest byte is blue. */
+/** \brief Returns the properties red, green, blue (and alpha) of a field that is PCL's
+ * packed color. */
 PlyProperties
 colorProperties (const PCLPointField& field)
 {
   const NumberType* const type = &numberType (PCLPointField::UINT8);
   PlyProperties properties;
-  for (const pcl::uindex_t place : {2u, 1u, 0u, 3u})
-    if (properties.size() < field.name.size()) // three or four letters: rgb, rgba
+  for (const pcl::uindex_t byte : {2u, 1u, 0u, 3u}) // red, green, blue, alpha
+    if (properties.size() < field.name.size())      // three or four letters: rgb, rgba
       properties.push_back (
-          {color_names.at (place), type, nullptr, field.offset + place});
+          {color_names.at (byte), type, nullptr, field.offset + byte});
   return properties;
 }
 
+/** \brief Returns a property for each number of a field that is no color. */
 PlyProperties
 numberProperties (const PCLPointField& field)
 {
@@ -373,7 +394,8 @@ numberProperties (const PCLPointField& field)
   const NumberType& type = numberType (field.datatype);
   const bool is_normal =
       field.name == "normal_x" || field.name == "normal_y" || field.name == "normal_z";
-  const std::string name = is_normal ? "n" + field.name.substr (7) : field.name;
+  const std::string name =
+      is_normal ? std::string ("n") + field.name.back() : field.name;
   for (pcl::uindex_t i = 0; i < field.count; ++i)
     properties.push_back ({field.count == 1 ? name : name + "_" + std::to_string (i),
                            &type,
@@ -407,34 +429,43 @@ propertiesOf (const pcl::PCLPointCloud2& points)
   return properties;
 }
 
+/** \brief Returns the least number of bytes that the data of a PLY have. */
+std::uint64_t
+minDataSize (const PlyHeader& header, bool is_text)
+{
+  constexpr std::uint64_t min_text_size = 2; // a digit and a separator
+  std::uint64_t size = 0;
+  for (const PlyElement& element : header.elements)
+    for (const PlyProperty& property : element.properties) {
+      // A list may be empty.
+      const NumberType& first =
+          property.isList() ? *property.length_type : *property.type;
+      size += element.count * (is_text ? min_text_size : first.size);
+    }
+  return size;
+}
+
 } // namespace
 
 FileCloud
 readPly (const std::string& file)
 {
-  HeaderReader reader (file, "PLY");
+  FileReader reader (file, "PLY");
   PlyHeader header = readPlyHeader (reader);
   const bool is_text = header.format == "ascii";
-  std::uint64_t min_bytes = 0;
-  for (const PlyElement& element : header.elements)
-    for (const PlyProperty& property : element.properties) {
-      // A list may be empty. In text a number takes two bytes, with its separator.
-      const NumberType* const binary =
-          property.length_type == nullptr ? property.type : property.length_type;
-      min_bytes += element.count * (is_text ? 2 : binary->size);
-    }
-  if (reader.fileSize() - reader.position() + 1 < min_bytes)
+  if (reader.bytesLeft() + 1 <
+      minDataSize (header, is_text)) // the last separator may be missing
     reader.failTruncated();
   FileCloud cloud;
   PlyData data (reader, header.format);
   for (PlyElement& element : header.elements) {
     if (element.name == "vertex")
       addFields (element, cloud.points);
-    readRows (data, element, cloud.points, header.grid);
+    readRows (data, element, cloud.points, header.size_numbers);
   }
   if (is_text)
     reader.expectEnd();
-  organize (header.find ("vertex")->count, header.grid, cloud.points);
+  organize (header.find ("vertex")->count, header.size_numbers, cloud.points);
   return cloud;
 }
 
@@ -464,8 +495,9 @@ plyVertices (const pcl::PCLPointCloud2& points)
       const NumberType& type = *property.type;
       const std::uint8_t* number =
           &points.data[i * points.point_step + property.offset];
-      const double converted = type.ply_name.empty() ? type.read (number) : 0.0;
-      if (type.ply_name.empty())
+      const bool is_in_ply = !type.ply_name.empty();
+      const double converted = is_in_ply ? 0.0 : type.read (number);
+      if (!is_in_ply)
         number = reinterpret_cast<const std::uint8_t*> (&converted);
       bytes.append (reinterpret_cast<const char*> (number), type.size);
     }

@@ -14,8 +14,8 @@ namespace pcl_ops::apps {
 void
 PointRows::addColumn (const std::string& name, std::uint8_t datatype)
 {
-  columns_.push_back ({are_words_.size(), &numberType (datatype), cloud.point_step});
-  are_words_.push_back (false);
+  columns_.push_back ({is_skipped_.size(), &numberType (datatype), cloud.point_step});
+  is_skipped_.push_back (false);
   addField (name, datatype, cloud);
 }
 
@@ -24,24 +24,24 @@ PointRows::addColor()
 {
   const pcl::uindex_t offset = cloud.point_step;
   addField ("rgb", pcl::PCLPointField::FLOAT32, cloud);
-  for (const pcl::uindex_t place : {2u, 1u, 0u}) { // blue is the lowest byte
+  for (const pcl::uindex_t byte : {2u, 1u, 0u}) { // red, green, and blue, the lowest
     columns_.push_back (
-        {are_words_.size(), &numberType (pcl::PCLPointField::UINT8), offset + place});
-    are_words_.push_back (false);
+        {is_skipped_.size(), &numberType (pcl::PCLPointField::UINT8), offset + byte});
+    is_skipped_.push_back (false);
   }
 }
 
 void
 PointRows::skipColumn()
 {
-  are_words_.push_back (true);
+  is_skipped_.push_back (true);
 }
 
 void
 PointRows::addColumnsOfLine (const Words& further)
 {
   const std::size_t count = reader_.wordCount();
-  reader_.checkColumns();
+  reader_.checkColumnCount();
   Words names = {"x", "y", "z"};
   if (further.size() + names.size() == count)
     names.insert (names.end(), further.begin(), further.end());
@@ -54,9 +54,9 @@ PointRows::addColumnsOfLine (const Words& further)
 void
 PointRows::addPoint()
 {
-  constexpr auto most = std::numeric_limits<pcl::index_t>::max();
-  reader_.expectNumbers (are_words_.size(), are_words_);
-  if (size_ == static_cast<std::size_t> (most))
+  constexpr auto max_points = std::numeric_limits<pcl::index_t>::max();
+  reader_.expectWordCount (is_skipped_.size(), is_skipped_);
+  if (size_ == static_cast<std::size_t> (max_points))
     reader_.fail ("it has more points than an index can tell apart");
   cloud.data.resize (cloud.data.size() + cloud.point_step);
   ++size_;

@@ -4,7 +4,7 @@
 
 #include <pcl/PCLPointCloud2.h>
 
-#include "header_reader.h"
+#include "file_reader.h"
 
 #include <string>
 #include <vector>
@@ -12,10 +12,10 @@
 namespace pcl_ops::apps {
 
 /** \brief Makes a cloud from lines of numbers, one line for each point. Declare the
- * columns first, from the left. */
+ * columns first, from the left. The reader reads the lines. */
 class PointRows {
 public:
-  explicit PointRows (HeaderReader& reader) : reader_ (reader) {}
+  explicit PointRows (FileReader& reader) : reader_ (reader) {}
 
   /** \param[in] datatype a type of pcl::PCLPointField */
   void
@@ -30,19 +30,20 @@ public:
   void
   skipColumn ();
 
-  /** \brief Declares all columns of the current line in double precision: x, y, z and
-   * further ones.
+  /** \brief Declares all columns of the reader's current line in double precision: x,
+   * y, z and further ones.
    * \param[in] further names of the columns behind z; if their number differs, the
    * columns become field_4, field_5, ... */
   void
   addColumnsOfLine (const Words& further);
 
-  /** \brief Adds the line that was read last as a point.
+  /** \brief Adds the reader's current line as a point.
    * \throws WorkError if its columns differ from those declared, or there are more
-   * points than PCL's indices can tell apart */
+   * points than PCL's indices can number */
   void
   addPoint ();
 
+  /** \brief Number of points so far. */
   std::size_t
   size () const
   {
@@ -59,7 +60,7 @@ public:
   bool
   hasColumns () const
   {
-    return !are_words_.empty();
+    return !is_skipped_.empty();
   }
 
   /** \brief The points so far; width and height are 0 until \ref take. */
@@ -71,15 +72,19 @@ public:
   take ();
 
 private:
+  /** \brief A column that has a number of a point. */
   struct Column {
+    /** \brief Index of its word in a line. */
     std::size_t word;
     const NumberType* type;
+    /** \brief Offset of the number in a point [bytes]. */
     pcl::uindex_t offset;
   };
 
-  HeaderReader& reader_;
+  FileReader& reader_;
   std::vector<Column> columns_;
-  std::vector<bool> are_words_;
+  /** \brief For each column of a line, whether it is skipped. */
+  std::vector<bool> is_skipped_;
   std::size_t size_ = 0;
 };
 

@@ -17,7 +17,12 @@ namespace {
 
 constexpr const char* line_format = "timestamp tx ty tz qx qy qz qw";
 
-constexpr std::size_t numbers_of_matrix = 12;
+/** \brief Numbers of a pose in a line of \ref line_format, and as a matrix. */
+constexpr std::size_t numbers_of_quaternion = 8, numbers_of_matrix = 12;
+
+/** \brief How much a rotation may differ from an exact one: some files have only four
+ * decimals. */
+constexpr double rotation_rounding = 0.01;
 
 /** \brief Reads the numbers of a line; stops after one more than a pose can have.
  * \return what is wrong with the line; empty if nothing is */
@@ -36,29 +41,28 @@ readNumbers (const std::string& line, std::vector<double>& numbers)
   return {};
 }
 
-/** \param[in] n timestamp tx ty tz qx qy qz qw */
+/** \param[in] n the numbers of \ref line_format
+ * \return what is wrong with them; empty if nothing is */
 std::string
 fromQuaternion (const std::vector<double>& n, Eigen::Isometry3d& pose)
 {
   const Eigen::Quaterniond rotation (n[7], n[4], n[5], n[6]);
-  // Some files have only four decimals.
-  constexpr double rounding = 0.01;
-  if (!(std::abs (rotation.norm() - 1.0) <= rounding))
+  if (!(std::abs (rotation.norm() - 1.0) <= rotation_rounding))
     return "has a quaternion qx qy qz qw that is not of length 1";
   pose = Eigen::Translation3d (n[1], n[2], n[3]) * rotation.normalized();
   return {};
 }
 
 /** \param[in] n the first three rows of a matrix, as of KITTI (Geiger et al., CVPR
- * 2012) */
+ * 2012)
+ * \return what is wrong with them; empty if nothing is */
 std::string
 fromMatrix (const std::vector<double>& n, Eigen::Isometry3d& pose)
 {
   using Rows = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
   const Rows rows = Eigen::Map<const Rows> (n.data());
   const Eigen::Matrix3d rotation = rows.leftCols<3>();
-  constexpr double rounding = 0.01;
-  if (!(rotation * rotation.transpose()).isIdentity (rounding) ||
+  if (!(rotation * rotation.transpose()).isIdentity (rotation_rounding) ||
       rotation.determinant() < 0.0)
     return "has a matrix whose first three columns are no rotation";
   pose =
@@ -70,7 +74,6 @@ fromMatrix (const std::vector<double>& n, Eigen::Isometry3d& pose)
 std::string
 readPose (const std::string& line, Eigen::Isometry3d& pose)
 {
-  constexpr std::size_t numbers_of_quaternion = 8;
   std::vector<double> numbers;
   std::string problem = readNumbers (line, numbers);
   if (!problem.empty())
@@ -85,7 +88,7 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
     return "has " + std::to_string (numbers.size()) +
            (numbers.size() == 1 ? " number, a time, which is not needed" : " numbers");
   // No sensor moves so far, and much farther away doubles do not resolve millimeters.
-  constexpr double farthest = 1e9;
+  constexpr double farthest = 1e9; // [m]
   if (problem.empty() && !(pose.translation().cwiseAbs().maxCoeff() <= farthest))
     return "has a place more than 1e9 m from zero";
   return problem;
@@ -93,7 +96,7 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
 
 /** \brief Whether a line is empty or a comment. */
 bool
-isLeftOut (const std::string& line)
+isWithoutPose (const std::string& line)
 {
   const std::size_t first = line.find_first_not_of (" \t\r");
   return first == std::string::npos || line[first] == '#';
@@ -119,15 +122,15 @@ loadPoses (const std::string& file)
 {
   std::istringstream lines (readTextFile (file, "a text file of poses"));
   std::vector<Eigen::Isometry3d> poses;
-  std::size_t number = 0;
+  std::size_t line_number = 0;
   for (std::string line; std::getline (lines, line);) {
-    ++number;
-    if (isLeftOut (line))
+    ++line_number;
+    if (isWithoutPose (line))
       continue;
     const std::string problem = readPose (line, poses.emplace_back());
     if (!problem.empty())
       throw WorkError (file,
-                       "line " + std::to_string (number) + " " + problem +
+                       "line " + std::to_string (line_number) + " " + problem +
                            "; it has to be " + line_format +
                            " or the 12 numbers of KITTI");
   }
@@ -140,15 +143,16 @@ lookLikeCameraOfKitti (const std::string& file,
 {
   std::istringstream lines (readTextFile (file, "a text file of poses"));
   std::string line;
-  while (std::getline (lines, line) && isLeftOut (line))
+  while (std::getline (lines, line) && isWithoutPose (line))
     ;
   std::vector<double> numbers;
   if (!readNumbers (line, numbers).empty() || numbers.size() != numbers_of_matrix)
     return false;
-  Eigen::Vector3d way = Eigen::Vector3d::Zero();
+  // The path length along each axis of the camera.
+  Eigen::Vector3d path = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i + 1 < poses.size(); ++i)
-    way += (poses[i].inverse() * poses[i + 1]).translation().cwiseAbs();
-  return way.z() >= way.x() && way.z() >= way.y();
+    path += (poses[i].inverse() * poses[i + 1]).translation().cwiseAbs();
+  return path.z() >= path.x() && path.z() >= path.y();
 }
 
 Eigen::Isometry3d
@@ -173,16 +177,17 @@ loadCalibration (const std::string& file)
 void
 savePoses (const std::string& file, const std::vector<Eigen::Isometry3d>& poses)
 {
-  constexpr double seconds = 0.1;
+  constexpr double period = 0.1; // [s]
+  constexpr int period_decimals = 1, pose_decimals = 9;
   std::ostringstream text;
   text << "# " << line_format << "\n" << std::fixed;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Eigen::Vector3d place = poses[i].translation();
+    const Eigen::Vector3d position = poses[i].translation();
     const Eigen::Quaterniond q (poses[i].linear());
-    text << std::setprecision (1) << seconds * static_cast<double> (i)
-         << std::setprecision (9);
+    text << std::setprecision (period_decimals) << period * static_cast<double> (i)
+         << std::setprecision (pose_decimals);
     for (const double number :
-         {place.x(), place.y(), place.z(), q.x(), q.y(), q.z(), q.w()})
+         {position.x(), position.y(), position.z(), q.x(), q.y(), q.z(), q.w()})
       text << ' ' << number;
     text << "\n";
   }

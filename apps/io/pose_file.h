@@ -10,9 +10,10 @@
 namespace pcl_ops::apps {
 
 /** \brief Reads the poses of a camera, each as the transform from the camera's frame to
- * a common one. A line has a frame in the format of the TUM RGB-D benchmark (Sturm et
+ * a common one. A line has a pose in the format of the TUM RGB-D benchmark (Sturm et
  * al., IROS 2012), "timestamp tx ty tz qx qy qz qw" [s, m], or of KITTI, the first
- * three rows of a matrix. Empty lines and those that begin with # are skipped.
+ * three rows of a matrix, row by row. Empty lines and those that begin with # are
+ * skipped.
  * \throws WorkError if the file cannot be read, or naming the first line that is no
  * pose */
 std::vector<Eigen::Isometry3d>

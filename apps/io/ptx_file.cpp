@@ -3,7 +3,7 @@
 #include <pcl/PCLPointField.h>
 
 #include "cloud_formats.h"
-#include "header_reader.h"
+#include "file_reader.h"
 #include "point_rows.h"
 
 #include <cmath>
@@ -19,18 +19,20 @@ using pcl::PCLPointField;
 /** \brief The header of a scan in a PTX. */
 struct PtxScan {
   std::uint64_t columns = 0, rows = 0;
-  /** \brief Position and axes (columns) of the scanner. */
-  Eigen::Vector3d place;
+  /** \brief Position of the scanner, and its axes as columns, in the common frame. */
+  Eigen::Vector3d position;
   Eigen::Matrix3d axes;
   /** \brief Transform from the frame of the scan to the common frame of all scans. */
   Eigen::Affine3d transform;
 };
 
+/** \brief Reads a PTX: scans one after the other, each a header of ten lines and a line
+ * for each point. */
 class PtxReader {
 public:
   explicit PtxReader (const std::string& file) : reader_ (file, "PTX"), rows_ (reader_)
   {
-    reader_.skipMark();
+    reader_.skipByteOrderMark();
   }
 
   FileCloud
@@ -40,7 +42,7 @@ public:
     PtxScan scan;
     while (reader_.nextWords()) {
       scan = readScanHeader();
-      cloud.scans.push_back ({rows_.size(), scan.place});
+      cloud.scans.push_back ({rows_.size(), scan.position});
       readPoints (scan);
     }
     cloud.points = rows_.take();
@@ -49,17 +51,18 @@ public:
     cloud.scans.clear();
     cloud.points.width = static_cast<pcl::uindex_t> (scan.rows);
     cloud.points.height = static_cast<pcl::uindex_t> (scan.columns);
-    cloud.origin = scan.place;
+    cloud.origin = scan.position;
     cloud.orientation = scan.axes;
     return cloud;
   }
 
 private:
+  /** \brief Returns the only number of the current line. */
   std::uint64_t
   takeCount (const std::string& what)
   {
-    reader_.expectNumbers (1);
-    return reader_.count (what, std::string (reader_.word (0)));
+    reader_.expectWordCount (1);
+    return reader_.parseCount (what, std::string (reader_.word (0)));
   }
 
   void
@@ -69,12 +72,13 @@ private:
       reader_.failTruncated();
   }
 
+  /** \brief Reads the next line, a vector of finite numbers. */
   template <int size>
   Eigen::Matrix<double, size, 1>
   nextVector ()
   {
     nextLine();
-    reader_.expectNumbers (size);
+    reader_.expectWordCount (size);
     Eigen::Matrix<double, size, 1> vector;
     for (int i = 0; i < size; ++i)
       vector[i] = reader_.number (static_cast<std::size_t> (i));
@@ -93,7 +97,7 @@ private:
     scan.columns = takeCount ("its number of columns");
     nextLine();
     scan.rows = takeCount ("its number of rows");
-    scan.place = nextVector<3>();
+    scan.position = nextVector<3>();
     for (int axis = 0; axis < 3; ++axis)
       scan.axes.col (axis) = nextVector<3>();
     if (std::abs (scan.axes.determinant()) < min_determinant)
@@ -103,23 +107,27 @@ private:
       scan.transform.matrix().col (row) = nextVector<4>();
     if (scan.transform.matrix().row (3) != Eigen::RowVector4d (0.0, 0.0, 0.0, 1.0))
       reader_.failAtLine ("ends a matrix that is no rotation and translation");
-    if (scan.place.isZero (0.0)) // some writers set only the matrix
-      scan.place = scan.transform.translation();
+    if (scan.position.isZero (0.0)) // some writers set only the matrix
+      scan.position = scan.transform.translation();
     return scan;
   }
 
+  /** \brief Declares the columns of the current line: x, y, z, then perhaps the
+   * intensity, then perhaps a color. */
   void
   declareColumns ()
   {
     const std::size_t numbers = reader_.wordCount();
-    if (numbers != 3 && numbers != 4 && numbers != 6 && numbers != 7)
+    const bool has_intensity = numbers == 4 || numbers == 7;
+    const bool has_color = numbers == 6 || numbers == 7;
+    if (numbers != 3 && !has_intensity && !has_color)
       reader_.failAtLine ("has " + std::to_string (numbers) +
                           " numbers instead of 3, 4, 6 or 7");
     for (const char* axis : {"x", "y", "z"})
       rows_.addColumn (axis, PCLPointField::FLOAT64);
-    if (numbers == 4 || numbers == 7)
+    if (has_intensity)
       rows_.addColumn ("intensity", PCLPointField::FLOAT32);
-    if (numbers > 4)
+    if (has_color)
       rows_.addColor();
   }
 
@@ -140,16 +148,16 @@ private:
   void
   moveLastPoint (const Eigen::Affine3d& transform)
   {
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
     std::uint8_t* const point = rows_.lastPoint();
-    std::memcpy (place.data(), point, sizeof (place));
-    if (place.isZero (0.0))
-      place.setConstant (std::numeric_limits<double>::quiet_NaN());
-    place = transform * place;
-    std::memcpy (point, place.data(), sizeof (place));
+    std::memcpy (position.data(), point, sizeof (position));
+    if (position.isZero (0.0))
+      position.setConstant (std::numeric_limits<double>::quiet_NaN());
+    position = transform * position;
+    std::memcpy (point, position.data(), sizeof (position));
   }
 
-  HeaderReader reader_;
+  FileReader reader_;
   PointRows rows_;
 };
 

@@ -14,7 +14,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -22,79 +21,90 @@ namespace pcl_ops::apps {
 namespace {
 
 using boost::format;
-using Places = std::vector<Eigen::Vector3d>;
+using Positions = std::vector<Eigen::Vector3d>;
 
 /** \brief Returns a sample of the finite points, evenly spread over the indices: a
  * share of the sample is about that of the cloud. */
-Places
-someOf (const XyzCloud& cloud)
+Positions
+sampleOf (const XyzCloud& cloud)
 {
-  constexpr std::size_t most = 4096;
-  const std::size_t step = std::max<std::size_t> (1, cloud.size() / most);
-  Places places;
+  constexpr std::size_t wanted = 4096; // the sample has less than twice as many
+  const std::size_t step = std::max<std::size_t> (1, cloud.size() / wanted);
+  Positions sample;
   for (std::size_t i = 0; i < cloud.size(); i += step)
     if (pcl::isXYZFinite (cloud[i]))
-      places.push_back (cloud[i].getVector3fMap().cast<double>());
-  return places;
+      sample.push_back (cloud[i].getVector3fMap().cast<double>());
+  return sample;
 }
 
-/** \brief Returns the place that most points share, the number of these points, and the
- * number of distinct places. */
-std::tuple<Eigen::Vector3d, std::size_t, std::size_t>
-mostSharedPlace (const Places& places)
+/** \brief The place that most points share. */
+struct SharedPlace {
+  Eigen::Vector3d position;
+  /** \brief Number of points at this place. */
+  std::size_t points;
+  /** \brief Number of places of all points. */
+  std::size_t all_places;
+};
+
+SharedPlace
+mostSharedPlace (const Positions& positions)
 {
-  std::map<std::array<double, 3>, std::size_t> counts;
-  for (const Eigen::Vector3d& place : places)
-    ++counts[{place.x(), place.y(), place.z()}];
-  const auto most = std::max_element (
-      counts.begin(), counts.end(), [] (const auto& a, const auto& b) {
+  std::map<std::array<double, 3>, std::size_t> points_at;
+  for (const Eigen::Vector3d& position : positions)
+    ++points_at[{position.x(), position.y(), position.z()}];
+  const auto most_shared = std::max_element (
+      points_at.begin(), points_at.end(), [] (const auto& a, const auto& b) {
         return a.second < b.second;
       });
-  return {Eigen::Vector3d (most->first.data()), most->second, counts.size()};
+  const auto& [place, points] = *most_shared;
+  return {Eigen::Vector3d (place.data()), points, points_at.size()};
 }
 
 /** \brief Returns the number of outliers: points sorted by distance from the median
  * count from the first one that is farther than a thousand diagonals of the bounding
  * box of all nearer ones, at least half of the points. */
 std::size_t
-countFar (Places places)
+countFar (Positions positions)
 {
   constexpr double max_diagonals = 1000.0;
-  const Eigen::Vector3d middle = quantileOfEach (places, 0.5);
-  std::sort (places.begin(), places.end(), [&] (const auto& first, const auto& second) {
-    return (first - middle).squaredNorm() < (second - middle).squaredNorm();
-  });
-  Eigen::AlignedBox3d rest;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool is_beyond =
-        2 * i > places.size() && rest.diagonal().norm() > 0.0 &&
-        (places[i] - middle).norm() > max_diagonals * rest.diagonal().norm();
-    if (is_beyond)
-      return places.size() - i;
-    rest.extend (places[i]);
+  const Eigen::Vector3d median = quantileOfEach (positions, 0.5);
+  const auto is_nearer = [&] (const auto& first, const auto& second) {
+    return (first - median).squaredNorm() < (second - median).squaredNorm();
+  };
+  std::sort (positions.begin(), positions.end(), is_nearer);
+  Eigen::AlignedBox3d nearer;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const double diagonal = nearer.diagonal().norm();
+    const bool is_outlier = 2 * i > positions.size() && diagonal > 0.0 &&
+                            (positions[i] - median).norm() > max_diagonals * diagonal;
+    if (is_outlier)
+      return positions.size() - i;
+    nearer.extend (positions[i]);
   }
   return 0;
 }
 
+/** \brief Returns the share as text, "12 %". */
 std::string
-perCent (std::size_t count, std::size_t all)
+percentText (std::size_t count, std::size_t all)
 {
-  constexpr double nearly_all = 99.5;
-  const double share = 100.0 * static_cast<double> (count) / static_cast<double> (all);
-  return str (format (share < nearly_all ? "%.2g %%" : "%.3g %%") % share);
+  constexpr double nearly_all = 99.5; // [%], which two digits would show as 1e+02
+  const double percent =
+      100.0 * static_cast<double> (count) / static_cast<double> (all);
+  return str (format (percent < nearly_all ? "%.2g %%" : "%.3g %%") % percent);
 }
 
 /** \brief Whether all coordinates are exact in single precision. */
 bool
 isExactInSingle (const CoordinateReader& reader, std::size_t size)
 {
-  const auto isExact = [] (double value) {
+  const auto is_exact = [] (double value) {
     return std::isnan (value) ||
            static_cast<double> (static_cast<float> (value)) == value;
   };
   for (std::size_t i = 0; i < size && !reader.is_single; ++i) {
-    const Eigen::Vector3d place = reader (i);
-    if (!std::all_of (place.begin(), place.end(), isExact))
+    const Eigen::Vector3d position = reader (i);
+    if (!std::all_of (position.begin(), position.end(), is_exact))
       return false;
   }
   return true;
@@ -107,55 +117,60 @@ isBefore (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
       first.begin(), first.end(), second.begin(), second.end());
 }
 
-/** \brief Returns at most about \p wanted distinct finite places, sorted. Which ones
- * does not depend on the order of the points. */
-Places
-sampleByHash (std::size_t size, const PlaceOf& placeOf, std::size_t wanted)
+/** \brief Returns at most about \p wanted finite places, sorted. Which ones does not
+ * depend on the order of the points. */
+Positions
+sampleByHash (std::size_t size, const PositionOf& position_of, std::size_t wanted)
 {
-  const auto share = static_cast<std::uint32_t> (size / wanted + 1);
-  const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
-  Places places;
+  const auto points_for_one = static_cast<std::uint32_t> (size / wanted + 1);
+  const std::uint32_t max_hash =
+      std::numeric_limits<std::uint32_t>::max() / points_for_one;
+  Positions places;
   for (std::size_t i = 0; i < size; ++i)
-    if (const Eigen::Vector3d place = placeOf (i);
-        hashOf (place) <= last_taken && place.allFinite())
-      places.push_back (place);
+    if (const Eigen::Vector3d position = position_of (i);
+        hashOf (position) <= max_hash && position.allFinite())
+      places.push_back (position);
   std::sort (places.begin(), places.end(), isBefore);
   places.erase (std::unique (places.begin(), places.end()), places.end());
   return places;
 }
 
 /** \brief Returns the median, rounded to a multiple of a power of two that is at least
- * 16 times the median absolute deviation, as the library takes its frame. So it is
- * nearly always the same for other points of the same surroundings, and zero for those
- * around zero. Zero for no points; not rounded for deviation 0. */
+ * 16 times the median absolute deviation; the library rounds the origin of its frame in
+ * the same way. So it is nearly always the same for other points of the same
+ * surroundings, and zero for those around zero. It is zero for no points, and not
+ * rounded if the deviation is 0. */
 Eigen::Vector3d
-roundedMedian (Places places)
+roundedMedian (const Positions& places)
 {
-  constexpr double deviations = 16.0;
+  constexpr double min_deviations = 16.0;
   if (places.empty())
     return Eigen::Vector3d::Zero();
   const Eigen::Vector3d median = quantileOfEach (places, 0.5);
-  for (Eigen::Vector3d& place : places)
-    place = (place - median).cwiseAbs();
-  const double deviation = quantileOfEach (places, 0.5).maxCoeff();
+  Positions deviations;
+  deviations.reserve (places.size());
+  for (const Eigen::Vector3d& place : places)
+    deviations.emplace_back ((place - median).cwiseAbs());
+  const double deviation = quantileOfEach (deviations, 0.5).maxCoeff();
   if (!(deviation > 0.0 && std::isfinite (deviation)))
     return median;
-  const double step = std::exp2 (std::ceil (std::log2 (deviations * deviation)));
+  const double step = std::exp2 (std::ceil (std::log2 (min_deviations * deviation)));
   return (median / step + Eigen::Vector3d::Constant (0.5)).array().floor() * step;
 }
 
 } // namespace
 
 std::uint32_t
-hashOf (const Eigen::Vector3d& place)
+hashOf (const Eigen::Vector3d& position)
 {
+  constexpr std::uint64_t multiplier = 0x9e3779b97f4a7c15u; // 2^64 / golden ratio, odd
   std::uint64_t hash = 0;
-  for (const double coordinate : place) {
-    const double same = coordinate + 0.0; // minus zero becomes zero
+  for (const double coordinate : position) {
+    const double without_minus_zero = coordinate + 0.0;
     std::uint64_t bits;
-    std::memcpy (&bits, &same, sizeof bits);
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 32;
+    std::memcpy (&bits, &without_minus_zero, sizeof bits);
+    hash = (hash ^ bits) * multiplier;
+    hash ^= hash >> 32; // high bits change the low ones, which are returned
   }
   return static_cast<std::uint32_t> (hash);
 }
@@ -189,58 +204,61 @@ std::string
 damageOf (const ShiftedCloud& shifted)
 {
   // A share of fewer points says nothing.
-  constexpr std::size_t min_places = 10;
+  constexpr std::size_t min_points = 10;
   // On a coarse grid points coincide, too, but about as many at every place.
-  constexpr std::size_t times_of_a_place = 16;
-  // Half of one per cent, as a sample may have fewer of the far points.
-  constexpr double far_share = 0.005;
-  const Places places = someOf (*shifted.cloud);
-  if (places.size() < min_places)
+  constexpr std::size_t min_times_mean = 16;
+  // Half a percent, as a sample may have fewer of the far points.
+  constexpr double max_far_share = 0.005;
+  const Positions sample = sampleOf (*shifted.cloud);
+  const std::size_t size = sample.size();
+  if (size < min_points)
     return "";
-  const auto [shared_place, shared, different] = mostSharedPlace (places);
-  const Eigen::Vector3d place = shared_place + shifted.shift;
+  const SharedPlace shared = mostSharedPlace (sample);
+  const Eigen::Vector3d position = shared.position + shifted.shift;
   // 10 digits: UTM coordinates to the millimeter.
-  const std::string shared_share =
-      str (format ("%s of its points are at (%.10g, %.10g, %.10g)") %
-           perCent (shared, places.size()) % place.x() % place.y() % place.z());
-  const std::size_t far = countFar (places);
-  if (2 * shared > places.size())
-    return "looks damaged: " + shared_share +
+  const std::string shared_text = str (
+      format ("%s of its points are at (%.10g, %.10g, %.10g)") %
+      percentText (shared.points, size) % position.x() % position.y() % position.z());
+  if (2 * shared.points > size)
+    return "looks damaged: " + shared_text +
            "; leave missing readings out or write them as NaN";
-  if (static_cast<double> (far) > far_share * static_cast<double> (places.size()))
-    return "looks damaged: " + perCent (far, places.size()) +
+  const std::size_t far = countFar (sample);
+  if (static_cast<double> (far) > max_far_share * static_cast<double> (size))
+    return "looks damaged: " + percentText (far, size) +
            " of its points are more than 1000 times as far away as the rest is wide; "
            "leave them out";
-  if (100 * shared >= places.size() && shared >= min_places &&
-      shared * different > times_of_a_place * places.size())
-    return "is missing readings: " + shared_share +
+  const bool is_one_percent = 100 * shared.points >= size;
+  const bool is_far_above_mean =
+      shared.points * shared.all_places > min_times_mean * size;
+  if (is_one_percent && is_far_above_mean && shared.points >= min_points)
+    return "is missing readings: " + shared_text +
            " and count as such; leave them out or write them as NaN";
   return "";
 }
 
-Places
-somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at)
+Positions
+somePositions (std::size_t size, const PositionOf& position_of, std::size_t max_sample)
 {
-  const std::size_t stride = size / looked_at + 1;
-  std::vector<Eigen::Vector3d> places;
+  const std::size_t stride = size / max_sample + 1;
+  Positions sample;
   for (std::size_t begin = 0; begin < size; begin += stride)
     for (std::size_t i = begin; i < std::min (size, begin + stride); ++i)
-      if (const Eigen::Vector3d found = place (i); found.allFinite()) {
-        places.push_back (found);
+      if (const Eigen::Vector3d position = position_of (i); position.allFinite()) {
+        sample.push_back (position);
         break;
       }
-  return places;
+  return sample;
 }
 
 Eigen::Vector3d
-localOrigin (std::size_t size, const PlaceOf& place)
+localOrigin (std::size_t size, const PositionOf& position_of)
 {
-  constexpr std::size_t looked_at = 8192;
-  Places places = sampleByHash (size, place, looked_at);
+  constexpr std::size_t wanted = 8192;
+  Positions places = sampleByHash (size, position_of, wanted);
   // If all points are at few places, the hash may take none of them.
   if (places.empty())
-    places = sampleByHash (size, place, size + 1);
-  return roundedMedian (std::move (places));
+    places = sampleByHash (size, position_of, size + 1);
+  return roundedMedian (places);
 }
 
 } // namespace pcl_ops::apps

@@ -44,12 +44,12 @@ shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
  * does not. In a sample of its points it looks for one of these:
  * - most points are at one place;
  * - some are more than a thousand times as far away as the rest is wide;
- * - one per cent or more are at one place, as missing readings are. */
+ * - one percent or more are at one place, as missing readings are. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 
-/** \brief Reads x, y and z of points of a cloud, whatever their number type. Keeps a
- * reference to the cloud. */
+/** \brief Reads x, y and z of points of a cloud, which must have these fields, whatever
+ * their number type. Keeps a reference to the cloud. */
 class CoordinateReader {
 public:
   explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
@@ -63,6 +63,7 @@ public:
     }
   }
 
+  /** \brief Returns the coordinates of the point with index \p i. */
   Eigen::Vector3d
   operator() (std::size_t i) const
   {
@@ -77,23 +78,24 @@ public:
 
 private:
   const pcl::PCLPointCloud2& cloud_;
+  /** \brief Offsets of x, y and z in a point [bytes]. */
   std::array<pcl::uindex_t, 3> offsets_{};
   std::array<NumberReader, 3> readers_{};
 };
 
 /** \brief Returns the coordinates of a point, by its index. */
-using PlaceOf = std::function<Eigen::Vector3d (std::size_t)>;
+using PositionOf = std::function<Eigen::Vector3d (std::size_t point)>;
 
 /** \brief Returns a hash of coordinates. A sample chosen by it is as good as a random
  * one, but does not depend on the order of the points. */
 std::uint32_t
-hashOf (const Eigen::Vector3d& place);
+hashOf (const Eigen::Vector3d& position);
 
 /** \brief Returns a sample of the finite points, evenly spread over their indices.
  * \param[in] size number of all points
- * \param[in] looked_at largest size of the sample */
+ * \param[in] max_sample largest size of the sample */
 std::vector<Eigen::Vector3d>
-somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);
+somePositions (std::size_t size, const PositionOf& position_of, std::size_t max_sample);
 
 /** \brief Returns a rounded position near most points: the median of a sample of
  * distinct points. It does not depend on their order. Neither outliers nor many points
@@ -101,6 +103,6 @@ somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);
  * is finite.
  * \param[in] size number of all points; all are read */
 Eigen::Vector3d
-localOrigin (std::size_t size, const PlaceOf& place);
+localOrigin (std::size_t size, const PositionOf& position_of);
 
 } // namespace pcl_ops::apps

@@ -6,7 +6,7 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include "cloud_formats.h"
-#include "header_reader.h"
+#include "file_reader.h"
 #include "number_list.h"
 #include "output_file.h"
 #include "point_rows.h"
@@ -27,21 +27,25 @@ namespace {
 
 /** \brief The names of a coordinate: first that of the field, then those that surveyors
  * and ParaView use. */
-using Axis = std::array<const char*, 5>;
+using AxisNames = std::array<const char*, 5>;
 
-constexpr std::array<Axis, 3> axes = {{{"x", "easting", "east", "e", "points:0"},
-                                       {"y", "northing", "north", "n", "points:1"},
-                                       {"z", "elevation", "height", "h", "points:2"}}};
+constexpr std::array<AxisNames, 3> axes = {
+    {{"x", "easting", "east", "e", "points:0"},
+     {"y", "northing", "north", "n", "points:1"},
+     {"z", "elevation", "height", "h", "points:2"}}};
 
 /** \brief Whether a word is a name: it begins with a letter, which may be beyond ASCII,
  * or with an underscore, and is no number as "nan" is. */
 bool
 isName (const std::string& word)
 {
+  constexpr unsigned char last_ascii = 127;
   const auto first = static_cast<unsigned char> (word[0]);
-  std::uint8_t number[sizeof (double)];
-  return (std::isalpha (first) != 0 || first == '_' || first > 127) &&
-         !numberType (pcl::PCLPointField::FLOAT64).parse (word, number);
+  const bool begins_as_name =
+      std::isalpha (first) != 0 || first == '_' || first > last_ascii;
+  double ignored = 0.0;
+  return begins_as_name &&
+         !numberType (pcl::PCLPointField::FLOAT64).parse (word, &ignored);
 }
 
 /** \brief A name in small letters, without a unit in brackets at its end. */
@@ -56,7 +60,7 @@ plainName (const std::string& name)
 /** \brief The column of a coordinate: the one with exactly the name of the field, else
  * the first one of the first of its names that any column has. */
 Words::const_iterator
-findAxis (const Words& names, const Axis& axis)
+findAxis (const Words& names, const AxisNames& axis)
 {
   auto found = std::find (names.begin(), names.end(), axis[0]);
   for (std::size_t i = 0; i < axis.size() && found == names.end(); ++i)
@@ -67,18 +71,18 @@ findAxis (const Words& names, const Axis& axis)
 }
 
 /** \brief Returns a name in a form that headers of clouds allow: without blanks, and
- * short. Empty if nothing useful is left. */
+ * short. Empty if it is only an underscore, which a PCD calls padding. */
 std::string
-fieldName (std::string name)
+allowedName (std::string name)
 {
-  constexpr std::size_t longest = 100;
-  name.resize (std::min (name.size(), longest));
+  constexpr std::size_t max_length = 100;
+  name.resize (std::min (name.size(), max_length));
   for (char& c : name)
     c = std::isspace (static_cast<unsigned char> (c)) != 0 ||
                 std::iscntrl (static_cast<unsigned char> (c)) != 0
             ? '_'
             : c;
-  return name == "_" ? "" : name; // a PCD calls padding so
+  return name == "_" ? "" : name;
 }
 
 /** \brief What separates the words of a line, for \ref splitWords: a semicolon if it
@@ -125,7 +129,7 @@ quotedParts (const std::string& line)
  * \throws WorkError if a quoted number has a decimal comma, but commas separate words
  */
 void
-removeQuotes (const HeaderReader& reader, std::string& line)
+removeQuotes (const FileReader& reader, std::string& line)
 {
   std::vector<std::string> parts = quotedParts (line);
   if (parts.size() < 2)
@@ -134,36 +138,39 @@ removeQuotes (const HeaderReader& reader, std::string& line)
   for (std::size_t i = 0; i < parts.size(); i += 2)
     outside += parts[i];
   const char separator = separatorOf (outside);
-  const std::string separators = separator == ';'   ? ";"
-                                 : separator == ',' ? ",;"
-                                                    : ",; \t";
+  // Those that would divide or misread a word where words are separated in this way.
+  const std::string replaced = separator == ';'   ? ";"
+                               : separator == ',' ? ",;"
+                                                  : ",; \t";
   for (std::size_t i = 1; i < parts.size(); i += 2) {
     const bool is_number =
         parts[i].find_first_not_of ("0123456789+-.,") == std::string::npos;
-    if (is_number && separators[0] == ',' && parts[i].find (',') != std::string::npos)
+    const bool has_comma = parts[i].find (',') != std::string::npos;
+    if (is_number && has_comma && separator != ';')
       reader.failAtLine ("has '" + parts[i] +
                          "', a number with a decimal comma in place of a point");
     for (char& c : parts[i])
-      c = separators.find (c) == std::string::npos ? c : '_';
+      c = replaced.find (c) == std::string::npos ? c : '_';
   }
   line = boost::algorithm::join (parts, "");
 }
 
 /** \brief Whether the commas between the words of a line look like decimal commas: all
- * words are whole numbers, and one begins with a zero, as 05 in 3,05. */
+ * words are whole numbers, and one of several digits begins with a zero, as 05 in
+ * 3,05. */
 bool
-mayHaveDecimalCommas (const HeaderReader& reader)
+mayHaveDecimalCommas (const FileReader& reader)
 {
   constexpr std::size_t min_words = 6; // two for each of three coordinates
-  bool has_zero = false;
+  bool has_leading_zero = false;
   for (std::size_t i = 0; i < reader.wordCount(); ++i) {
     const std::string_view word = reader.word (i);
-    const std::size_t sign = !word.empty() && word[0] == '-' ? 1 : 0;
-    if (word.find_first_not_of ("0123456789", sign) != std::string_view::npos)
+    const std::size_t first_digit = !word.empty() && word[0] == '-' ? 1 : 0;
+    if (word.find_first_not_of ("0123456789", first_digit) != std::string_view::npos)
       return false;
-    has_zero = has_zero || (i > 0 && word.size() > 1 && word[0] == '0');
+    has_leading_zero = has_leading_zero || (i > 0 && word.size() > 1 && word[0] == '0');
   }
-  return has_zero && reader.wordCount() >= min_words;
+  return has_leading_zero && reader.wordCount() >= min_words;
 }
 
 /** \brief Whether words can be the names of columns: one is a name, and the others are
@@ -205,9 +212,9 @@ columnsOfAxes (const std::string& file,
   return columns;
 }
 
-/** \brief The name of the field that each column becomes; empty if it has words. The
- * coordinates are told by \ref columnsOfAxes. Other columns keep their names if a field
- * can have them and no other has, or else become field_4, field_5, ...
+/** \brief The name of the field that each column becomes; empty if the column has
+ * words. The coordinates are those of \ref columnsOfAxes. Other columns keep their
+ * names if a field can have them and no other has, or else become field_4, field_5, ...
  * \throws WorkError where columns have names, but a coordinate has none */
 Words
 fieldNames (const std::string& file,
@@ -224,7 +231,7 @@ fieldNames (const std::string& file,
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!fields[i].empty() || are_words[i])
       continue;
-    std::string name = names.empty() ? "" : fieldName (names[i]);
+    std::string name = names.empty() ? "" : allowedName (names[i]);
     if (name.empty() || taken.count (name) > 0)
       name = "field_" + std::to_string (i + 1);
     while (!taken.insert (name).second)
@@ -240,7 +247,7 @@ class TextReader {
 public:
   explicit TextReader (const std::string& file) : file_ (file), reader_ (file, "text")
   {
-    reader_.skipMark();
+    reader_.skipByteOrderMark();
     if (extensionOf (file) == ".xyzrgb")
       comment_names_ = {"x", "y", "z", "r", "g", "b"};
   }
@@ -260,23 +267,24 @@ public:
       }
     // Lines are about as long as the first.
     const std::uint64_t expected = reader_.fileSize() / (line_.size() + 1) + 1;
-    rows.cloud.data.reserve (std::min (expected, promised_.value_or (expected)) *
+    rows.cloud.data.reserve (std::min (expected, promised_points_.value_or (expected)) *
                              rows.cloud.point_step);
     do {
       takeLine();
       rows.addPoint();
-      if (rows.size() > promised_.value_or (rows.size()))
+      if (rows.size() > promised_points_.value_or (rows.size()))
         reader_.failAtLine ("is more than its header promises");
     }
     while (nextLine());
-    if (promised_ && rows.size() < *promised_)
+    if (promised_points_ && rows.size() < *promised_points_)
       reader_.failTruncated();
     return rows.take();
   }
 
 private:
-  /** \brief Goes on to the next line that is neither empty nor a comment, if there is
-   * one, and notes comments before the first point that name columns. */
+  /** \brief Goes on to the next line that is neither empty nor a comment. Notes
+   * comments before the first point that name columns.
+   * \return false at the end of the file */
   bool
   nextLine ()
   {
@@ -300,9 +308,9 @@ private:
   void
   noteComment ()
   {
-    const std::size_t text = line_.find_first_not_of ("#/ \t");
-    const Words words = wordsOf (line_.substr (std::min (text, line_.size())));
-    const auto has_name = [&] (const Axis& axis) {
+    const std::size_t begin = line_.find_first_not_of ("#/ \t");
+    const Words words = wordsOf (line_.substr (std::min (begin, line_.size())));
+    const auto has_name = [&] (const AxisNames& axis) {
       return findAxis (words, axis) != words.end();
     };
     if (std::all_of (axes.begin(), axes.end(), has_name))
@@ -315,19 +323,19 @@ private:
   {
     if (separator_ == ';') // then commas are decimal commas
       std::replace (line_.begin(), line_.end(), ',', '.');
-    reader_.takeNumbers (line_, separator_);
+    reader_.setLine (line_, separator_);
     if (separator_ == ',' && names_.empty() && mayHaveDecimalCommas (reader_))
       reader_.failAtLine ("has whole numbers with zeros in front, as if commas were "
                           "decimal points, too");
   }
 
-  /** \brief Reads the lines up to the first point, and its line, too. */
+  /** \brief Reads the lines up to the first point, and that of the point, too. */
   void
   readHead ()
   {
     while (nextLine()) {
       const Words words = wordsOf (line_);
-      const bool is_point_count = words.size() == 1 && !promised_;
+      const bool is_point_count = words.size() == 1 && !promised_points_;
       if (names_.empty() && areNames (words)) {
         names_ = words;
         continue;
@@ -340,11 +348,11 @@ private:
       takeLine();
       findColumnsOfWords (words);
       if (is_point_count) {
-        promised_ = reader_.count ("its number of points", words[0]);
+        promised_points_ = reader_.parseCount ("its number of points", words[0]);
         continue;
       }
       has_points_ = true;
-      return checkColumns();
+      return applyNames();
     }
     reader_.failEmpty();
   }
@@ -367,14 +375,14 @@ private:
     }
   }
 
-  /** \brief Compares the columns of the first point with their names. Names in a
-   * comment are used if they are as many.
+  /** \brief Compares the columns of the first point with their names. Uses the names in
+   * a comment if no line has names, and the comment has as many as there are columns.
    * \throws WorkError if names in a line are not as many */
   void
-  checkColumns ()
+  applyNames ()
   {
     const std::size_t count = reader_.wordCount();
-    reader_.checkColumns();
+    reader_.checkColumnCount();
     if (!names_.empty() && names_.size() != count)
       reader_.failAtLine ("has " + std::to_string (count) + " numbers for " +
                           std::to_string (names_.size()) + " names of columns");
@@ -383,15 +391,18 @@ private:
   }
 
   std::string file_;
-  HeaderReader reader_;
+  FileReader reader_;
+  /** \brief The current line without quotes. */
   std::string line_;
-  /** \brief The names of columns that a line has, and that a comment has. */
+  /** \brief The names of columns in a line of their own, and in a comment. */
   Words names_, comment_names_;
   /** \brief The number of points, where a line before them tells it. */
-  std::optional<std::uint64_t> promised_;
+  std::optional<std::uint64_t> promised_points_;
   /** \brief For each column, whether it has words: it becomes no field. */
   std::vector<bool> are_words_;
+  /** \brief Between the words of a line, as of \ref splitWords. */
   char separator_ = ' ';
+  /** \brief Whether the line of the first point was reached. */
   bool has_points_ = false;
 };
 
@@ -406,10 +417,10 @@ readTextCloud (const std::string& file)
 std::vector<double>
 readTextNumbers (const std::string& file)
 {
-  HeaderReader reader (file, "text");
+  FileReader reader (file, "text");
   std::vector<double> numbers;
   while (reader.nextWords()) {
-    reader.expectNumbers (1);
+    reader.expectWordCount (1);
     numbers.push_back (reader.number (0));
   }
   return numbers;

@@ -20,6 +20,7 @@ public:
   explicit Random (std::uint32_t seed) : generator_ (seed) {}
   explicit Random (std::seed_seq&& seeds) : generator_ (seeds) {}
 
+  /** \brief 32 random bits. */
   std::uint32_t
   bits ()
   {
@@ -33,6 +34,7 @@ public:
   {
     if (bound < 2)
       return 0;
+    // 2^32 mod bound: as many values of the 32 bits are rejected.
     const std::uint32_t rejected_below = (0u - bound) % bound;
     std::uint64_t product = 0;
     do
@@ -45,9 +47,11 @@ public:
   double
   unit ()
   {
-    return bits() * (1.0 / 4294967296.0);
+    constexpr double two_to_32 = 4294967296.0;
+    return bits() * (1.0 / two_to_32);
   }
 
+  /** \brief Uniform in [lower, upper). */
   double
   between (double lower, double upper)
   {
@@ -61,6 +65,7 @@ public:
     return between (lower_degrees, upper_degrees) * pi / 180.0;
   }
 
+  /** \brief True with this probability, 0 to 1. */
   bool
   chance (double probability)
   {

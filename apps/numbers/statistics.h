@@ -27,11 +27,12 @@ quantile (std::vector<Number> values, double share)
 {
   if (values.empty())
     return std::numeric_limits<Number>::quiet_NaN();
+  // Its position in the sorted values, counted from 1.
   const double rank = std::ceil (share * static_cast<double> (values.size()));
-  const auto place =
+  const auto wanted =
       values.begin() + static_cast<std::ptrdiff_t> (std::max (rank, 1.0)) - 1;
-  std::nth_element (values.begin(), place, values.end());
-  return *place;
+  std::nth_element (values.begin(), wanted, values.end());
+  return *wanted;
 }
 
 /** \brief Returns the \ref quantile of each coordinate of points, which are Eigen
@@ -40,14 +41,14 @@ template <typename Vector>
 Vector
 quantileOfEach (const std::vector<Vector>& points, double share)
 {
-  Vector place;
-  for (int axis = 0; axis < place.size(); ++axis) {
+  Vector quantiles;
+  for (int axis = 0; axis < quantiles.size(); ++axis) {
     std::vector<typename Vector::Scalar> coordinates;
     for (const Vector& point : points)
       coordinates.push_back (point[axis]);
-    place[axis] = quantile (std::move (coordinates), share);
+    quantiles[axis] = quantile (std::move (coordinates), share);
   }
-  return place;
+  return quantiles;
 }
 
 } // namespace pcl_ops::apps

@@ -16,36 +16,37 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Rounds places to a lattice of 16 bits per axis in their bounding box. */
+/** \brief Rounds positions to a lattice of 16 bits per axis in their bounding box. */
 PointGroup
 onLattice (const SampledPoints& points)
 {
-  constexpr double last = std::numeric_limits<std::uint16_t>::max();
+  constexpr double max_steps = std::numeric_limits<std::uint16_t>::max();
   PointGroup group;
-  group.all = points.all;
-  if (points.places.empty())
+  group.all_points = points.all_points;
+  if (points.positions.empty())
     return group;
-  Eigen::Array3d low = points.places.front();
+  Eigen::Array3d low = points.positions.front();
   Eigen::Array3d high = low;
-  for (const Eigen::Vector3d& place : points.places) {
-    low = low.min (place.array());
-    high = high.max (place.array());
+  for (const Eigen::Vector3d& position : points.positions) {
+    low = low.min (position.array());
+    high = high.max (position.array());
   }
   group.origin = low;
-  group.step = (high - low) / last;
-  const Eigen::Array3d per_step = (high > low).select (last / (high - low), 0.0);
-  group.places.reserve (points.places.size());
-  for (const Eigen::Vector3d& place : points.places) {
-    const Eigen::Array3d steps = (place.array() - low) * per_step;
-    std::array<std::uint16_t, 3>& on_lattice = group.places.emplace_back();
+  group.step = (high - low) / max_steps;
+  const Eigen::Array3d steps_per_unit =
+      (high > low).select (max_steps / (high - low), 0.0);
+  group.steps.reserve (points.positions.size());
+  for (const Eigen::Vector3d& position : points.positions) {
+    const Eigen::Array3d exact_steps = (position.array() - low) * steps_per_unit;
+    std::array<std::uint16_t, 3>& steps = group.steps.emplace_back();
     for (int axis = 0; axis < 3; ++axis)
-      on_lattice.at (axis) = static_cast<std::uint16_t> (std::lround (steps[axis]));
+      steps.at (axis) = static_cast<std::uint16_t> (std::lround (exact_steps[axis]));
   }
   return group;
 }
 
-/** \brief Writes three bytes, the last in the lowest bits, as four letters
- * (RFC 4648). */
+/** \brief Writes three bytes as four letters, each for six bits (RFC 4648).
+ * \param[in] bytes the first one in bits 16 to 23, the last one in the lowest bits */
 void
 writeBase64 (std::uint32_t bytes, std::ostream& stream)
 {
@@ -57,20 +58,23 @@ writeBase64 (std::uint32_t bytes, std::ostream& stream)
   stream.write (letters, sizeof letters);
 }
 
-/** \brief Writes x, y and z of each point as 16-bit numbers, little-endian. */
+/** \brief Writes the steps of each point along x, y and z as 16-bit numbers,
+ * little-endian. */
 void
-writePlaces (const PointGroup& group, std::ostream& stream)
+writeSteps (const PointGroup& group, std::ostream& stream)
 {
+  // The low byte is the first one.
   const auto swapped = [] (std::uint16_t number) {
     return std::uint32_t (number & 255U) << 8U | number >> 8U;
   };
-  for (const auto& [x, y, z] : group.places) {
-    const std::uint32_t second = swapped (y);
-    writeBase64 (swapped (x) << 8U | second >> 8U, stream);
-    writeBase64 ((second & 255U) << 16U | swapped (z), stream);
+  for (const auto& [x, y, z] : group.steps) {
+    const std::uint32_t swapped_y = swapped (y);
+    writeBase64 (swapped (x) << 8U | swapped_y >> 8U, stream);
+    writeBase64 ((swapped_y & 255U) << 16U | swapped (z), stream);
   }
 }
 
+/** \brief Writes what viewer.js has to know of the groups, a JSON list. */
 void
 writeGroups (const std::vector<PointGroup>& groups,
              const Eigen::Vector3d& shift,
@@ -81,9 +85,9 @@ writeGroups (const std::vector<PointGroup>& groups,
   stream << '[';
   for (const PointGroup& group : groups) {
     const Eigen::Vector3d origin = group.origin + shift;
-    stream << (&group == &groups.front() ? "" : ",\n") << R"({"all":)" << group.all
-           << R"(,"shown":)" << group.places.size() << R"(,"origin":)"
-           << origin.transpose().format (list) << R"(,"step":)"
+    stream << (&group == &groups.front() ? "" : ",\n") << R"({"all":)"
+           << group.all_points << R"(,"shown":)" << group.steps.size()
+           << R"(,"origin":)" << origin.transpose().format (list) << R"(,"step":)"
            << group.step.transpose().format (list) << '}';
   }
   stream << ']';
@@ -103,7 +107,7 @@ toGroups (const std::vector<SampledPoints>& samples)
 std::vector<PointGroup>
 groupPoints (const std::vector<std::uint32_t>& labels,
              std::size_t planes,
-             const PlaceOf& place,
+             const PositionOf& position_of,
              std::size_t max_points)
 {
   std::vector<std::size_t> sizes (planes + 1, 0);
@@ -111,11 +115,11 @@ groupPoints (const std::vector<std::uint32_t>& labels,
     return labels[i] == 0 ? planes : labels[i] - 1;
   };
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (place (i).allFinite())
+    if (position_of (i).allFinite())
       ++sizes[group_of (i)];
   PointSample sample (sizes, max_points);
   for (std::size_t i = 0; i < labels.size(); ++i)
-    sample.add (group_of (i), place (i));
+    sample.add (group_of (i), position_of (i));
   return toGroups (sample.take());
 }
 
@@ -127,25 +131,27 @@ savePage (const std::string& file,
 {
   // In JSON only strings have a <; the page would end its script at a "</script>" in
   // one.
-  const std::string safe = boost::replace_all_copy (description, "<", "\\u003c");
+  const std::string safe_description =
+      boost::replace_all_copy (description, "<", "\\u003c");
   const std::string page = viewer_html;
   writeFile (file, [&] (std::ostream& stream) {
     // Before anything is written: imbue throws where the file is full.
     stream.imbue (std::locale::classic());
     stream.precision (std::numeric_limits<double>::max_digits10);
     std::size_t written = 0;
-    const auto write_up_to = [&] (const std::string& mark) {
-      const std::size_t end = page.find (mark);
+    // Writes what is in front of a placeholder of viewer.html, and skips that.
+    const auto write_up_to = [&] (const std::string& placeholder) {
+      const std::size_t end = page.find (placeholder);
       stream << page.substr (written, end - written);
-      written = end + mark.size();
+      written = end + placeholder.size();
     };
     write_up_to ("{{description}}");
-    stream << safe;
+    stream << safe_description;
     write_up_to ("{{groups}}");
     writeGroups (groups, shift, stream);
     write_up_to ("{{places}}");
     for (const PointGroup& group : groups)
-      writePlaces (group, stream);
+      writeSteps (group, stream);
     write_up_to ("{{viewer}}");
     stream << viewer_js << page.substr (written);
   });

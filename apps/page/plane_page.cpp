@@ -36,11 +36,11 @@ edgesOf (const PlanePage& page)
   return edges;
 }
 
+/** \brief Returns the description that \ref savePage takes. */
 Json
 descriptionOf (const PlanePage& page)
 {
-  constexpr int width = 4;
-  constexpr int height = 3; // only the direction of the view is used
+  constexpr int width = 4, height = 3; // any: only the direction of the view is used
   const XyzCloud& cloud = *page.shifted.cloud;
   const View view = chooseView (cloud, page.planes, page.up, width, height);
   const Eigen::Vector3d up = page.up.cast<double>().normalized();
@@ -49,7 +49,8 @@ descriptionOf (const PlanePage& page)
   description["title"] = page.title;
   description["up"] = up;
   description["view"] = to_eye;
-  // Where no sensor is known to have been, normals do not say which side was seen.
+  // Planes are shown from behind, too, where no position of a sensor is known: normals
+  // do not say then which side was seen.
   description["backs"] = !page.samples.empty() || !isSeenFromItsOrigin (cloud);
   description["planes"] = coloredPlanes (page);
   description["edges"] = edgesOf (page);
@@ -82,14 +83,14 @@ savePlanePage (const std::string& file, const PlanePage& page)
     return savePage (
         file, description, toGroups (page.samples), Eigen::Vector3d::Zero());
   const XyzCloud& cloud = *page.shifted.cloud;
-  const auto place = [&] (std::size_t i) -> Eigen::Vector3d {
+  const auto position_of = [&] (std::size_t i) -> Eigen::Vector3d {
     return cloud[i].getVector3fMap().cast<double>();
   };
-  savePage (
-      file,
-      description,
-      groupPoints (labelsOf (page.planes, cloud.size()), page.planes.size(), place),
-      page.shifted.shift);
+  savePage (file,
+            description,
+            groupPoints (
+                labelsOf (page.planes, cloud.size()), page.planes.size(), position_of),
+            page.shifted.shift);
 }
 
 } // namespace pcl_ops::apps

@@ -21,17 +21,20 @@ namespace pcl_ops::apps {
 struct PlanePage {
   std::string title;
   const ShiftedCloud& shifted;
-  /** \brief In the file's frame. */
+  /** \brief In the frame of the file. */
   const std::vector<PlaneSegment>& planes;
   /** \brief A \ref planeObject for each plane; its "id" decides on the color. */
   nlohmann::ordered_json objects;
+  /** \brief Direction against gravity, of any length but 0. */
   Eigen::Vector3f up;
   /** \brief Only for a survey, which no single sensor has seen and whose cloud is just
-   * these samples: the points of each plane, then of no plane, in the file's frame. */
+   * these samples: the points of each plane, then of no plane, in the frame of the
+   * file. */
   std::vector<SampledPoints> samples = {};
 };
 
-/** \brief Makes \ref PlanePage::objects. \param[in] up of any length but 0 */
+/** \brief Returns \ref PlanePage::objects.
+ * \param[in] up direction against gravity, of any length but 0 */
 nlohmann::ordered_json
 planeObjects (const std::vector<PlaneSegment>& planes,
               const std::vector<PlaneExtent>& extents,

@@ -13,51 +13,53 @@ namespace pcl_ops::apps {
 PointSample::PointSample (const std::vector<std::size_t>& sizes, std::size_t max_points)
 : groups_ (sizes.size())
 {
-  constexpr std::size_t enough = 100;
+  constexpr std::size_t wanted_minimum = 100;
   const std::size_t all = std::accumulate (sizes.begin(), sizes.end(), std::size_t (0));
-  std::size_t least = 0;
+  std::size_t min_quota = 0;
   double share = 1.0;
   if (all > max_points) {
-    least = std::min (enough, max_points / (2 * sizes.size()));
-    share = double (max_points - least * sizes.size()) / double (all);
+    min_quota = std::min (wanted_minimum, max_points / (2 * sizes.size()));
+    share = double (max_points - min_quota * sizes.size()) / double (all);
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const auto shared =
+    const auto in_proportion =
         static_cast<std::size_t> (std::floor (share * double (sizes[i])));
-    groups_[i].quota = std::min (sizes[i], std::max (least, shared));
+    groups_[i].quota = std::min (sizes[i], std::max (min_quota, in_proportion));
   }
 }
 
 bool
-PointSample::isBefore (const Turn& a, const Turn& b)
+PointSample::isBefore (const HashedPoint& a, const HashedPoint& b)
 {
   if (a.hash != b.hash)
     return a.hash < b.hash;
   return std::lexicographical_compare (
-      a.place.begin(), a.place.end(), b.place.begin(), b.place.end());
+      a.position.begin(), a.position.end(), b.position.begin(), b.position.end());
 }
 
 void
 PointSample::keepFirst (Group& group)
 {
-  std::vector<Turn>& turns = group.turns;
-  const auto end = turns.begin() + static_cast<std::ptrdiff_t> (group.quota);
-  if (group.quota < turns.size())
-    std::nth_element (turns.begin(), end, turns.end(), isBefore);
-  turns.erase (end, turns.end());
+  std::vector<HashedPoint>& points = group.points;
+  const auto end = points.begin() + static_cast<std::ptrdiff_t> (group.quota);
+  if (group.quota < points.size())
+    std::nth_element (points.begin(), end, points.end(), isBefore);
+  points.erase (end, points.end());
 }
 
 void
-PointSample::add (std::size_t group, const Eigen::Vector3d& place)
+PointSample::add (std::size_t group_index, const Eigen::Vector3d& position)
 {
-  constexpr std::size_t waiting = 100; // so that small groups are seldom selected from
-  if (!place.allFinite())
+  // Points are dropped when there are twice as many as are kept. The further ones are
+  // for small groups, in which this would be often.
+  constexpr std::size_t further_points = 100;
+  if (!position.allFinite())
     return;
-  Group& to = groups_[group];
-  ++to.all;
-  to.turns.push_back ({hashOf (place), place});
-  if (to.turns.size() >= 2 * to.quota + waiting)
-    keepFirst (to);
+  Group& group = groups_[group_index];
+  ++group.all_points;
+  group.points.push_back ({hashOf (position), position});
+  if (group.points.size() >= 2 * group.quota + further_points)
+    keepFirst (group);
 }
 
 std::vector<SampledPoints>
@@ -65,14 +67,14 @@ PointSample::take()
 {
   std::vector<SampledPoints> samples;
   for (Group& group : groups_) {
-    if (group.turns.size() > group.quota)
+    if (group.points.size() > group.quota)
       keepFirst (group);
-    std::sort (group.turns.begin(), group.turns.end(), isBefore);
+    std::sort (group.points.begin(), group.points.end(), isBefore);
     SampledPoints& sample = samples.emplace_back();
-    sample.all = group.all;
-    sample.places.reserve (group.turns.size());
-    for (const Turn& turn : group.turns)
-      sample.places.push_back (turn.place);
+    sample.all_points = group.all_points;
+    sample.positions.reserve (group.points.size());
+    for (const HashedPoint& point : group.points)
+      sample.positions.push_back (point.position);
     group = {};
   }
   return samples;

@@ -12,10 +12,10 @@ namespace pcl_ops::apps {
 
 /** \brief All points of a plane, or of no plane, or a sample of them. */
 struct SampledPoints {
-  /** \brief Number of points in the cloud; \ref places has all or some of them. */
-  std::size_t all = 0;
+  /** \brief Number of points in the cloud; \ref positions has all or some of them. */
+  std::size_t all_points = 0;
   /** \brief In pseudo-random order: the first ones are an even sample. */
-  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> positions;
 };
 
 /** \brief Samples any number of points without storing them all. If there are more than
@@ -28,30 +28,35 @@ public:
    * \param[in] max_points of all groups together */
   PointSample (const std::vector<std::size_t>& sizes, std::size_t max_points);
 
+  /** \param[in] group its index in the sizes */
   void
-  add (std::size_t group, const Eigen::Vector3d& place);
+  add (std::size_t group, const Eigen::Vector3d& position);
 
   /** \brief Returns the groups and leaves this sample empty. */
   std::vector<SampledPoints>
   take ();
 
 private:
-  /** \brief A point and its hash, which decides on its turn in the order. */
-  struct Turn {
+  /** \brief A point and its hash, by which points are put in order. */
+  struct HashedPoint {
     std::uint32_t hash;
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
   };
 
   struct Group {
+    /** \brief Number of points to keep in the end. */
     std::size_t quota = 0;
-    std::size_t all = 0;
-    std::vector<Turn> turns;
+    /** \brief Number of points that were added. */
+    std::size_t all_points = 0;
+    /** \brief Those that may be kept, unsorted: the first ones of all, and some more.
+     */
+    std::vector<HashedPoint> points;
   };
 
   static bool
-  isBefore (const Turn& a, const Turn& b);
+  isBefore (const HashedPoint& a, const HashedPoint& b);
 
-  /** \brief Keeps the points whose turn comes first, up to the quota, unsorted. */
+  /** \brief Keeps the points that are first in the order, up to the quota, unsorted. */
   static void
   keepFirst (Group& group);
 

@@ -13,11 +13,13 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const scaled = (a, factor) => a.map(x => x * factor);
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
-const short = (x, digits) => String(parseFloat(x.toPrecision(digits)));
+const shortText = (x, digits) => String(parseFloat(x.toPrecision(digits))); // significant digits
 
 // ---- the cloud
 
-function decodedPlaces() {
+// Returns the steps of all points along x, y and z of the lattice of their group: a position is
+// origin + step * steps.
+function decodedSteps() {
   const letters = atob(element('places').textContent), bytes = new Uint8Array(letters.length);
   for (let i = 0; i < bytes.length; ++i)
     bytes[i] = letters.charCodeAt(i);
@@ -25,30 +27,36 @@ function decodedPlaces() {
   return new Uint16Array(bytes.buffer);
 }
 
-// Around the points on planes, where there are any: those on no plane may lie far away.
+// Returns those of a ball around the points on planes, where there are any: points on no plane
+// may lie far away.
 function middleAndRadius() {
+  const maxSteps = 65535;
   const shown = groups.filter(group => group.shown), ofPlanes = shown.filter(group => group !== groups[planes.length]);
   let low = [Infinity, Infinity, Infinity], high = scaled(low, -1);
   for (const {origin, step} of ofPlanes.length ? ofPlanes : shown) {
     low = low.map((x, axis) => Math.min(x, origin[axis]));
-    high = high.map((x, axis) => Math.max(x, origin[axis] + 65535 * step[axis]));
+    high = high.map((x, axis) => Math.max(x, origin[axis] + maxSteps * step[axis]));
   }
   return shown.length ? [scaled(add(low, high), 0.5), Math.hypot(...add(high, low, -1)) / 2 || 1] : [[0, 0, 0], 1];
 }
 
-const places = decodedPlaces();
-const [middle, radius] = middleAndRadius(); // numbers in single precision are relative to it
-const decimals = clamp(4 - Math.floor(Math.log10(radius)), 3, 12);
+const steps = decodedSteps();
+const [middle, radius] = middleAndRadius(); // positions in single precision are relative to the middle
+const decimals = clamp(4 - Math.floor(Math.log10(radius)), 3, 12); // of coordinates: five digits of the radius
 
-// Fills the groups with what drawing needs; returns how many points are shown in all.
+// Adds to each group what drawing needs: first, the index of its first point; isOn, whether its
+// box is checked; isListed, whether the filter lets it pass; fromMiddle, its origin; color, red,
+// green and blue from 0 to 1; normal, zero for no plane; spacing, the distance from one point to
+// the next. Returns how many points are shown in all.
 function prepareGroups() {
-  const spacing = planes.map((plane, i) => Math.sqrt(plane.area / groups[i].shown) || 0);
-  const known = spacing.filter(x => x > 0).sort((a, b) => a - b);
-  const usual = known[known.length >> 1] || radius / 200;
+  const spacings = planes.map((plane, i) => Math.sqrt(plane.area / groups[i].shown) || 0);
+  const known = spacings.filter(x => x > 0).sort((a, b) => a - b);
+  const usual = known[known.length >> 1] || radius / 200; // the median
   return groups.reduce((first, group, i) => {
-    const [red, green, blue] = [1, 3, 5].map(at => i < planes.length ? parseInt(planes[i].color.slice(at, at + 2), 16) / 255 : 0.5);
-    Object.assign(group, {first, isOn: true, isListed: true, fromMiddle: add(group.origin, middle, -1), color: [red, green, blue],
-      normal: i < planes.length ? planes[i].normal : [0, 0, 0], spacing: Math.min(spacing[i] || usual, 4 * usual)});
+    const isPlane = i < planes.length, gray = 0.5;
+    const color = [1, 3, 5].map(at => isPlane ? parseInt(planes[i].color.slice(at, at + 2), 16) / 255 : gray); // of #rrggbb
+    Object.assign(group, {first, isOn: true, isListed: true, fromMiddle: add(group.origin, middle, -1), color,
+      normal: isPlane ? planes[i].normal : [0, 0, 0], spacing: Math.min(spacings[i] || usual, 4 * usual)});
     return first + group.shown;
   }, 0);
 }
@@ -59,10 +67,10 @@ const shownPoints = prepareGroups();
 
 const {up} = description, lens = 1.6; // focal length in half heights of the picture
 const level = cross(Math.abs(up[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0], up);
-const east = scaled(level, 1 / Math.hypot(...level)), north = cross(up, east);
-let camera;
+const east = scaled(level, 1 / Math.hypot(...level)), north = cross(up, east); // perpendicular to up
+let camera; // target, distance from it to the eye, yaw and pitch of the direction to the eye [rad]
 
-// The direction is that from a point towards the eye.
+// Turns the camera to a target. The direction is that from the target to the eye.
 function look(target, direction, distance) {
   camera = {target, distance, yaw: Math.atan2(dot(direction, north), dot(direction, east)),
     pitch: Math.asin(clamp(dot(direction, up), -1, 1))};
@@ -73,6 +81,7 @@ function lookAtAll() {
   look([0, 0, 0], description.view, 1.8 * radius * Math.max(1, canvas.clientHeight / canvas.clientWidth));
 }
 
+// Returns the position of the eye, and the axes of the picture: right, above and back.
 function cameraFrame() {
   const {yaw, pitch, target, distance} = camera;
   const level = add(scaled(east, Math.cos(yaw)), north, Math.sin(yaw));
@@ -85,17 +94,19 @@ function cameraFrame() {
 
 const canvas = element('points'), marks = element('marks').getContext('2d');
 const gl = canvas.getContext('webgl2'), uniforms = {};
-let program, pointArray, lineArray, pending = 0, settled = 0;
-let part = 1; // of each group's points; fewer while the view moves
+let program, pointArray, lineArray;
+let pendingFrame = 0; // number of the frame that was requested; 0 for none
+let settleTimer = 0; // runs while the view moves
+let drawnShare = 1; // of each group's points; less while the view moves
 
 const vertexShader = `#version 300 es
-in vec3 place;
+in vec3 steps; // or a position relative to the middle, with a scale of 1
 uniform vec3 origin, scale, right, above, back, normal;
 uniform vec4 view; // lens by width and by height, near, pixels of a point at distance one
 uniform vec2 pixels; // smallest and largest side of a point
 out float light;
 void main() {
-  vec3 ray = origin + scale * place;
+  vec3 ray = origin + scale * steps; // from the eye
   float depth = -dot(back, ray);
   gl_Position = vec4(view.x * dot(right, ray), view.y * dot(above, ray), depth - 2.0 * view.z, depth);
   gl_PointSize = clamp(view.w / max(depth, view.z), pixels.x, pixels.y);
@@ -108,11 +119,12 @@ in float light;
 out vec4 shown;
 void main() { shown = vec4(color * light, 1.0); }`;
 
-function set(name, numbers) {
+function setUniform(name, numbers) {
   uniforms[name] = uniforms[name] || gl.getUniformLocation(program, name);
   gl['uniform' + numbers.length + 'fv'](uniforms[name], numbers);
 }
 
+// Three numbers of the type for each vertex; the stride is in bytes.
 function vertexArray(numbers, type, stride) {
   const array = gl.createVertexArray();
   gl.bindVertexArray(array);
@@ -123,7 +135,8 @@ function vertexArray(numbers, type, stride) {
   return array;
 }
 
-// Lines of all layers, in one buffer.
+// Lines of all layers, in one buffer: two ends of three numbers each, relative to the middle. A
+// part is what a layer has of a group (null: of none).
 const lines = {ends: [], parts: []};
 
 function addLines(layer, group, ends) {
@@ -134,7 +147,7 @@ function addLines(layer, group, ends) {
 
 function prepareDrawing() {
   planes.forEach((plane, i) => {
-    const length = Math.max(0.25 * Math.sqrt(plane.area), radius / 100);
+    const length = Math.max(0.25 * Math.sqrt(plane.area), radius / 100); // of the line of the normal
     addLines('normals', groups[i], [plane.centroid, add(plane.centroid, plane.normal, length)]);
     for (const ring of [plane.hull, ...plane.holes])
       addLines('outlines', groups[i], ring.flatMap((corner, k) => [corner, ring[(k + 1) % ring.length]]));
@@ -147,13 +160,13 @@ function prepareDrawing() {
     gl.compileShader(shader);
     gl.attachShader(program, shader);
   }
-  gl.bindAttribLocation(program, 0, 'place');
+  gl.bindAttribLocation(program, 0, 'steps');
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS))
     throw new Error(gl.getProgramInfoLog(program));
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
-  pointArray = vertexArray(places, gl.UNSIGNED_SHORT, 6);
+  pointArray = vertexArray(steps, gl.UNSIGNED_SHORT, 6);
   lineArray = vertexArray(new Float32Array(lines.ends), gl.FLOAT, 12);
 }
 
@@ -164,46 +177,51 @@ function isSeen(i, {eye}) {
     dot(planes[i].normal, add(add(eye, middle), planes[i].centroid, -1)) > 0);
 }
 
+// The ratio is that of pixels of the screen to those of the page.
 function drawPoints(frame, near, ratio) {
-  const larger = 2 ** element('size').value, aspect = canvas.height / canvas.width;
-  const pixelsOfUnit = 1.4 * larger / Math.sqrt(part) * lens * canvas.height / 2;
+  const overlap = 1.4, minSide = 1.5, maxSide = 10; // of points; sides in pixels of the page
+  const factor = 2 ** element('size').value, aspect = canvas.height / canvas.width;
+  const pixelsOfUnit = overlap * factor / Math.sqrt(drawnShare) * lens * canvas.height / 2; // at distance one
   gl.bindVertexArray(pointArray);
-  set('pixels', [1.5 * ratio * Math.min(larger, 1), 10 * ratio * larger]);
+  setUniform('pixels', [minSide * ratio * Math.min(factor, 1), maxSide * ratio * factor]);
   groups.forEach((group, i) => {
     if (!group.shown || !isSeen(i, frame))
       return;
-    set('origin', add(group.fromMiddle, frame.eye, -1));
-    set('scale', group.step);
-    set('color', group.color);
-    set('normal', group.normal);
-    set('view', [lens * aspect, lens, near, pixelsOfUnit * group.spacing]);
-    gl.drawArrays(gl.POINTS, group.first, Math.ceil(part * group.shown));
+    setUniform('origin', add(group.fromMiddle, frame.eye, -1));
+    setUniform('scale', group.step);
+    setUniform('color', group.color);
+    setUniform('normal', group.normal);
+    setUniform('view', [lens * aspect, lens, near, pixelsOfUnit * group.spacing]);
+    gl.drawArrays(gl.POINTS, group.first, Math.ceil(drawnShare * group.shown));
   });
 }
 
+// The ink is the color of texts, rgb(red, green, blue).
 function drawLines(frame, ink) {
   gl.bindVertexArray(lineArray);
-  set('origin', scaled(frame.eye, -1));
-  set('scale', [1, 1, 1]);
-  set('normal', [0, 0, 0]);
+  setUniform('origin', scaled(frame.eye, -1));
+  setUniform('scale', [1, 1, 1]);
+  setUniform('normal', [0, 0, 0]);
   for (const {layer, group, first, count} of lines.parts)
     if (element(layer).checked && (!group || group.isOn && group.isListed)) {
-      set('color', layer === 'normals' ? group.color : ink.match(/\d+/g).slice(0, 3).map(x => x / 255));
+      setUniform('color', layer === 'normals' ? group.color : ink.match(/\d+/g).slice(0, 3).map(x => x / 255));
       gl.drawArrays(gl.LINES, first, count);
     }
 }
 
 function draw() {
-  pending = 0;
+  pendingFrame = 0;
   const ratio = window.devicePixelRatio || 1, frame = cameraFrame(), near = 0.01 * camera.distance;
-  for (const one of [canvas, marks.canvas])
-    if (one.width !== Math.round(one.clientWidth * ratio) || one.height !== Math.round(one.clientHeight * ratio))
-      Object.assign(one, {width: Math.round(one.clientWidth * ratio), height: Math.round(one.clientHeight * ratio)});
+  for (const layer of [canvas, marks.canvas]) {
+    const width = Math.round(layer.clientWidth * ratio), height = Math.round(layer.clientHeight * ratio);
+    if (layer.width !== width || layer.height !== height) // setting them clears the canvas
+      Object.assign(layer, {width, height});
+  }
   const ink = getComputedStyle(document.body).color;
   gl.viewport(0, 0, canvas.width, canvas.height);
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT); // with nothing: the page is behind it
   for (const axis of ['right', 'above', 'back'])
-    set(axis, frame[axis]);
+    setUniform(axis, frame[axis]);
   drawPoints(frame, near, ratio);
   drawLines(frame, ink);
   drawMarks(frame, ratio, ink);
@@ -211,23 +229,24 @@ function draw() {
 
 function redraw() {
   if (gl)
-    pending = pending || requestAnimationFrame(draw);
+    pendingFrame = pendingFrame || requestAnimationFrame(draw);
 }
 
 // A moving view shows an even sample, so that it follows the hand with any graphics card.
 function redrawMoving() {
-  part = Math.min(1, 600000 / shownPoints);
-  clearTimeout(settled);
-  settled = setTimeout(() => { part = 1; redraw(); }, 200);
+  const maxPoints = 600000, pause = 200; // [ms] after which all are drawn
+  drawnShare = Math.min(1, maxPoints / shownPoints);
+  clearTimeout(settleTimer);
+  settleTimer = setTimeout(() => { drawnShare = 1; redraw(); }, pause);
   redraw();
 }
 
 // ---- over the points: scale bar, axes, the point that was clicked
 
-let chosen = null, before = null; // the last point and the one before, relative to the middle
+let chosen = null, chosenBefore = null; // the last point and the one before, relative to the middle
 
 function drawMarks(frame, ratio, ink) {
-  const {clientWidth: width, clientHeight: height} = canvas, focal = lens * height / 2;
+  const {clientWidth: width, clientHeight: height} = canvas, focal = lens * height / 2; // [pixel]
   const line = points => {
     marks.beginPath();
     points.forEach(point => marks.lineTo(...point));
@@ -237,24 +256,27 @@ function drawMarks(frame, ratio, ink) {
   marks.clearRect(0, 0, width, height);
   marks.strokeStyle = marks.fillStyle = ink;
   marks.font = '12px sans-serif';
-  // True at the depth of the target, in the middle of the view.
-  const longest = 160 * camera.distance / focal, power = 10 ** Math.floor(Math.log10(longest));
-  const length = power * [5, 2, 1].find(factor => factor * power <= longest), end = 14 + length * focal / camera.distance;
-  line([[14, height - 20], [14, height - 14], [end, height - 14], [end, height - 20]]);
-  marks.fillText(short(length, 2) + ' m', 18, height - 20);
+  // A scale bar of 1, 2 or 5 times a power of ten, true at the depth of the target.
+  const maxWidth = 160, margin = 14, tick = 6; // [pixel]
+  const longest = maxWidth * camera.distance / focal, power = 10 ** Math.floor(Math.log10(longest));
+  const length = power * [5, 2, 1].find(factor => factor * power <= longest);
+  const end = margin + length * focal / camera.distance, bottom = height - margin, top = bottom - tick;
+  line([[margin, top], [margin, bottom], [end, bottom], [end, top]]);
+  marks.fillText(shortText(length, 2) + ' m', margin + 4, top);
+  const origin = [width - 55, height - 55], axisLength = 30; // [pixel]
   for (const [name, axis] of [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['z', [0, 0, 1]], ['up', scaled(up, 1.5)]]) {
-    const tip = [width - 55 + 30 * dot(frame.right, axis), height - 55 - 30 * dot(frame.above, axis)];
-    line([[width - 55, height - 55], tip]);
+    const tip = [origin[0] + axisLength * dot(frame.right, axis), origin[1] - axisLength * dot(frame.above, axis)];
+    line([origin, tip]);
     marks.fillText(name, tip[0] + 2, tip[1] - 2);
   }
   const onScreen = point => {
     const ray = add(point, frame.eye, -1), depth = -dot(frame.back, ray), scale = focal / depth;
     return depth > 0 ? [width / 2 + scale * dot(frame.right, ray), height / 2 - scale * dot(frame.above, ray)] : null;
   };
-  const shown = [before, chosen].map(point => point && onScreen(point)).filter(place => place);
+  const shown = [chosenBefore, chosen].map(point => point && onScreen(point)).filter(pixel => pixel);
   for (const [x, y] of shown) {
     marks.beginPath();
-    marks.arc(x, y, 7, 0, 7);
+    marks.arc(x, y, 7, 0, 2 * Math.PI);
     marks.stroke();
   }
   if (shown.length === 2)
@@ -263,18 +285,20 @@ function drawMarks(frame, ratio, ink) {
 
 // ---- a click on a point
 
-// The nearest point to the eye of those that are a few pixels from a place.
+// Returns the point that is nearest to the eye of those a few pixels around (x, y), and the index
+// of its group; null if there is none. A point away from (x, y) counts as farther.
 function pointAt(x, y) {
-  const {clientWidth: width, clientHeight: height} = canvas, focal = lens * height / 2, reach = 6;
+  const {clientWidth: width, clientHeight: height} = canvas, focal = lens * height / 2, reach = 6; // [pixel]
   const frame = cameraFrame(), axes = [frame.right, frame.above, frame.back];
   let nearest = Infinity, found = null;
   groups.forEach((group, i) => {
     if (!group.shown || !isSeen(i, frame))
       return;
+    // Along right, above and back: the length of a step along x, y and z, and the origin.
     const [r, a, b] = axes.map(axis => axis.map((n, k) => n * group.step[k]));
     const [r0, a0, b0] = axes.map(axis => dot(axis, add(group.fromMiddle, frame.eye, -1)));
     for (let k = 3 * group.first; k < 3 * (group.first + group.shown); k += 3) {
-      const u = places[k], v = places[k + 1], w = places[k + 2];
+      const u = steps[k], v = steps[k + 1], w = steps[k + 2];
       const depth = -(b[0] * u + b[1] * v + b[2] * w + b0);
       const across = width / 2 + focal * (r[0] * u + r[1] * v + r[2] * w + r0) / depth - x;
       const down = height / 2 - focal * (a[0] * u + a[1] * v + a[2] * w + a0) / depth - y;
@@ -288,33 +312,33 @@ function pointAt(x, y) {
   return found;
 }
 
-// Of planes that are nothing in a building their orientation, which is no other either.
+// Returns what a plane is in a building; its orientation if that is not known.
 function nameOf(plane) {
   return plane.kind && plane.kind !== 'other' ? plane.kind : plane.orientation;
 }
 
 function factsOf(i) {
   const {id, area, rms, slope} = planes[i];
-  return `plane ${id}, ${nameOf(planes[i])}: ${groups[i].all} points, area ${short(area, 3)}, rms ${short(rms, 2)}, ` +
+  return `plane ${id}, ${nameOf(planes[i])}: ${groups[i].all} points, area ${shortText(area, 3)}, rms ${shortText(rms, 2)}, ` +
     `slope ${slope.toFixed(1)}`;
 }
 
 function answer({i, point}) {
-  const plane = planes[i], place = add(point, middle);
-  let text = `${plane ? factsOf(i) : 'no plane'}; at ${place.map(x => x.toFixed(decimals)).join(', ')}`;
+  const plane = planes[i], position = add(point, middle);
+  let text = `${plane ? factsOf(i) : 'no plane'}; at ${position.map(x => x.toFixed(decimals)).join(', ')}`;
   if (plane) {
-    // Places are known to half a step of their lattice.
-    const distance = dot(plane.normal, add(place, plane.centroid, -1));
+    // Positions are known to half a step of their lattice.
+    const distance = dot(plane.normal, add(position, plane.centroid, -1));
     const error = dot(plane.normal.map(Math.abs), groups[i].step) / 2;
-    text += `, distance to the plane ${short(distance, 3)} \u00b1 ${short(error, 1)}`;
+    text += `, distance to the plane ${shortText(distance, 3)} \u00b1 ${shortText(error, 1)}`;
   }
-  if (before)
-    text += `; ${Math.hypot(...add(point, before, -1)).toFixed(decimals)} from the point before`;
+  if (chosenBefore)
+    text += `; ${Math.hypot(...add(point, chosenBefore, -1)).toFixed(decimals)} from the point before`;
   return text;
 }
 
-// In the list; none where it is no plane.
-function mark(i) {
+// Marks the row of a plane in the list; no row if i is the group of no plane.
+function markRow(i) {
   for (const row of document.querySelectorAll('tr.chosen'))
     row.classList.remove('chosen');
   if (planes[i]) {
@@ -324,29 +348,29 @@ function mark(i) {
   redraw();
 }
 
-// A point, or nothing.
+// Chooses what pointAt has found: a point, or null.
 function choose(found) {
-  before = found && chosen;
+  chosenBefore = found && chosen;
   chosen = found && found.point;
   element('answer').textContent = found ? answer(found) : '';
-  mark(found ? found.i : planes.length);
+  markRow(found ? found.i : planes.length);
 }
 
 function choosePlane(i) {
   const {centroid, normal, area} = planes[i];
-  before = chosen = null;
+  chosenBefore = chosen = null;
   element('answer').textContent = factsOf(i);
-  mark(i);
+  markRow(i);
   look(add(centroid, middle, -1), normal, Math.max(2 * Math.sqrt(area), radius / 50));
 }
 
 // ---- mouse, pen and fingers
 
-const pointers = new Map();
-let travelled = 0;
+const pointers = new Map(); // of each pointer that is down, by its id, the last pixel
+let travelled = 0; // [pixel] since the first pointer went down
 
-// On the canvas, whatever the event is over: a drag may end beside it.
-function placeOf(event) {
+// Returns the pixel on the canvas, whatever the event is over: a drag may end beside it.
+function pixelOf(event) {
   const {left, top} = canvas.getBoundingClientRect();
   return [event.clientX - left, event.clientY - top];
 }
@@ -364,36 +388,40 @@ function move(event) {
   const before = pointers.get(event.pointerId);
   if (!before)
     return;
-  const now = placeOf(event), [dx, dy] = add(now, before, -1);
+  const now = pixelOf(event), [dx, dy] = add(now, before, -1);
   const other = [...pointers.entries()].find(([id]) => id !== event.pointerId);
   travelled += Math.hypot(dx, dy);
   if (other) {
     pan(dx / 2, dy / 2);
     zoom(Math.hypot(...add(before, other[1], -1)) / Math.max(1, Math.hypot(...add(now, other[1], -1))));
   }
-  else if (event.buttons & 6 || event.shiftKey)
+  else if (event.buttons & 6 || event.shiftKey) // right or middle button
     pan(dx, dy);
-  else
-    Object.assign(camera, {yaw: camera.yaw - 0.006 * dx, pitch: clamp(camera.pitch + 0.006 * dy, -1.57, 1.57)});
+  else {
+    const perPixel = 0.006, maxPitch = 1.57; // [rad]
+    Object.assign(camera, {yaw: camera.yaw - perPixel * dx, pitch: clamp(camera.pitch + perPixel * dy, -maxPitch, maxPitch)});
+  }
   pointers.set(event.pointerId, now);
   redrawMoving();
 }
 
 function release(event) {
-  if (event.type === 'pointerup' && pointers.size === 1 && travelled < 5 && event.button === 0)
-    choose(pointAt(...placeOf(event)));
+  const maxTravelOfClick = 5; // [pixel]
+  if (event.type === 'pointerup' && pointers.size === 1 && travelled < maxTravelOfClick && event.button === 0)
+    choose(pointAt(...pixelOf(event)));
   pointers.delete(event.pointerId);
 }
 
 function press(event) {
   if (pointers.size === 0)
     travelled = 0;
-  pointers.set(event.pointerId, placeOf(event));
+  pointers.set(event.pointerId, pixelOf(event));
 }
 
 function turnWheel(event) {
   event.preventDefault();
-  zoom(Math.exp(0.001 * event.deltaY * (event.deltaMode ? 30 : 1)));
+  const pixelsOfLine = 30; // deltaMode: 0 for pixels, else lines
+  zoom(Math.exp(0.001 * event.deltaY * (event.deltaMode ? pixelsOfLine : 1)));
   redrawMoving();
 }
 
@@ -407,13 +435,13 @@ function rowOf(plane, i) {
   swatch.style.background = plane.color;
   row.insertCell().append(box);
   row.insertCell().append(swatch, `${plane.id} ${nameOf(plane)}`);
-  for (const text of [groups[i].all, short(plane.area, 3), short(plane.rms, 2), plane.slope.toFixed(1)])
+  for (const text of [groups[i].all, shortText(plane.area, 3), shortText(plane.rms, 2), plane.slope.toFixed(1)])
     row.insertCell().append(text);
   row.onclick = () => choosePlane(i);
   return row;
 }
 
-// Of the planes that are listed.
+// Shows or hides all planes that are listed.
 function showAll(isOn) {
   groups.forEach((group, i) => {
     if (!group.isListed)
@@ -425,11 +453,12 @@ function showAll(isOn) {
   redraw();
 }
 
-// Lists and shows the planes of a kind whose number is given, or whose name begins so.
+// Lists and shows the planes of the chosen kind whose number is the text, or whose name begins
+// with it.
 function filterPlanes() {
-  const words = element('find').value.trim().toLowerCase(), kind = element('kind').value;
+  const text = element('find').value.trim().toLowerCase(), kind = element('kind').value;
   planes.forEach((plane, i) => {
-    const isNamed = String(plane.id) === words || nameOf(plane).startsWith(words);
+    const isNamed = String(plane.id) === text || nameOf(plane).startsWith(text);
     groups[i].isListed = isNamed && (!kind || nameOf(plane) === kind);
     element('rows').children[i].hidden = !groups[i].isListed;
   });

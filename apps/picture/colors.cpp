@@ -18,25 +18,27 @@ namespace {
 std::vector<pcl::RGB>
 palette ()
 {
-  constexpr int min_chroma = 50;
+  constexpr int min_chroma = 50; // difference of the parts of a color, 0 to 255
   std::vector<pcl::RGB> colors;
   for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
     const pcl::RGB color = pcl::GlasbeyLUT::at (i);
-    const auto [least, most] = std::minmax ({color.r, color.g, color.b});
-    if (most - least >= min_chroma)
+    const auto [darkest, brightest] = std::minmax ({color.r, color.g, color.b});
+    if (brightest - darkest >= min_chroma)
       colors.push_back (color);
   }
   return colors;
 }
 
-/** \brief The largest 1, 2 or 5 times a power of ten that is not above a number. */
+/** \brief Returns the largest 1, 2 or 5 times a power of ten that is not above a
+ * number, but for rounding. */
 double
 roundBelow (double number)
 {
-  constexpr double of_rounding = 1.0 + 1e-6;
-  const double power = std::pow (10.0, std::floor (std::log10 (number * of_rounding)));
+  constexpr double rounding = 1e-6; // as a share of the number
+  const double bound = number * (1.0 + rounding);
+  const double power = std::pow (10.0, std::floor (std::log10 (bound)));
   for (const double factor : {5.0, 2.0})
-    if (factor * power <= number * of_rounding)
+    if (factor * power <= bound)
       return factor * power;
   return power;
 }
@@ -70,19 +72,20 @@ colorOf (Orientation orientation)
 
 ColorScale::ColorScale (const std::vector<float>& values)
 {
-  constexpr double left_out = 0.02;
-  std::vector<float> known;
+  constexpr double share_beyond_end = 0.02;
+  std::vector<float> sorted;
   std::copy_if (values.begin(),
                 values.end(),
-                std::back_inserter (known),
+                std::back_inserter (sorted),
                 [] (float value) { return value > 0.0f && std::isfinite (value); });
-  if (known.empty())
+  if (sorted.empty())
     return;
-  std::sort (known.begin(), known.end());
-  const auto last = static_cast<double> (known.size() - 1);
-  smallest = roundBelow (known[std::size_t (left_out * last)]);
-  largest =
-      1.0 / roundBelow (1.0 / double (known[std::size_t ((1.0 - left_out) * last)]));
+  std::sort (sorted.begin(), sorted.end());
+  const auto last = static_cast<double> (sorted.size() - 1);
+  const float low = sorted[std::size_t (share_beyond_end * last)];
+  const float high = sorted[std::size_t ((1.0 - share_beyond_end) * last)];
+  smallest = roundBelow (low);
+  largest = 1.0 / roundBelow (1.0 / double (high)); // rounds up
 }
 
 pcl::RGB
@@ -90,8 +93,10 @@ ColorScale::operator() (float value) const
 {
   if (std::isnan (value))
     return colorOfLabel (0);
-  if (!(value > smallest) || value >= largest)
-    return at (value > smallest ? 1.0f : 0.0f);
+  if (!(value > smallest))
+    return at (0.0f);
+  if (value >= largest)
+    return at (1.0f);
   return at (float (std::log (value / smallest) / std::log (largest / smallest)));
 }
 
@@ -113,17 +118,18 @@ saveLabelledCloud (const std::string& file,
   const bool has_color = hasField (cloud, "rgb") || hasField (cloud, "rgba");
   saveCloud (file, cloud, [&] (FileCloud& part, std::size_t first) {
     using pcl::PCLPointField;
-    const std::uint32_t* const of_part = labels.data() + first;
+    const std::uint32_t* const part_labels = labels.data() + first;
     if (!distances.empty())
       setField (part, "distance", PCLPointField::FLOAT32, distances.data() + first);
     if (!planes.empty())
       setField (part, "plane", PCLPointField::UINT32, planes.data() + first);
-    setField (part, "label", PCLPointField::UINT32, of_part);
+    setField (part, "label", PCLPointField::UINT32, part_labels);
     if (keeps_color && has_color)
       return;
     std::vector<pcl::RGB> colors (part.size());
     static_assert (sizeof (colors[0]) == sizeof (float), "PCL's packed color");
-    std::transform (of_part, of_part + colors.size(), colors.begin(), colorOfLabel);
+    std::transform (
+        part_labels, part_labels + colors.size(), colors.begin(), colorOfLabel);
     // In front of `rgba`, as PCL's point types look for `rgb` first.
     setField (part, "rgb", PCLPointField::FLOAT32, colors.data(), "rgba");
   });

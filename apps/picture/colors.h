@@ -13,11 +13,12 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Gray for 0, else one of a long palette of distinct colors, which repeats. */
+/** \brief Returns gray for 0, else one of a long palette of distinct colors, which
+ * repeats. */
 pcl::RGB
 colorOfLabel (std::uint32_t label);
 
-/** \brief The color as HTML writes it, like "#ff8000". */
+/** \brief Returns the color as HTML writes it, "#ff8000". */
 std::string
 webColor (const pcl::RGB& color);
 
@@ -32,16 +33,17 @@ public:
   /** \param[in] values ignored unless positive and finite */
   explicit ColorScale (const std::vector<float>& values);
 
-  /** \brief Gray for NaN; the color of the nearer end beyond the scale. */
+  /** \brief Returns the color of a value: gray for NaN; that of the nearer end for
+   * values beyond the scale. */
   pcl::RGB
   operator() (float value) const;
 
-  /** \brief The color at a share of the scale, 0 (smallest) to 1 (largest). */
+  /** \brief Returns the color at a share of the scale, 0 (smallest) to 1 (largest). */
   static pcl::RGB
   at (float share);
 
-  double smallest = 1.0;
-  double largest = 1.0;
+  /** \brief The ends of the scale. */
+  double smallest = 1.0, largest = 1.0;
 };
 
 /** \brief Writes a .pcd or .ply with a label and a color for each point.

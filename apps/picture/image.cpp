@@ -18,18 +18,39 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr int dot = 3; // edge of a dot of a letter, and of a margin [pixel]
+pcl::RGB
+black ()
+{
+  return {0, 0, 0};
+}
 
-/** \brief Letters of 3 x 5 dots: one octal digit for each row, from the top. */
+pcl::RGB
+white ()
+{
+  return {255, 255, 255};
+}
+
+/** \brief Side of a dot of a letter [pixel]; other lengths are multiples of it. */
+constexpr int dot = 3;
+
+/** \brief Size of letters [dots], and their distance from one to the next. */
+constexpr int letter_columns = 3, letter_rows = 5, letter_step = letter_columns + 1;
+
+/** \brief The letters that can be written. */
 constexpr std::string_view letters = "0125.ACEHILNOPRTVZ";
+
+/** \brief The rows of all these letters, one after the other: an octal digit for each
+ * row, from the top; its bits are the dots, the highest one left. */
 constexpr std::string_view rows_of_letters =
     "755572622771747747170000225755344437464755755722274444765555255526564465655"
     "722225555271247";
 
+/** \brief Around maps and color scales [pixel]. */
 constexpr int margin = 12;
 
 /** \brief Transforms x and y of the map to columns and rows of the image. */
 struct MapScale {
+  /** \brief The largest scale at which all shapes fit into half an image. */
   explicit MapScale (const std::vector<MapShape>& shapes)
   {
     Eigen::AlignedBox2d box;
@@ -41,28 +62,32 @@ struct MapScale {
       return;
     const Eigen::Array2d room (Image::half_width - 2 * margin,
                                Image::height - Image::legend_height - 2 * margin);
-    const double pixels = (room / box.sizes().array()).minCoeff();
-    per_unit = std::isfinite (pixels) ? pixels : 1.0;
-    first = {box.min().x(), box.max().y()};
+    const double fitting = (room / box.sizes().array()).minCoeff();
+    pixels_per_unit = std::isfinite (fitting) ? fitting : 1.0;
+    upper_left = {box.min().x(), box.max().y()};
   }
 
   Eigen::Vector2d
   pixel (const Eigen::Vector3d& corner) const
   {
-    return {margin + per_unit * (corner.x() - first.x()),
-            margin + per_unit * (first.y() - corner.y())};
+    return {margin + pixels_per_unit * (corner.x() - upper_left.x()),
+            margin + pixels_per_unit * (upper_left.y() - corner.y())};
   }
 
-  double per_unit = 1.0;
-  Eigen::Vector2d first = Eigen::Vector2d::Zero();
+  double pixels_per_unit = 1.0;
+  /** \brief Corner of the map, in its unit. */
+  Eigen::Vector2d upper_left = Eigen::Vector2d::Zero();
 };
 
-/** \brief Fills all rings of a shape together, row by row, by the even-odd rule. */
-void
-draw (const MapShape& shape, const MapScale& scale, Image& image)
+/** \brief Where the rings of a shape cross the middle of rows: columns by row. */
+using Crossings = std::map<int, std::vector<double>>;
+
+Crossings
+crossingsOf (const MapShape& shape, const MapScale& scale)
 {
+  // The first row whose middle is not above y.
   const auto row_of = [] (double y) { return static_cast<int> (std::ceil (y - 0.5)); };
-  std::map<int, std::vector<double>> crossings; // columns, with the middle of each row
+  Crossings crossings;
   for (const auto& ring : shape.rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       Eigen::Vector2d a = scale.pixel (ring[i]);
@@ -73,25 +98,40 @@ draw (const MapShape& shape, const MapScale& scale, Image& image)
         crossings[row].push_back (a.x() + (row + 0.5 - a.y()) / (b.y() - a.y()) *
                                               (b.x() - a.x()));
     }
-  constexpr int half = Image::half_width + Image::gap;
-  for (auto& [row, columns] : crossings) {
+  return crossings;
+}
+
+/** \brief Fills all rings of a shape together, row by row, by the even-odd rule, in
+ * both halves. */
+void
+draw (const MapShape& shape, const MapScale& scale, Image& image)
+{
+  constexpr int to_right_half = Image::half_width + Image::gap;
+  for (auto& [row, columns] : crossingsOf (shape, scale)) {
     std::sort (columns.begin(), columns.end());
     for (std::size_t i = 0; i + 1 < columns.size(); i += 2) {
-      const int begin = int (columns[i]); // walls are lines of a pixel
-      const int end = std::max (begin + 1, int (columns[i + 1]));
-      image.fill (begin, row, end, row + 1, colorOfLabel (shape.id));
-      image.fill (begin + half, row, end + half, row + 1, colorOf (shape.orientation));
+      const int left = int (columns[i]);
+      const int right =
+          std::max (left + 1, int (columns[i + 1])); // walls are seen, too
+      image.fill (left, row, right, row + 1, colorOfLabel (shape.id));
+      image.fill (left + to_right_half,
+                  row,
+                  right + to_right_half,
+                  row + 1,
+                  colorOf (shape.orientation));
     }
   }
 }
 
-/** \brief A number that is 1, 2 or 5 times a power of ten, without an exponent. */
+/** \brief Returns a number that is 1, 2 or 5 times a power of ten as text without an
+ * exponent. */
 std::string
 roundText (double number)
 {
+  const int decimals = number < 1.0 ? int (std::ceil (-std::log10 (number))) : 0;
   std::ostringstream text;
   text << std::fixed;
-  text.precision (number < 1.0 ? int (std::ceil (-std::log10 (number))) : 0);
+  text.precision (decimals);
   text << number;
   return text.str();
 }
@@ -101,17 +141,17 @@ roundText (double number)
 void
 addScaleBar (const MapScale& scale, Image& image)
 {
-  const double longest = Image::half_width / 3.0 / scale.per_unit;
+  const double longest = Image::half_width / 3.0 / scale.pixels_per_unit;
   const double power = std::pow (10.0, std::floor (std::log10 (longest)));
   double length = power;
   for (const double factor : {2.0, 5.0})
     if (factor * power <= longest)
       length = factor * power;
-  constexpr int bar = 6;
-  constexpr int row = Image::height - 3 * margin;
-  const int end = margin + int (std::lround (length * scale.per_unit));
-  image.fill (margin, row, end, row + bar, {0, 0, 0});
-  image.write (end + margin, row - bar, roundText (length));
+  constexpr int bar_height = 6;
+  constexpr int top = Image::height - 3 * margin;
+  const int right = margin + int (std::lround (length * scale.pixels_per_unit));
+  image.fill (margin, top, right, top + bar_height, black());
+  image.write (right + margin, top - bar_height, roundText (length));
 }
 
 } // namespace
@@ -125,67 +165,76 @@ Image::paint (int column, int row, const pcl::RGB& color, float brightness)
 }
 
 void
-Image::fill (int column, int row, int last_column, int last_row, const pcl::RGB& color)
+Image::fill (int left, int top, int right, int bottom, const pcl::RGB& color)
 {
-  for (int y = row; y < last_row; ++y)
-    for (int x = column; x < last_column; ++x)
-      paint (x, y, color);
+  for (int row = top; row < bottom; ++row)
+    for (int column = left; column < right; ++column)
+      paint (column, row, color);
 }
 
 void
-Image::write (int column, int row, const std::string& text)
+Image::write (int left, int top, const std::string& text)
 {
-  constexpr std::size_t columns = 3;
-  constexpr std::size_t rows = 5;
   for (const char letter : text) {
-    const std::size_t known = letters.find (letter);
-    for (std::size_t i = 0; known < letters.size() && i < rows * columns; ++i)
-      if (rows_of_letters[rows * known + i / columns] >> (2 - i % columns) & 1) {
-        const int x = column + dot * int (i % columns);
-        const int y = row + dot * int (i / columns);
-        fill (x, y, x + dot, y + dot, {0, 0, 0});
-      }
-    column += dot * int (columns + 1);
+    const std::size_t index = letters.find (letter);
+    const bool is_blank = index == std::string_view::npos;
+    for (int row = 0; row < letter_rows && !is_blank; ++row) {
+      const char dots = rows_of_letters[letter_rows * index + std::size_t (row)];
+      for (int column = 0; column < letter_columns; ++column)
+        if ((dots >> (letter_columns - 1 - column) & 1) != 0) {
+          const int x = left + dot * column;
+          const int y = top + dot * row;
+          fill (x, y, x + dot, y + dot, black());
+        }
+    }
+    left += dot * letter_step;
   }
 }
 
 void
 Image::addLegend (int lines)
 {
-  constexpr int line = 8 * dot;
-  constexpr int box = 5 * dot;
-  constexpr int longest = 11 * 4 * dot;
-  const std::pair<const char*, pcl::RGB> entries[] = {
-      {"HORIZONTAL", colorOf (Orientation::Horizontal)},
-      {"VERTICAL", colorOf (Orientation::Vertical)},
-      {"OTHER", colorOf (Orientation::Other)},
-      {"NO PLANE", colorOfLabel (0)}};
+  constexpr int line_height = 8 * dot;
+  constexpr int box = letter_rows * dot; // side of the square with the color
+  constexpr int text_width = 11 * letter_step * dot; // of HORIZONTAL and a blank
+  struct Entry {
+    const char* text;
+    pcl::RGB color;
+  };
+  const Entry entries[] = {{"HORIZONTAL", colorOf (Orientation::Horizontal)},
+                           {"VERTICAL", colorOf (Orientation::Vertical)},
+                           {"OTHER", colorOf (Orientation::Other)},
+                           {"NO PLANE", colorOfLabel (0)}};
   const int left = half_width + gap;
-  int row = height - lines * line;
-  const int right = left + box + longest + 3 * dot;
-  fill (left, height - legend_height, right, height, {255, 255, 255});
-  for (int i = 0; i < lines; ++i, row += line) {
-    fill (left + dot, row, left + dot + box, row + box, entries[i].second);
-    write (left + 3 * dot + box, row, entries[i].first);
+  const int text_left = left + box + 3 * dot;
+  fill (left, height - legend_height, text_left + text_width, height, white());
+  int top = height - lines * line_height;
+  for (int i = 0; i < lines; ++i, top += line_height) {
+    fill (left + dot, top, left + dot + box, top + box, entries[i].color);
+    write (text_left, top, entries[i].text);
   }
 }
 
 void
 Image::addLegend (const ColorScale& scale)
 {
-  constexpr int letter = 4 * dot;
-  constexpr int line = 5 * dot;
-  constexpr int bar = 256;
+  constexpr int letter_width = letter_step * dot;
+  constexpr int bar_height = letter_rows * dot;
+  constexpr int bar_width = 256;
   const std::string from = roundText (scale.smallest);
   const std::string to = roundText (scale.largest);
-  const int row = height - line - margin;
-  const int left = 2 * margin + letter * int (from.size());
-  const int end = left + bar + margin + letter * int (to.size());
-  fill (0, row - margin, end + margin, height, {255, 255, 255});
-  write (margin, row, from);
-  for (int i = 0; i < bar; ++i)
-    fill (left + i, row, left + i + 1, row + line, ColorScale::at (float (i) / bar));
-  write (left + bar + margin, row, to);
+  const int top = height - bar_height - margin;
+  const int bar_left = 2 * margin + letter_width * int (from.size());
+  const int to_left = bar_left + bar_width + margin;
+  const int right = to_left + letter_width * int (to.size());
+  fill (0, top - margin, right + margin, height, white());
+  write (margin, top, from);
+  for (int i = 0; i < bar_width; ++i) {
+    const int left = bar_left + i;
+    const pcl::RGB color = ColorScale::at (float (i) / bar_width);
+    fill (left, top, left + 1, top + bar_height, color);
+  }
+  write (to_left, top, to);
 }
 
 void
@@ -198,13 +247,11 @@ savePng (const std::string& file, const Image& image, int columns)
   header.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX (header);
   std::string png (size, '\0');
-  if (png_image_write_to_memory (&header,
-                                 png.data(),
-                                 &size,
-                                 0,
-                                 image.bytes.data(),
-                                 3 * Image::width,
-                                 nullptr) == 0)
+  constexpr int to_8_bit = 0;
+  constexpr int row_stride = 3 * Image::width; // [bytes]
+  const int succeeded = png_image_write_to_memory (
+      &header, png.data(), &size, to_8_bit, image.bytes.data(), row_stride, nullptr);
+  if (succeeded == 0)
     throw WorkError (
         file, std::string ("cannot be drawn (") + header.message + "); leave it out");
   png.resize (size);
@@ -222,7 +269,8 @@ mapPicture (std::vector<MapShape> shapes)
   for (const MapShape& shape : shapes)
     draw (shape, scale, image);
   addScaleBar (scale, image);
-  image.addLegend (3);
+  constexpr int lines_without_no_plane = 3;
+  image.addLegend (lines_without_no_plane);
   return image;
 }
 

@@ -15,7 +15,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Two pictures of \ref half_width side by side, white at first. */
+/** \brief Two pictures of \ref half_width side by side, white at first. Lengths,
+ * columns and rows are in pixels, from the upper left corner. */
 struct Image {
   static constexpr int half_width = 960;
   static constexpr int height = 720;
@@ -27,16 +28,21 @@ struct Image {
   std::vector<std::uint8_t> bytes =
       std::vector<std::uint8_t> (3U * width * height, 255U);
 
+  /** \brief Sets a pixel.
+   * \param[in] brightness factor of the color, 0 (black) to 1 */
   void
   paint (int column, int row, const pcl::RGB& color, float brightness = 1.0f);
 
+  /** \brief Fills a rectangle: columns \p left to \p right - 1, rows \p top to
+   * \p bottom - 1. */
   void
-  fill (int column, int row, int last_column, int last_row, const pcl::RGB& color);
+  fill (int left, int top, int right, int bottom, const pcl::RGB& color);
 
-  /** \brief Writes text in black from its upper left corner. It has the letters of the
-   * legends and of round numbers; others are blank. */
+  /** \brief Writes text in black. There are letters for the legends and for round
+   * numbers; others are blank.
+   * \param[in] left, top upper left corner of the text */
   void
-  write (int column, int row, const std::string& text);
+  write (int left, int top, const std::string& text);
 
   /** \brief Draws the legend of the orientation colors into the right half.
    * \param[in] lines 4, or 3 without the gray of no plane */
@@ -48,12 +54,14 @@ struct Image {
   addLegend (const ColorScale& scale);
 };
 
-/** \param[in] columns how many columns are written, from the left */
+/** \brief Writes an image as a PNG.
+ * \param[in] columns how many are written, from the left */
 void
 savePng (const std::string& file, const Image& image, int columns = Image::width);
 
 /** \brief A plane as a map shows it. */
 struct MapShape {
+  /** \brief Decides on its own color (\ref colorOfLabel). */
   std::uint32_t id = 0;
   Orientation orientation = Orientation::Other;
   /** \brief z of the centroid; higher planes are drawn over lower ones. */
@@ -62,8 +70,8 @@ struct MapShape {
   std::vector<std::vector<Eigen::Vector3d>> rings;
 };
 
-/** \brief Two views from above, y upwards: left each plane in its own color and a scale
- * bar, right each plane in the color of its orientation class. */
+/** \brief Draws two views from above, y upwards: left each plane in its own color and a
+ * scale bar, right each plane in the color of its orientation class. */
 Image
 mapPicture (std::vector<MapShape> shapes);
 

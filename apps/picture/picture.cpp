@@ -15,55 +15,61 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr float far = std::numeric_limits<float>::infinity();
+constexpr float infinitely_far = std::numeric_limits<float>::infinity();
 
 /** \brief Side of the square parts of the image whose dots are counted [pixel]. */
-constexpr int part = 16;
+constexpr int part_side = 16;
 
+/** \brief A point of the cloud, where it is in the image. */
 struct Dot {
   pcl::index_t point;
-  float column, row, depth;
+  /** \brief [pixel] */
+  float column, row;
+  float depth;
 };
 
-/** \brief Half the side of the dots [pixel] with which \p dots_in_part dots cover a
- * part of the image twice. */
+/** \brief Returns half the side of the dots [pixel] with which \p dots_in_part dots
+ * cover a part of the image twice. */
 float
 halfSideOf (float dots_in_part)
 {
-  constexpr float overlap = 1.4f;
-  const float pixels_per_dot = part * part / std::max (dots_in_part, 1.0f);
-  return overlap * std::sqrt (pixels_per_dot) / 2.0f;
+  constexpr float root_of_two = 1.4f; // roughly
+  const float pixels_per_dot = part_side * part_side / std::max (dots_in_part, 1.0f);
+  return root_of_two * std::sqrt (pixels_per_dot) / 2.0f;
 }
 
-/** \brief Half the side of each dot [pixel]: the fewer dots of the front layer are in
- * its part of the image, the larger it is. */
+/** \brief Returns half the side of each dot [pixel]: the fewer dots of the front layer
+ * are in its part of the image, the larger it is. */
 std::vector<float>
 halfSidesOf (const std::vector<Dot>& dots, int width, int height)
 {
-  constexpr float front_layer = 1.1f; // its farthest depth, in units of the nearest
-  constexpr float smallest = 0.5f;
-  constexpr float largest = 5.0f;
-  const int columns = width / part + 1;
-  const int rows = height / part + 1;
-  Eigen::ArrayXXf nearest = Eigen::ArrayXXf::Constant (columns, rows, far);
+  constexpr float front_layer = 1.1f;   // its farthest depth, in units of the nearest
+  constexpr float min_half_side = 0.5f; // [pixel]
+  constexpr float max_half_side = 5.0f;
+  const int columns = width / part_side + 1;
+  const int rows = height / part_side + 1;
+  Eigen::ArrayXXf nearest = Eigen::ArrayXXf::Constant (columns, rows, infinitely_far);
   Eigen::ArrayXXi counts = Eigen::ArrayXXi::Zero (columns, rows);
   const auto in_part = [](auto& parts, const Dot& dot) -> auto&
   {
-    return parts (static_cast<int> (dot.column) / part,
-                  static_cast<int> (dot.row) / part);
+    return parts (static_cast<int> (dot.column) / part_side,
+                  static_cast<int> (dot.row) / part_side);
   };
   for (const Dot& dot : dots)
     in_part (nearest, dot) = std::min (in_part (nearest, dot), dot.depth);
   for (const Dot& dot : dots)
     if (dot.depth <= front_layer * in_part (nearest, dot))
       ++in_part (counts, dot);
-  const auto used = std::max<Eigen::Index> (1, (counts != 0).count());
-  const float mean = static_cast<float> (counts.sum()) / static_cast<float> (used);
-  const float most = std::clamp (2.0f * halfSideOf (mean), smallest, largest);
+  const auto parts_with_dots = std::max<Eigen::Index> (1, (counts != 0).count());
+  const float mean =
+      static_cast<float> (counts.sum()) / static_cast<float> (parts_with_dots);
+  // At most twice as large as for the mean number of dots.
+  const float bound =
+      std::clamp (2.0f * halfSideOf (mean), min_half_side, max_half_side);
   std::vector<float> half_sides;
   for (const Dot& dot : dots) {
     const auto count = static_cast<float> (in_part (counts, dot));
-    half_sides.push_back (std::clamp (halfSideOf (count), smallest, most));
+    half_sides.push_back (std::clamp (halfSideOf (count), min_half_side, bound));
   }
   return half_sides;
 }
@@ -71,14 +77,15 @@ halfSidesOf (const std::vector<Dot>& dots, int width, int height)
 void
 drawDot (const Dot& dot, float half_side, Raster& raster)
 {
-  const auto range = [half_side] (float middle, Eigen::Index end) {
-    const float low = middle - half_side;
-    const float high = middle + half_side;
-    return std::make_pair (std::max<Eigen::Index> (std::lround (low), 0),
-                           std::min<Eigen::Index> (std::lround (high), end));
+  struct Range {
+    Eigen::Index begin, end;
   };
-  const auto [left, right] = range (dot.column, raster.points.rows());
-  const auto [top, bottom] = range (dot.row, raster.points.cols());
+  const auto range_around = [half_side] (float middle, Eigen::Index size) {
+    return Range{std::max<Eigen::Index> (std::lround (middle - half_side), 0),
+                 std::min<Eigen::Index> (std::lround (middle + half_side), size)};
+  };
+  const auto [left, right] = range_around (dot.column, raster.points.rows());
+  const auto [top, bottom] = range_around (dot.row, raster.points.cols());
   for (Eigen::Index row = top; row < bottom; ++row)
     for (Eigen::Index column = left; column < right; ++column)
       if (dot.depth < raster.depths (column, row)) {
@@ -102,39 +109,41 @@ forEachInnerPixel (const Raster& raster, Visit&& visit)
 void
 closeHoles (Raster& raster)
 {
-  constexpr int most = 5;
+  constexpr int min_filled = 5; // neighbors
   const Raster before = raster;
   forEachInnerPixel (before, [&] (Eigen::Index column, Eigen::Index row) {
     if (before.points (column, row) != Raster::nothing)
       return;
     const auto points = before.points.block<3, 3> (column - 1, row - 1);
-    if ((points != Raster::nothing).count() < most)
+    if ((points != Raster::nothing).count() < min_filled)
       return;
     const auto depths = before.depths.block<3, 3> (column - 1, row - 1);
-    Eigen::Index x;
-    Eigen::Index y; // of the nearest
-    raster.depths (column, row) = depths.minCoeff (&x, &y);
-    raster.points (column, row) = points (x, y);
+    Eigen::Index nearest_column;
+    Eigen::Index nearest_row;
+    raster.depths (column, row) = depths.minCoeff (&nearest_column, &nearest_row);
+    raster.points (column, row) = points (nearest_column, nearest_row);
   });
 }
 
-/** \brief Brightness of a plane: 1 seen from the front, 0.7 at a grazing angle. */
+/** \brief Returns the brightness of a plane at a point: 1 seen from the front, less at
+ * a grazing angle. */
 float
-facing (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& point)
+brightnessOf (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& point)
 {
-  constexpr float grazing = 0.7f;
+  constexpr float at_grazing_angle = 0.7f;
   const Eigen::Vector3f ray = (point - view.eye).normalized();
-  return grazing + (1.0f - grazing) * std::abs (plane.normal.cast<float>().dot (ray));
+  const float cosine = std::abs (plane.normal.cast<float>().dot (ray));
+  return at_grazing_angle + (1.0f - at_grazing_angle) * cosine;
 }
 
-/** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbor are darker,
- * which brings out edges and shape (eye-dome lighting; Boucheny, PhD thesis, Universite
- * Joseph Fourier, 2009). */
+/** \brief Returns the brightness of each pixel, 0 to 1: pixels behind a near neighbor
+ * are darker, which brings out edges and shape (eye-dome lighting; Boucheny, PhD
+ * thesis, Universite Joseph Fourier, 2009). */
 Eigen::ArrayXXf
 shadeDepths (const Raster& raster)
 {
   constexpr float strength = 6.0f;
-  constexpr float largest_step = 0.05f; // of log depth; larger ones darken no more
+  constexpr float max_step = 0.05f; // of log depth; larger ones darken no more
   Eigen::ArrayXXf brightness =
       Eigen::ArrayXXf::Ones (raster.depths.rows(), raster.depths.cols());
   forEachInnerPixel (raster, [&] (Eigen::Index column, Eigen::Index row) {
@@ -145,9 +154,9 @@ shadeDepths (const Raster& raster)
     for (Eigen::Index y = row - 1; y <= row + 1; ++y)
       for (Eigen::Index x = column - 1; x <= column + 1; ++x)
         if (raster.depths (x, y) < depth)
-          obscurance +=
-              std::min (std::log (depth / raster.depths (x, y)), largest_step);
-    brightness (column, row) = std::exp (-strength * obscurance / 4.0f);
+          obscurance += std::min (std::log (depth / raster.depths (x, y)), max_step);
+    constexpr float half_the_neighbors = 4.0f;
+    brightness (column, row) = std::exp (-strength * obscurance / half_the_neighbors);
   });
   return brightness;
 }
@@ -163,7 +172,7 @@ drawPoints (const XyzCloud& cloud,
 {
   Raster raster;
   raster.points.setConstant (width, height, Raster::nothing);
-  raster.depths.setConstant (width, height, far);
+  raster.depths.setConstant (width, height, infinitely_far);
   const Eigen::Array2f size = Eigen::Array2i (width, height).cast<float>();
   std::vector<Dot> dots;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -171,8 +180,10 @@ drawPoints (const XyzCloud& cloud,
     if (!pcl::isXYZFinite (cloud[i]) || !is_shown (index))
       continue;
     const Eigen::Vector3f pixel = view.project (cloud[i].getVector3fMap());
-    if (pixel.z() > 0.0f && (pixel.head<2>().array() >= 0.0f).all() &&
-        (pixel.head<2>().array() < size).all())
+    const bool is_in_front = pixel.z() > 0.0f;
+    const bool is_in_image = (pixel.head<2>().array() >= 0.0f).all() &&
+                             (pixel.head<2>().array() < size).all();
+    if (is_in_front && is_in_image)
       dots.push_back ({index, pixel.x(), pixel.y(), pixel.z()});
   }
   const std::vector<float> half_sides = halfSidesOf (dots, width, height);
@@ -223,17 +234,17 @@ savePicture (const std::string& file,
   const CloudPicture picture (cloud, labels, planes, up);
   Image image;
   picture.forEachPixel ([&] (int column, int row, pcl::index_t point, float light) {
-    const std::uint32_t position = labels[static_cast<std::size_t> (point)];
-    pcl::RGB by_plane = colorOfLabel (0);
-    pcl::RGB by_class = by_plane;
-    if (position != 0) {
-      const PlaneSegment& plane = planes[position - 1];
-      by_plane = colorOfLabel (ids.empty() ? position : ids[position - 1]);
-      by_class = colorOf (plane.orientation);
-      light *= facing (plane, picture.view(), cloud[point].getVector3fMap());
+    const std::uint32_t label = labels[static_cast<std::size_t> (point)];
+    pcl::RGB of_plane = colorOfLabel (0);
+    pcl::RGB of_orientation = of_plane;
+    if (label != 0) {
+      const PlaneSegment& plane = planes[label - 1];
+      of_plane = colorOfLabel (ids.empty() ? label : ids[label - 1]);
+      of_orientation = colorOf (plane.orientation);
+      light *= brightnessOf (plane, picture.view(), cloud[point].getVector3fMap());
     }
-    image.paint (column, row, by_plane, light);
-    image.paint (Image::half_width + Image::gap + column, row, by_class, light);
+    image.paint (column, row, of_plane, light);
+    image.paint (Image::half_width + Image::gap + column, row, of_orientation, light);
   });
   image.addLegend();
   savePng (file, image);

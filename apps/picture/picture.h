@@ -17,8 +17,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The point that each pixel of an image shows, and its depth, by column and
- * row. */
+/** \brief The point that each pixel of an image shows, and its depth. Columns of the
+ * image are rows of these arrays: points (column, row). */
 struct Raster {
   static constexpr pcl::index_t nothing = -1;
 
@@ -35,12 +35,12 @@ drawPoints (const XyzCloud& cloud,
             const View& view,
             int width,
             int height,
-            const std::function<bool (pcl::index_t)>& is_shown);
+            const std::function<bool (pcl::index_t point)>& is_shown);
 
 /** \brief A cloud as \ref savePicture shows it, to be drawn in any colors. */
 class CloudPicture {
 public:
-  /** \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
+  /** \param[in] labels per point: 0 for no plane, else its index in \p planes plus 1
    * \param[in] planes points of a room's planes that are seen from behind are left out
    * \param[in] up direction against gravity */
   CloudPicture (const XyzCloud& cloud,
@@ -78,12 +78,13 @@ public:
 private:
   View view_;
   Raster raster_;
+  /** \brief Of each pixel, 0 to 1, by column and row. */
   Eigen::ArrayXXf brightness_;
 };
 
 /** \brief Writes a PNG with two pictures of a cloud (\ref chooseView): left each plane
  * in its own color, right in that of its orientation, with a legend; gray for no plane.
- * \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
+ * \param[in] labels per point: 0 for no plane, else its index in \p planes plus 1
  * \param[in] up direction against gravity
  * \param[in] ids of the planes, which decide on their colors; empty: 1, 2, ... */
 void

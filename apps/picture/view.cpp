@@ -16,15 +16,15 @@ namespace {
 using Points = std::vector<Eigen::Vector3f>;
 
 /** \brief Share of points at either end of an axis that the fit of a view ignores. */
-constexpr double outliers = 0.005;
+constexpr double outlier_share = 0.005;
 
 /** \brief About the most points a view is fitted to; more would not change it. */
-constexpr std::size_t enough = 20000;
+constexpr std::size_t wanted_points = 20000;
 
 Points
 someFinitePoints (const XyzCloud& cloud)
 {
-  const std::size_t step = cloud.size() / enough + 1;
+  const std::size_t step = cloud.size() / wanted_points + 1;
   Points points;
   for (std::size_t i = 0; i < cloud.size(); i += step)
     if (pcl::isXYZFinite (cloud[i]))
@@ -35,7 +35,7 @@ someFinitePoints (const XyzCloud& cloud)
 Points
 somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
 {
-  const std::size_t step = cloud.size() / enough + 1;
+  const std::size_t step = cloud.size() / wanted_points + 1;
   Points points;
   for (const PlaneSegment& plane : planes)
     for (std::size_t i = 0; i < plane.inliers.size(); i += step)
@@ -43,14 +43,16 @@ somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
   return points;
 }
 
+/** \brief Returns a box around all points but outliers. */
 template <typename Vector>
 Eigen::AlignedBox<float, Vector::SizeAtCompileTime>
 boxOf (const std::vector<Vector>& points)
 {
-  return {quantileOfEach (points, outliers), quantileOfEach (points, 1.0 - outliers)};
+  return {quantileOfEach (points, outlier_share),
+          quantileOfEach (points, 1.0 - outlier_share)};
 }
 
-/** \brief The axes of an image in rows: right, down and forward.
+/** \brief Returns the axes of an image in rows: right, down and forward.
  * \param[in] down rough direction; it is made perpendicular to \p forward */
 Eigen::Matrix3f
 axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
@@ -61,9 +63,11 @@ axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
   return axes;
 }
 
-/** \brief Mean direction to the points, and half the angle that holds nearly all. */
+/** \brief A cone from the eye around nearly all points. */
 struct Cone {
+  /** \brief Mean direction to the points. */
   Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
+  /** \brief Between the axis and the surface [rad]. */
   float half_angle = 0.0f;
 };
 
@@ -85,22 +89,22 @@ coneOf (const Points& points, const Eigen::Vector3f& eye)
   return cone;
 }
 
-/** \brief Direction that is down in the image of a sensor looking along \p forward: its
- * y axis if it looks roughly along its z axis, as a camera does, reversed for -z; else
- * along gravity, or any perpendicular direction if it looks almost straight up or down.
- */
+/** \brief Returns the direction that is down in the image of a sensor that looks along
+ * \p forward: its y axis if it looks roughly along its z axis, as a camera does,
+ * reversed for -z; else along gravity, or any perpendicular direction if it looks
+ * almost straight up or down. */
 Eigen::Vector3f
 downOf (const Eigen::Quaternionf& orientation,
         const Eigen::Vector3f& forward,
         const Eigen::Vector3f& up)
 {
-  const float camera_like = pcl::deg2rad (40.0f);
+  const float max_angle_of_camera = pcl::deg2rad (40.0f); // between forward and z
+  const float min_angle_to_up = pcl::deg2rad (10.0f);
   const Eigen::Vector3f sensor_y = orientation * Eigen::Vector3f::UnitY();
-  const float along_z = forward.dot (orientation * Eigen::Vector3f::UnitZ());
-  if (std::abs (along_z) > std::cos (camera_like))
-    return along_z > 0.0f ? sensor_y : Eigen::Vector3f (-sensor_y);
-  const float almost_parallel = pcl::deg2rad (10.0f);
-  if (std::abs (forward.dot (up)) < std::cos (almost_parallel))
+  const float cosine_to_z = forward.dot (orientation * Eigen::Vector3f::UnitZ());
+  if (std::abs (cosine_to_z) > std::cos (max_angle_of_camera))
+    return cosine_to_z > 0.0f ? sensor_y : Eigen::Vector3f (-sensor_y);
+  if (std::abs (forward.dot (up)) < std::cos (min_angle_to_up))
     return -up;
   return forward.unitOrthogonal();
 }
@@ -115,7 +119,7 @@ bestSlant (const std::vector<PlaneSegment>& planes,
   constexpr int directions = 24;
   const Eigen::Vector3f side = up.unitOrthogonal();
   Eigen::Vector3f best = up;
-  double best_seen = -1.0;
+  double most_seen = -1.0; // number of points on fronts, times the cosine to the eye
   for (int i = 0; i < directions; ++i) {
     const float azimuth = pcl::deg2rad (360.0f) * static_cast<float> (i) / directions;
     const Eigen::Vector3f level = Eigen::AngleAxisf (azimuth, up) * side;
@@ -125,8 +129,8 @@ bestSlant (const std::vector<PlaneSegment>& planes,
     for (const PlaneSegment& plane : planes)
       seen += std::max (0.0, plane.normal.dot (slant.cast<double>())) *
               static_cast<double> (plane.inliers.size());
-    if (seen > best_seen) {
-      best_seen = seen;
+    if (seen > most_seen) {
+      most_seen = seen;
       best = slant;
     }
   }
@@ -136,16 +140,16 @@ bestSlant (const std::vector<PlaneSegment>& planes,
 /** \brief Whether most of the points on planes are on planes that the eye sees from
  * behind. */
 bool
-hidesMost (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
+seesMostlyBacks (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
 {
-  std::size_t all = 0;
-  std::size_t hidden = 0;
+  std::size_t points = 0;
+  std::size_t points_from_behind = 0;
   for (const PlaneSegment& plane : planes) {
-    all += plane.inliers.size();
+    points += plane.inliers.size();
     if (plane.normal.dot (eye.cast<double>() - plane.centroid) <= 0.0)
-      hidden += plane.inliers.size();
+      points_from_behind += plane.inliers.size();
   }
-  return 2 * hidden > all;
+  return 2 * points_from_behind > points;
 }
 
 /** \brief Sets a view into the cloud from outside and above. If the sensor was inside
@@ -164,9 +168,9 @@ lookInto (const Eigen::AlignedBox3f& box,
   view.hides_backs = box.contains (view.eye);
   Eigen::Vector3f slant = bestSlant (planes, up, elevation);
   const auto eye_at = [&] { return box.center() + distance * slant; };
-  if (view.hides_backs && hidesMost (planes, eye_at()))
+  if (view.hides_backs && seesMostlyBacks (planes, eye_at()))
     slant = bestSlant (planes, up, -elevation);
-  if (view.hides_backs && hidesMost (planes, eye_at())) {
+  if (view.hides_backs && seesMostlyBacks (planes, eye_at())) {
     slant = bestSlant (planes, up, elevation);
     view.hides_backs = false;
   }
@@ -178,19 +182,21 @@ lookInto (const Eigen::AlignedBox3f& box,
 void
 fit (const Points& points, int width, int height, View& view)
 {
-  constexpr float filled = 0.95f;
+  constexpr float filled_share = 0.95f;
+  constexpr float min_size = 1e-6f; // not to divide by 0
+  // Projected by a focal length of 1 and a principal point of zero.
   view.focal = 1.0f;
   view.center.setZero();
-  std::vector<Eigen::Vector2f> image;
+  std::vector<Eigen::Vector2f> projected;
   for (const Eigen::Vector3f& point : points)
     if (const Eigen::Vector3f pixel = view.project (point); pixel.z() > 0.0f)
-      image.emplace_back (pixel.head<2>());
-  if (image.empty())
+      projected.emplace_back (pixel.head<2>());
+  if (projected.empty())
     return;
-  const Eigen::AlignedBox2f box = boxOf (image);
+  const Eigen::AlignedBox2f box = boxOf (projected);
   const Eigen::Vector2f size = Eigen::Vector2i (width, height).cast<float>();
-  constexpr float smallest = 1e-6f;
-  view.focal = filled * (size.array() / box.sizes().array().max (smallest)).minCoeff();
+  view.focal =
+      filled_share * (size.array() / box.sizes().array().max (min_size)).minCoeff();
   view.center = size / 2.0f - view.focal * box.center();
 }
 
@@ -203,8 +209,10 @@ chooseView (const XyzCloud& cloud,
             int width,
             int height)
 {
-  const float narrowest = pcl::deg2rad (2.5f);
-  const float widest = pcl::deg2rad (60.0f);
+  // Half the angles of what a sensor sees: a narrower cone is that of a cloud too far
+  // away, in a wider one points lie all around the sensor.
+  const float min_half_angle = pcl::deg2rad (2.5f);
+  const float max_half_angle = pcl::deg2rad (60.0f);
   Points points = someFinitePoints (cloud);
   View view;
   if (points.empty())
@@ -212,7 +220,7 @@ chooseView (const XyzCloud& cloud,
   const Eigen::Vector3f up_axis = up.normalized();
   view.eye = cloud.sensor_origin_.head<3>();
   const Cone cone = coneOf (points, view.eye);
-  if (cone.half_angle > narrowest && cone.half_angle < widest)
+  if (cone.half_angle > min_half_angle && cone.half_angle < max_half_angle)
     view.axes =
         axesOf (cone.axis, downOf (cloud.sensor_orientation_, cone.axis, up_axis));
   else {

@@ -7,12 +7,15 @@
 
 namespace pcl_ops::apps {
 
+/** \brief A pinhole camera that looks at a cloud. */
 struct View {
+  /** \brief Position of the camera. */
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();
   /** \brief Rows: the image's right and down and the viewing direction. */
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
-  /** \brief Focal length and principal point [pixel]. */
+  /** \brief Focal length [pixel]. */
   float focal = 1.0f;
+  /** \brief Principal point, column and row [pixel]. */
   Eigen::Vector2f center = Eigen::Vector2f::Zero();
   /** \brief Whether planes seen from behind are left out, as are the near walls when a
    * room is seen from outside. */
@@ -29,9 +32,9 @@ struct View {
   }
 };
 
-/** \brief A view that shows a cloud as its sensor saw it. If the points lie all around
- * the sensor, or too far away to have been seen from it, it is from above at a slant,
- * or from below if that shows more fronts of planes.
+/** \brief Returns a view that shows a cloud as its sensor saw it. If the points lie all
+ * around the sensor, or too far away to have been seen from it, it is from above at a
+ * slant, or from below if that shows more fronts of planes.
  * \param[in] planes whose normals point to the sensor
  * \param[in] up direction against gravity
  * \param[in] width, height of the image [pixel], which the cloud will fill */

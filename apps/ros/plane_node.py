@@ -32,14 +32,15 @@ FLOAT32, UINT32 = 7, 6  # of PointField
 
 
 def labelled_cloud(msg, points, labels):
-    """x, y, z and label of all points of msg, as an image where it is one."""
+    """Returns a message with x, y, z and label of all points of msg, with its width and height."""
     rows = np.zeros(len(points), [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("label", "<u4")])
-    for axis, numbers in zip("xyz", points.T):
-        rows[axis] = numbers
-    rows["label"] = labels + 1
-    fields = [PointField(name=name, offset=rows.dtype.fields[name][1], count=1,
+    for axis, coordinates in zip("xyz", points.T):
+        rows[axis] = coordinates
+    rows["label"] = labels + 1  # Python counts planes from 0, and -1 is no plane
+    offsets = {name: rows.dtype.fields[name][1] for name in rows.dtype.names}
+    fields = [PointField(name=name, offset=offset, count=1,
                          datatype=UINT32 if name == "label" else FLOAT32)
-              for name in rows.dtype.names]
+              for name, offset in offsets.items()]
     return PointCloud2(
         header=msg.header, height=msg.height, width=msg.width, fields=fields, is_bigendian=False,
         point_step=rows.itemsize, row_step=rows.itemsize * msg.width, is_dense=msg.is_dense,
@@ -47,13 +48,14 @@ def labelled_cloud(msg, points, labels):
 
 
 def outline(msg, number, plane):
-    """The hull of a plane, in a color of its own."""
+    """Returns the hull of a plane, in a color by its number."""
     marker = Marker(header=msg.header, ns="planes", id=number, type=Marker.LINE_STRIP,
                     action=Marker.ADD)
     marker.pose.orientation.w = 1.0
     marker.scale.x = 0.02  # width of the line [m]
-    golden_ratio = 0.618
-    red, green, blue = colorsys.hsv_to_rgb(number * golden_ratio % 1.0, 1.0, 1.0)
+    golden_ratio = 0.618  # multiples of it make hues that differ most
+    hue = number * golden_ratio % 1.0
+    red, green, blue = colorsys.hsv_to_rgb(hue, 1.0, 1.0)
     marker.color = ColorRGBA(r=red, g=green, b=blue, a=1.0)
     marker.points = [Point(x=x, y=y, z=z)
                      for x, y, z in np.vstack([plane.hull, plane.hull[:1]]).tolist()]

@@ -31,20 +31,21 @@ namespace {
  * without --poses.
  * \throws WorkError if the file has a different number of poses */
 std::vector<Eigen::Isometry3d>
-posesOf (const TrackOptions& options, std::size_t frames)
+posesOf (const TrackOptions& options, std::size_t clouds)
 {
   if (options.poses.empty())
-    return std::vector<Eigen::Isometry3d> (frames, Eigen::Isometry3d::Identity());
+    return std::vector<Eigen::Isometry3d> (clouds, Eigen::Isometry3d::Identity());
   std::vector<Eigen::Isometry3d> poses = loadPoses (options.poses);
-  if (poses.size() != frames)
+  if (poses.size() != clouds)
     throw WorkError (options.poses,
                      "has " + std::to_string (poses.size()) + " poses for " +
-                         std::to_string (frames) +
+                         std::to_string (clouds) +
                          " clouds; give one for each, in the order of their names");
   if (!options.calibration.empty()) {
-    const Eigen::Isometry3d to_camera = loadCalibration (options.calibration);
+    // From poses of the camera to those of the lidar, in the frame of the first lidar.
+    const Eigen::Isometry3d lidar_to_camera = loadCalibration (options.calibration);
     for (Eigen::Isometry3d& pose : poses)
-      pose = to_camera.inverse() * pose * to_camera;
+      pose = lidar_to_camera.inverse() * pose * lidar_to_camera;
   }
   return poses;
 }
@@ -58,9 +59,11 @@ isScanOfKitti (const Task& task)
 /** \brief How the work on one cloud ended. */
 struct Status {
   enum { Done, Failed, Interrupted } end;
-  /** \brief What failed, or what makes the cloud look damaged. */
+  /** \brief What failed, or what makes the cloud look damaged; empty for neither. */
   std::string problem = {};
-  std::string summary = {}, input = {};
+  /** \brief The line to print on a cloud that is done. */
+  std::string summary = {};
+  std::string input = {};
   std::vector<ResultWarning> warnings = {};
 };
 
@@ -69,10 +72,10 @@ class BatchRun {
 public:
   BatchRun (const SegmentOptions& options, const Batch& batch)
   : options_ (options)
-  , in_common_frame_ (options)
+  , common_frame_options_ (options)
   , batch_ (batch)
   , tracker_ (options.track.matching)
-  , tracker_of_whole_ (options.track.matching)
+  , whole_plane_tracker_ (options.track.matching)
   , progress_ (batch.tasks.size(),
                std::cerr,
                ::isatty (STDERR_FILENO) == 1 ? ProgressStyle::Bar : ProgressStyle::None)
@@ -80,8 +83,10 @@ public:
   {
     if (options.track.is_on && !batch.tasks.empty())
       poses_ = posesOf (options.track, batch.tasks.size());
-    in_common_frame_.track.has_camera_poses =
-        options.track.calibration.empty() && !options.track.poses.empty() &&
+    const bool has_uncalibrated_poses =
+        options.track.calibration.empty() && !options.track.poses.empty();
+    common_frame_options_.track.has_camera_poses =
+        has_uncalibrated_poses &&
         std::any_of (batch.tasks.begin(), batch.tasks.end(), isScanOfKitti) &&
         lookLikeCameraOfKitti (options.track.poses, poses_);
   }
@@ -100,28 +105,29 @@ public:
       catch (...) {
         // Not even enough memory to report it: later clouds must not wait for this one.
         const std::lock_guard<std::mutex> lock (mutex_);
-        is_given_up_ = true;
-        is_next_.notify_all();
+        gives_up_ = true;
+        printed_changed_.notify_all();
         throw;
       }
     });
     progress_.erase();
     if (!options_.quiet)
-      for (const std::string& line : doubts_.lines())
+      for (const std::string& line : warnings_.lines())
         warn (line);
     return conclude();
   }
 
 private:
-  /** \brief Gives the planes of a cloud their ids, once all earlier clouds are done.
+  /** \brief Gives the planes of a cloud their ids, once the statuses of all earlier
+   * clouds are printed.
    * \param[in] sensor as in \ref GiveIds. Planes are matched relative to it, as the
    * rotation error of a pose turns them about the sensor. */
   void
   giveIds (std::size_t i, const Eigen::Vector3d& sensor, Report& report)
   {
     std::unique_lock<std::mutex> lock (mutex_);
-    is_next_.wait (lock, [&] { return finished_ == i || is_given_up_; });
-    if (is_given_up_)
+    printed_changed_.wait (lock, [&] { return printed_ == i || gives_up_; });
+    if (gives_up_)
       throw Interrupted();
     const auto track = [&] (PlaneTracker& tracker, std::vector<PlaneSegment> planes) {
       for (PlaneSegment& plane : planes)
@@ -129,21 +135,23 @@ private:
       return tracker.track (planes, poses_[i] * Eigen::Translation3d (sensor));
     };
     report.ids = track (tracker_, report.detected.planes);
-    if (options_.pieces)
-      report.ids_of_whole = track (tracker_of_whole_, report.detected.whole_planes);
+    if (options_.divides_into_pieces)
+      report.whole_plane_ids =
+          track (whole_plane_tracker_, report.detected.whole_planes);
   }
 
-  /** \brief Estimates the up axis of single clouds from their planes, and returns those
-   * found, in the frame of the poses. A long sequence is sampled evenly. */
+  /** \brief Estimates the up axis of single clouds from their planes, and returns the
+   * axes that were found, in the frame of the poses. Of a long sequence some clouds are
+   * used, evenly spread. */
   std::vector<UpAxis>
-  answersOnUp ()
+  upAxesOfClouds ()
   {
-    constexpr std::size_t max_asked = 64; // clouds; enough for a majority
+    constexpr std::size_t max_used = 64; // enough for a majority
     const std::size_t all = batch_.tasks.size();
-    const std::size_t asked = std::min (all, max_asked);
-    std::vector<std::optional<UpAxis>> found (asked);
-    runInParallel (asked, options_.jobs, [&] (std::size_t k) {
-      const std::size_t i = k * all / asked;
+    const std::size_t used = std::min (all, max_used);
+    std::vector<std::optional<UpAxis>> found (used);
+    runInParallel (used, options_.jobs, [&] (std::size_t k) {
+      const std::size_t i = k * all / used;
       try {
         stopIfInterrupted();
         const FileCloud cloud = loadCloud (batch_.tasks[i].input);
@@ -157,16 +165,16 @@ private:
         // The error is reported when the cloud is segmented.
       }
     });
-    std::vector<UpAxis> answers;
-    for (const std::optional<UpAxis>& answer : found)
-      if (answer)
-        answers.push_back (*answer);
-    return answers;
+    std::vector<UpAxis> axes;
+    for (const std::optional<UpAxis>& axis : found)
+      if (axis)
+        axes.push_back (*axis);
+    return axes;
   }
 
-  /** \brief Returns the mean of the directions opposite to y, which points down in
-   * camera frames, in the frame of the poses.
-   * \throws UsageError if these directions differ too much to have one up axis */
+  /** \brief Returns the up axis of a level camera in the frame of the poses: the mean
+   * of the directions opposite to its y axes, as y points down in camera frames.
+   * \throws UsageError if the directions differ too much to have one up axis */
   Eigen::Vector3d
   upOfCamera () const
   {
@@ -185,14 +193,14 @@ private:
   void
   setCommonUp ()
   {
-    DetectorOptions& detector = in_common_frame_.detector;
+    DetectorOptions& detector = common_frame_options_.detector;
     const bool has_poses = !options_.track.poses.empty();
     if (detector.up_is_camera && has_poses)
       detector.up = upOfCamera().cast<float>();
     if (!detector.finds_up)
       return;
-    const std::vector<UpAxis> answers = answersOnUp();
-    const std::optional<CommonUp> common = commonUp (answers);
+    const std::vector<UpAxis> axes = upAxesOfClouds();
+    const std::optional<CommonUp> common = commonUp (axes);
     detector.finds_up = false;
     detector.sequence_has_up = true;
     if (common) {
@@ -200,11 +208,12 @@ private:
       detector.up_confidence = common->axis.confidence;
     }
     if (!options_.quiet)
-      progress_.note (noteOnUp (common, answers.size(), has_poses), std::cout);
+      progress_.note (noteOnUp (common, axes.size(), has_poses), std::cout);
   }
 
+  /** \param[in] axes number of clouds that tell an up axis */
   static std::string
-  noteOnUp (const std::optional<CommonUp>& common, std::size_t answers, bool has_poses)
+  noteOnUp (const std::optional<CommonUp>& common, std::size_t axes, bool has_poses)
   {
     if (!common)
       return "Up axis of all clouds: they cannot tell, 0,0,1 is used; give --up x,y,z";
@@ -213,31 +222,30 @@ private:
         boost::format ("Up axis of all clouds: %.3f,%.3f,%.3f%s, as %d of the %d "
                        "say that can tell") %
         up.x() % up.y() % up.z() % (has_poses ? " in the frame of --poses" : "") %
-        common->answers % answers);
+        common->agreeing % axes);
   }
 
   /** \brief Returns the options for one cloud, with the up axis in its frame. */
   SegmentOptions
   optionsOf (std::size_t i) const
   {
-    SegmentOptions options = in_common_frame_;
+    SegmentOptions options = common_frame_options_;
     DetectorOptions& detector = options.detector;
-    const Eigen::Vector3f upwards = Eigen::Vector3f::UnitZ();
+    const Eigen::Vector3f default_up = Eigen::Vector3f::UnitZ();
     if (!options.track.poses.empty() && !detector.finds_up)
       detector.up = poses_[i].rotation().transpose().cast<float>() *
-                    detector.up.value_or (upwards);
+                    detector.up.value_or (default_up);
     return options;
   }
 
-  /** \brief Segments a cloud and returns how that ended; an exception is a status, too.
-   */
+  /** \brief Segments a cloud and returns how that ended. Exceptions become statuses. */
   Status
   statusOf (std::size_t i)
   {
     const Task& task = batch_.tasks[i];
-    GiveIds tracked;
+    GiveIds give_ids;
     if (options_.track.is_on)
-      tracked = [&] (const Eigen::Vector3d& sensor, Report& report) {
+      give_ids = [&] (const Eigen::Vector3d& sensor, Report& report) {
         giveIds (i, sensor, report);
       };
     try {
@@ -245,7 +253,7 @@ private:
       const char* const fix =
           options_.jobs == 1 ? "give a smaller cloud" : "give fewer --jobs";
       const Report report = inMemory (task.input, fix, [&] {
-        return segmentCloud (optionsOf (i), task, tracked, nullptr);
+        return segmentCloud (optionsOf (i), task, give_ids, nullptr);
       });
       return {Status::Done,
               report.damage.empty() ? "" : task.input + ": " + report.damage,
@@ -268,9 +276,9 @@ private:
   {
     const std::lock_guard<std::mutex> lock (mutex_);
     statuses_[i] = status;
-    for (; finished_ < statuses_.size() && statuses_[finished_]; ++finished_)
-      print (*statuses_[finished_]);
-    is_next_.notify_all();
+    for (; printed_ < statuses_.size() && statuses_[printed_]; ++printed_)
+      print (*statuses_[printed_]);
+    printed_changed_.notify_all();
     if (status.end != Status::Interrupted)
       progress_.step();
   }
@@ -279,13 +287,15 @@ private:
   print (const Status& status)
   {
     ++counts_.at (status.end);
-    doubts_.add (status.input, status.warnings);
+    warnings_.add (status.input, status.warnings);
     if (!status.problem.empty())
       progress_.note (errorLine (status.problem), std::cerr);
     if (status.end == Status::Done && !options_.quiet)
       progress_.note (oneLine (status.summary), std::cout);
   }
 
+  /** \return the exit code of \ref runBatch
+   * \throws WorkError as \ref runBatch */
   int
   conclude () const
   {
@@ -302,21 +312,28 @@ private:
 
   const SegmentOptions& options_;
   /** \brief The options with the up axis of the sequence, in the frame of the poses. */
-  SegmentOptions in_common_frame_;
+  SegmentOptions common_frame_options_;
   const Batch& batch_;
+  /** \brief Gives ids to planes, or to pieces of planes. */
   PlaneTracker tracker_;
-  /** \brief Numbers the planes on which pieces lie. */
-  PlaneTracker tracker_of_whole_;
+  /** \brief Gives ids to the planes on which pieces lie. */
+  PlaneTracker whole_plane_tracker_;
+  /** \brief Of each cloud; empty without --track. */
   std::vector<Eigen::Isometry3d> poses_;
   Progress progress_;
+  /** \brief Guards all members below and both trackers. */
   std::mutex mutex_;
-  std::condition_variable is_next_;
+  /** \brief Signals a change of \ref printed_ or \ref gives_up_. */
+  std::condition_variable printed_changed_;
+  /** \brief Of each cloud, once it has ended. */
   std::vector<std::optional<Status>> statuses_;
   /** \brief Number of clouds, from the first on, whose status is printed. */
-  std::size_t finished_ = 0;
-  bool is_given_up_ = false;
+  std::size_t printed_ = 0;
+  /** \brief Whether a status could not be stored, so that \ref printed_ stays. */
+  bool gives_up_ = false;
+  /** \brief Number of printed statuses by Status::end. */
   std::array<std::size_t, 3> counts_{};
-  WarningLines doubts_;
+  WarningLines warnings_;
 };
 
 } // namespace

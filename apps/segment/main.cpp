@@ -15,13 +15,13 @@ namespace {
 
 /** \brief Prints contents of output files and warnings to the standard error. */
 void
-printNotes (const Report& report)
+printFileNotesAndWarnings (const Report& report)
 {
-  for (const std::string& line : report.written)
+  for (const std::string& line : report.file_notes)
     warn (line);
-  WarningLines doubts;
-  doubts.add (report.input, report.warnings);
-  for (const std::string& line : doubts.lines())
+  WarningLines warnings;
+  warnings.add (report.input, report.warnings);
+  for (const std::string& line : warnings.lines())
     warn (line);
 }
 
@@ -29,17 +29,17 @@ int
 segmentOne (const SegmentOptions& options)
 {
   const Task task = taskOf (options);
-  std::optional<StageLines> lines;
+  std::optional<StageLines> progress;
   if (!options.quiet)
-    lines.emplace (std::cerr);
+    progress.emplace (std::cerr);
   const Report report = inMemory (nameOfInput (task), "give a smaller cloud", [&] {
-    return segmentCloud (options, task, {}, lines ? &*lines : nullptr);
+    return segmentCloud (options, task, {}, progress ? &*progress : nullptr);
   });
-  lines.reset();
+  progress.reset(); // no line of it follows
   if (!report.damage.empty())
     warn (report.input + ": " + report.damage);
   if (!options.quiet)
-    printNotes (report);
+    printFileNotesAndWarnings (report);
   if (options.quiet || task.outputs.planes == standard_stream)
     return ExitCode::done;
   printTable (report, std::cout);

@@ -15,7 +15,6 @@
 
 #include <filesystem>
 #include <map>
-#include <tuple>
 
 namespace fs = std::filesystem;
 
@@ -27,7 +26,7 @@ constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
 /** \brief Placeholder for the name of the input in output names of a batch. */
-constexpr const char* name_of_input = "{}";
+constexpr const char* name_placeholder = "{}";
 
 constexpr const char* in_and_out =
     "  INPUT       .pcd, .ply, .las (.laz by LASzip), .ptx, .npy, .bin, text; - for\n"
@@ -41,6 +40,7 @@ constexpr const char* in_and_out =
 
 /** \brief An option that names an output. */
 struct OutputOption {
+  /** \brief Without "--". */
   std::string name;
   std::string Outputs::*output;
   /** \brief Allowed extensions of the file; empty for a folder. */
@@ -54,7 +54,7 @@ const OutputOption output_options[] = {
     {"view", &Outputs::view, {".html"}},
     {"mesh", &Outputs::mesh, {".ply", ".vtk", ".obj"}},
     {"edges", &Outputs::edges, {".ply", ".vtk", ".json", ".dxf", ".geojson", ".gpkg"}},
-    {"floor-plan", &Outputs::plan, {".dxf", ".svg", ".geojson", ".gpkg"}},
+    {"floor-plan", &Outputs::floor_plan, {".dxf", ".svg", ".geojson", ".gpkg"}},
     {"rest", &Outputs::rest, {".pcd", ".ply"}},
     {"planes-dir", &Outputs::planes_dir, {}},
     {"trace", &Outputs::trace, {}}};
@@ -75,7 +75,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
       .help ("write a page to look at them in a browser");
   line.add ("hull", options.hull, {"convex", "concave"})
       .help ("outline of a plane in --planes, --view (convex)");
-  line.add ("pieces", options.pieces)
+  line.add ("pieces", options.divides_into_pieces)
       .help ("each connected piece of a plane has a label of its own");
   line.add ("quiet", options.quiet).help ("print no table");
 }
@@ -87,18 +87,18 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   line.beginGroup ("Further outputs");
   declareMap (line, options.map);
   declareMeter (line, options.of_plan.meter);
-  line.add ("keep-color", options.keep_color).help ("keep the input's rgb in OUTPUT");
-  line.add ("distances", options.distances)
+  line.add ("keep-color", options.keeps_color).help ("keep the input's rgb in OUTPUT");
+  line.add ("distances", options.has_distances)
       .help ("add each point's signed distance to its plane");
   line.add ("piece-gap R", options.of_pieces.max_gap, from (1))
       .help ("widest gap in one of --pieces, in spacings of its points (8)");
-  line.add ("regularize", options.regularize)
+  line.add ("regularize", options.regularizes)
       .help ("make nearly parallel, orthogonal and coplanar planes exactly so");
   line.add ("mesh FILE", outputs.mesh)
       .help ("write the hulls as a mesh: .ply, .vtk or .obj");
   line.add ("edges FILE", outputs.edges)
       .help ("write where planes meet: .ply, .vtk, .dxf, .json, .geojson, .gpkg");
-  line.add ("floor-plan FILE", outputs.plan)
+  line.add ("floor-plan FILE", outputs.floor_plan)
       .help ("write a floor plan: .dxf, .svg, .geojson, .gpkg (also --plan)")
       .onceCalled ("plan");
   line.add ("plan-height M", options.of_plan.cut_height, from (-1000).upTo (1000))
@@ -155,9 +155,17 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
     options.outputs.planes = standard_stream;
 }
 
+/** \brief An option that has an effect only together with others. */
+struct DependentOption {
+  std::string name;
+  bool has_effect;
+  /** \brief What the option is about, and the fix, for messages. */
+  std::string subject;
+};
+
 /** \brief Throws UsageError for options that have no effect without other options. */
 void
-checkAreAbout (const CommandLine& line, const SegmentOptions& options)
+checkHaveEffect (const CommandLine& line, const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
   const bool is_batch = options.isBatch();
@@ -165,10 +173,10 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
   const bool has_cloud = is_batch || !outputs.cloud.empty();
   const bool has_hulls = is_batch || !outputs.planes.empty() || !outputs.mesh.empty() ||
                          !outputs.view.empty() || line.isGiven ("min-area");
-  const std::tuple<std::string, bool, std::string> rows[] = {
+  const DependentOption dependent_options[] = {
       {"hull", has_hulls, "--planes, --view, --mesh and --min-area; give one"},
-      {"piece-gap", options.pieces, "--pieces; give it, too"},
-      {"plan-height", !outputs.plan.empty(), "--floor-plan; give it, too"},
+      {"piece-gap", options.divides_into_pieces, "--pieces; give it, too"},
+      {"plan-height", !outputs.floor_plan.empty(), "--floor-plan; give it, too"},
       {"poses", is_tracked, "--track; give it, too"},
       {"calib", !options.track.poses.empty(), "--poses; give it, too"},
       {"rotation-error", is_tracked, "--track; give it, too"},
@@ -185,19 +193,21 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
        is_batch || !outputs.planes_dir.empty(),
        "--output-dir and --planes-dir; give one, or name OUTPUT and --rest by their "
        "extension"}};
-  for (const auto& [option, has_subject, subject] : rows)
-    if (line.isGiven (option) && !has_subject)
-      throw UsageError ("--" + option, "is about " + subject);
+  for (const DependentOption& option : dependent_options)
+    if (line.isGiven (option.name) && !option.has_effect)
+      throw UsageError ("--" + option.name, "is about " + option.subject);
 }
 
+/** \brief Throws UsageError for outputs with unknown extensions, and for --quiet
+ * without an output. */
 void
 checkOutputs (const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
-  std::vector<std::string> of_clouds = {".pcd", ".ply", ".las"};
+  std::vector<std::string> cloud_extensions = {".pcd", ".ply", ".las"};
   if (hasLaszip())
-    of_clouds.emplace_back (".laz");
-  checkExtension ("OUTPUT", outputs.cloud, of_clouds);
+    cloud_extensions.emplace_back (".laz");
+  checkExtension ("OUTPUT", outputs.cloud, cloud_extensions);
   for (const OutputOption& option : output_options)
     if (!option.extensions.empty() && outputs.*option.output != standard_stream)
       checkExtension ("--" + option.name, outputs.*option.output, option.extensions);
@@ -220,7 +230,7 @@ checkBatch (const SegmentOptions& options)
                         "is one cloud without a name; leave out --output-dir");
   for (const OutputOption& option : output_options) {
     const std::string& pattern = options.outputs.*option.output;
-    if (!pattern.empty() && pattern.find (name_of_input) == std::string::npos)
+    if (!pattern.empty() && pattern.find (name_placeholder) == std::string::npos)
       throw UsageError ("--" + option.name,
                         pattern +
                             " would be written by every input; put {} where the "
@@ -229,32 +239,36 @@ checkBatch (const SegmentOptions& options)
   }
 }
 
-struct Owner {
+/** \brief A file or folder that a task writes. */
+struct TaskOutput {
+  /** \brief As given, for messages. */
   std::string name;
   const Task* task;
 };
 
-/** \brief The task that writes each file or folder, by absolute name. */
-using Owners = std::map<std::string, Owner>;
+/** \brief Outputs by absolute name. */
+using OutputsByPath = std::map<std::string, TaskOutput>;
 
+/** \brief Adds an output. \throws UsageError if one has the same absolute name */
 void
-own (const std::string& output, const Task& task, Owners& owners)
+addOutput (const std::string& name, const Task& task, OutputsByPath& outputs)
 {
-  const auto [first, is_new] =
-      owners.emplace (resolvedName (output), Owner{output, &task});
+  const auto [known, is_new] =
+      outputs.emplace (resolvedName (name), TaskOutput{name, &task});
   if (is_new)
     return;
-  if (first->second.task == &task)
-    throw UsageError (output, "is the name of two outputs; give each its own");
-  throw UsageError (first->second.task->input + " and " + task.input,
-                    "would both be written to " + output +
+  const Task* const first_task = known->second.task;
+  if (first_task == &task)
+    throw UsageError (name, "is the name of two outputs; give each its own");
+  throw UsageError (first_task->input + " and " + task.input,
+                    "would both be written to " + name +
                         "; rename one or give them in two runs");
 }
 
-/** \brief The outputs of all tasks: files, and folders of planes. */
-struct OwnedOutputs {
-  Owners files;
-  Owners folders;
+/** \brief The outputs of all tasks: files, and folders of --planes-dir. */
+struct AllOutputs {
+  OutputsByPath files;
+  OutputsByPath folders;
 
   bool
   isInFolder (const fs::path& file) const
@@ -265,24 +279,25 @@ struct OwnedOutputs {
 
 /** \brief Collects the outputs of all tasks.
  * \throws UsageError for two outputs of one name, or an output that is its own input */
-OwnedOutputs
-ownOutputs (const std::vector<Task>& tasks, const std::string& fix)
+AllOutputs
+outputsOf (const std::vector<Task>& tasks, const std::string& fix)
 {
-  OwnedOutputs outputs;
+  AllOutputs outputs;
   for (const Task& task : tasks) {
     for (const std::string& file : task.outputs.files()) {
-      own (file, task, outputs.files);
+      addOutput (file, task, outputs.files);
       if (isSameFile (task.input, file))
         throw UsageError (file, "is the input, too; " + fix);
     }
     if (!task.outputs.planes_dir.empty())
-      own (task.outputs.planes_dir, task, outputs.folders);
+      addOutput (task.outputs.planes_dir, task, outputs.folders);
   }
   return outputs;
 }
 
 /** \brief Checks the names of all outputs.
  * \param[in] poses file of poses, which counts as an input; empty: no poses
+ * \param[in] fix end of messages on an output that would overwrite an input
  * \throws UsageError if an output would overwrite another output or an input, or if
  * --planes-dir has an output named as a plane file, or an input */
 void
@@ -290,39 +305,40 @@ checkClashes (const std::vector<Task>& tasks,
               const std::string& poses,
               const std::string& fix)
 {
-  const OwnedOutputs outputs = ownOutputs (tasks, fix);
-  for (const auto& [name, output] : outputs.files)
-    if (outputs.isInFolder (name) && isPlaneFile (fs::path (name).filename().string()))
+  const AllOutputs outputs = outputsOf (tasks, fix);
+  for (const auto& [path, output] : outputs.files)
+    if (outputs.isInFolder (path) && isPlaneFile (fs::path (path).filename().string()))
       throw UsageError (output.name,
                         "has the name of a plane in --planes-dir; give it another name "
                         "or folder");
-  const auto of_poses = outputs.files.find (resolvedName (poses));
-  if (of_poses != outputs.files.end())
-    throw UsageError (of_poses->second.name, "is the file of --poses, too; " + fix);
+  const auto on_poses = outputs.files.find (resolvedName (poses));
+  if (on_poses != outputs.files.end())
+    throw UsageError (on_poses->second.name, "is the file of --poses, too; " + fix);
   for (const Task& task : tasks) {
     const std::string input = resolvedName (task.input);
-    const auto of_input = outputs.files.find (input);
-    if (of_input != outputs.files.end())
-      throw UsageError (of_input->second.name, "is an input, too; " + fix);
+    const auto on_input = outputs.files.find (input);
+    if (on_input != outputs.files.end())
+      throw UsageError (on_input->second.name, "is an input, too; " + fix);
     if (outputs.isInFolder (input))
       throw UsageError ("--planes-dir",
                         "the input " + task.input + " lies in it; give another folder");
   }
 }
 
+/** \brief Returns the task of one input of a batch, with its name in all outputs. */
 Task
 batchTask (const SegmentOptions& options, const std::string& input)
 {
   const std::string name = fs::path (input).stem().string();
   const auto output = [&] (std::string pattern) {
-    boost::replace_all (pattern, name_of_input, name);
+    boost::replace_all (pattern, name_placeholder, name);
     return pattern.empty() ? "" : (fs::path (options.output_dir) / pattern).string();
   };
   const Outputs& given = options.outputs;
   Task task{input, {}};
   const bool stays_las = isLasName (input) && options.format.empty();
   task.outputs.cloud =
-      output ("{}" + (stays_las ? extensionOf (input) : options.fileFormat()));
+      output ("{}" + (stays_las ? extensionOf (input) : options.cloudExtension()));
   for (const OutputOption& option : output_options)
     task.outputs.*option.output = output (given.*option.output);
   if (given.planes.empty())
@@ -373,9 +389,10 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   finishChoice (line, options.choice);
   options.has_meter = line.isGiven ("meter");
   options.detector.keeps_stages = !options.outputs.trace.empty();
-  checkMap (
-      line, options.outputs.planes, {options.outputs.edges, options.outputs.plan});
-  checkAreAbout (line, options);
+  checkMap (line,
+            options.outputs.planes,
+            {options.outputs.edges, options.outputs.floor_plan});
+  checkHaveEffect (line, options);
   checkOutputs (options);
   if (options.isBatch())
     checkBatch (options);

@@ -16,17 +16,23 @@ namespace pcl_ops::apps {
 
 /** \brief Names of the output files for one cloud; empty if not asked for. */
 struct Outputs {
+  /** \brief The labeled cloud. */
   std::string cloud;
-  /** \brief .json, .csv, .geojson or .gpkg; "-" for JSON on the standard output. */
+  /** \brief The list of planes, .json, .csv, .geojson or .gpkg; "-" for JSON on the
+   * standard output. */
   std::string planes;
+  /** \brief A picture of the planes. */
   std::string image;
   /** \brief An HTML page for a browser. */
   std::string view;
+  /** \brief The outlines of planes as a mesh. */
   std::string mesh;
+  /** \brief Edges and corners, where planes meet. */
   std::string edges;
-  /** \brief A floor plan. */
-  std::string plan;
+  std::string floor_plan;
+  /** \brief The points on no plane. */
   std::string rest;
+  /** \brief A folder for a cloud of each plane. */
   std::string planes_dir;
   /** \brief A folder for the results of each stage. */
   std::string trace;
@@ -42,8 +48,8 @@ struct TrackOptions {
   bool is_on = false;
   /** \brief A file of sensor poses; empty: all poses are the identity. */
   std::string poses;
-  /** \brief A calib.txt of KITTI, to turn poses of its camera into those of its lidar.
-   */
+  /** \brief A calib.txt of KITTI, which converts poses of its camera to poses of its
+   * lidar; empty: the poses are used as they are. */
   std::string calibration;
   /** \brief Whether \ref poses look like those of KITTI's camera but are used as those
    * of a lidar. */
@@ -52,44 +58,50 @@ struct TrackOptions {
 };
 
 struct SegmentOptions {
-  /** \brief As given: a file or "-"; with \ref output_dir files, folders, patterns. */
+  /** \brief As given: a file or "-"; with \ref output_dir files, folders and patterns.
+   */
   std::vector<std::string> inputs;
   /** \brief Folder for the outputs of several inputs; empty for one input. */
   std::string output_dir;
   /** \brief With \ref output_dir, {} stands for the name of each input. */
   Outputs outputs;
+  /** \brief Name of the detector (\ref Method). */
   std::string method = "ops";
   /** \brief The kind of hull that outlines are: "convex" or "concave". */
   std::string hull = "convex";
-  /** \brief Whether each connected piece of a plane has a label of its own, and which
-   * gaps divide pieces. */
-  bool pieces = false;
+  /** \brief Whether each connected piece of a plane has a label of its own. */
+  bool divides_into_pieces = false;
   PlanePiecesParameters of_pieces;
   FloorPlanParameters of_plan;
   /** \brief Whether --meter was given, even as 1, or a LAS file has another unit. */
   bool has_meter = false;
   /** \brief Whether to make nearly parallel, orthogonal, coplanar planes exactly so. */
-  bool regularize = false;
+  bool regularizes = false;
+  /** \brief Which planes to keep. */
   PlaneChoice choice;
   MapOptions map;
   DetectorOptions detector;
   TrackOptions track;
   /** \brief Number of inputs to work on at a time; 0: one for each processor. */
   unsigned jobs = 1;
-  bool keep_color = false;
+  /** \brief Whether OUTPUT has the colors of the input instead of those of planes. */
+  bool keeps_color = false;
   /** \brief Whether OUTPUT has the signed distance of each point to its plane. */
-  bool distances = false;
+  bool has_distances = false;
+  /** \brief Whether to print no table and no notes. */
   bool quiet = false;
-  /** \brief "pcd" or "ply"; empty where --format is not given. */
+  /** \brief Of clouds that the program names itself: "pcd" or "ply"; empty if --format
+   * is not given. */
   std::string format;
 
-  /** \brief Extension of the clouds that the program names itself. */
+  /** \brief Returns the extension of the clouds that the program names itself. */
   std::string
-  fileFormat () const
+  cloudExtension () const
   {
     return format.empty() ? ".pcd" : "." + format;
   }
 
+  /** \brief Whether --output-dir is given, for several inputs. */
   bool
   isBatch () const
   {
@@ -105,12 +117,14 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options);
 
 inline constexpr const char* program_name = "pcl_ops_segment";
 
+/** \brief One cloud to segment. */
 struct Task {
   /** \brief A file, or "-" for the standard input. */
   std::string input;
   Outputs outputs;
 };
 
+/** \brief The clouds of a command line with --output-dir. */
 struct Batch {
   std::vector<Task> tasks;
   /** \brief One message for each input argument that stands for no cloud. */

@@ -4,6 +4,7 @@
 
 #include <boost/format.hpp>
 
+#include "poly_data.h"
 #include "report.h"
 #include "stages.h"
 #include <drawing/edge_drawing.h>
@@ -20,9 +21,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
-#include <locale>
 #include <numeric>
-#include <ostream>
 #include <regex>
 
 namespace fs = std::filesystem;
@@ -33,7 +32,7 @@ namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
-// Writes all output files of pcl_ops_segment; report.h declares saveOutputs.
+// Writes the output files of pcl_ops_segment; report.h declares saveOutputs.
 
 namespace {
 
@@ -52,144 +51,9 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
   return part;
 }
 
-/** \brief A mesh of polygons with a color per corner, or lines without color. */
-struct PolyData {
-  bool are_lines;
-  /** \brief Whether coordinates are written as doubles. PCL's point types cannot read
-   * these, but single precision loses digits far from zero. */
-  bool is_double;
-  /** \brief Name of the coordinate type in PLY and VTK. */
-  const char* type = is_double ? "double" : "float";
-  std::vector<Eigen::Vector3d> points = {};
-  std::vector<pcl::RGB> colors = {};
-  std::vector<pcl::Indices> cells = {};
-  /** \brief For lines: the planes of each line, and how many of the first points are
-   * corners, shown as vertices. */
-  std::vector<pcl::Indices> planes = {};
-  std::size_t corners = 0;
-};
-
-std::ostream&
-operator<< (std::ostream& stream, const pcl::Indices& cell)
-{
-  for (std::size_t i = 0; i < cell.size(); ++i)
-    stream << (i == 0 ? "" : " ") << cell[i];
-  return stream;
-}
-
-const Eigen::IOFormat in_a_row (Eigen::StreamPrecision, Eigen::DontAlignCols, " ", " ");
-
-void
-writePly (const PolyData& data, std::ostream& stream)
-{
-  stream << "ply\nformat ascii 1.0\nelement vertex " << data.points.size() << '\n';
-  for (const char axis : {'x', 'y', 'z'})
-    stream << "property " << data.type << ' ' << axis << '\n';
-  if (data.are_lines)
-    stream << "element edge " << data.cells.size()
-           << "\nproperty int vertex1\nproperty int vertex2\nproperty int plane1\n"
-              "property int plane2\nend_header\n";
-  else
-    stream << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-              "element face "
-           << data.cells.size()
-           << "\nproperty list uint int vertex_indices\nend_header\n";
-  for (std::size_t i = 0; i < data.points.size(); ++i) {
-    stream << data.points[i].format (in_a_row);
-    if (!data.are_lines)
-      stream << ' ' << data.colors[i].getRGBVector3i().format (in_a_row);
-    stream << '\n';
-  }
-  for (std::size_t i = 0; i < data.cells.size(); ++i)
-    if (data.are_lines)
-      stream << data.cells[i] << ' ' << data.planes[i] << '\n';
-    else
-      stream << data.cells[i].size() << ' ' << data.cells[i] << '\n';
-}
-
-/** \brief Writes a Wavefront mesh. A vertex has its color after its coordinates, as
- * MeshLab, Blender and Open3D read it. */
-void
-writeObj (const PolyData& data, std::ostream& stream)
-{
-  stream << "# outlines of planes\n";
-  for (std::size_t i = 0; i < data.points.size(); ++i)
-    stream << "v " << data.points[i].format (in_a_row) << ' '
-           << (data.colors[i].getRGBVector3i().cast<float>() / 255.0f).format (in_a_row)
-           << '\n';
-  for (pcl::Indices cell : data.cells) {
-    for (pcl::index_t& corner : cell)
-      ++corner;
-    stream << "f " << cell << '\n';
-  }
-}
-
-/** \brief Writes a section of a VTK file: number of cells, count of all integers, then
- * the cells. */
-void
-writeSection (const char* kind,
-              const std::vector<pcl::Indices>& cells,
-              std::ostream& stream)
-{
-  std::size_t numbers = cells.size();
-  for (const pcl::Indices& cell : cells)
-    numbers += cell.size();
-  stream << kind << ' ' << cells.size() << ' ' << numbers << '\n';
-  for (const pcl::Indices& cell : cells)
-    stream << cell.size() << ' ' << cell << '\n';
-}
-
-void
-writeVtk (const PolyData& data, std::ostream& stream)
-{
-  stream << "# vtk DataFile Version 3.0\n"
-         << (data.are_lines ? "edges" : "outlines")
-         << " of planes\nASCII\nDATASET POLYDATA\nPOINTS " << data.points.size() << ' '
-         << data.type << '\n';
-  for (const Eigen::Vector3d& point : data.points)
-    stream << point.format (in_a_row) << '\n';
-  if (data.are_lines) {
-    std::vector<pcl::Indices> corners;
-    for (std::size_t i = 0; i < data.corners; ++i)
-      corners.push_back ({static_cast<pcl::index_t> (i)});
-    writeSection ("VERTICES", corners, stream);
-    return writeSection ("LINES", data.cells, stream);
-  }
-  writeSection ("POLYGONS", data.cells, stream);
-  stream << "POINT_DATA " << data.points.size() << "\nCOLOR_SCALARS colors 3\n";
-  for (const pcl::RGB& color : data.colors)
-    stream << (color.getRGBVector3i().cast<float>() / 255.0f).format (in_a_row) << '\n';
-}
-
-/** \brief Writes an ASCII file. A .ply or .obj is in the frame of the input file. A
- * .vtk is moved by the pose of the sensor, as pcl_viewer moves clouds by that pose but
- * not meshes. */
-void
-savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
-{
-  const bool is_vtk = extensionOf (file) == ".vtk";
-  const Eigen::Isometry3d pose =
-      Eigen::Translation3d (cloud.origin.head<3>().cast<double>()) *
-      cloud.orientation.cast<double>();
-  if (is_vtk)
-    for (Eigen::Vector3d& point : data.points)
-      point = pose * point;
-  // PCL's and VTK's writers are not used: they do not report a full disk.
-  writeFile (file, [&] (std::ostream& stream) {
-    stream.imbue (std::locale::classic());
-    stream.precision (data.is_double ? std::numeric_limits<double>::max_digits10
-                                     : std::numeric_limits<float>::max_digits10);
-    if (is_vtk)
-      writeVtk (data, stream);
-    else if (extensionOf (file) == ".obj")
-      writeObj (data, stream);
-    else
-      writePly (data, stream);
-  });
-}
-
-/** \brief Divides an outline into triangles, as indices of its corners. Without
- * pcl_ops_surface, or if that fails, returns the outer ring as one face. */
+/** \brief Divides an outline into triangles, as indices of the corners of all its
+ * rings. Without pcl_ops_surface, or if that fails, returns the outer ring as one face.
+ * \param[in] center a point on the plane */
 std::vector<pcl::Indices>
 facesOf ([[maybe_unused]] const PlaneSegment& plane,
          [[maybe_unused]] const Eigen::Vector3d& center,
@@ -219,7 +83,8 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane,
 PolyData
 toLines (const PlaneEdges& found)
 {
-  PolyData lines{true, true};
+  constexpr bool are_lines = true, is_double = true;
+  PolyData lines{are_lines, is_double};
   lines.corners = found.corners.size();
   for (const PlaneCorner& corner : found.corners)
     lines.points.push_back (corner.position);
@@ -227,14 +92,15 @@ toLines (const PlaneEdges& found)
     pcl::Indices& line = lines.cells.emplace_back();
     for (const Eigen::Vector3d& end : {edge.from, edge.to}) {
       // An end that was moved to a corner is exactly equal to it.
-      std::size_t i = 0;
-      while (i < lines.corners && lines.points[i] != end)
-        ++i;
-      line.push_back (i < lines.corners ? i : lines.points.size());
-      if (i == lines.corners)
+      std::size_t corner = 0;
+      while (corner < lines.corners && lines.points[corner] != end)
+        ++corner;
+      const bool is_at_corner = corner < lines.corners;
+      line.push_back (is_at_corner ? corner : lines.points.size());
+      if (!is_at_corner)
         lines.points.push_back (end);
     }
-    lines.planes.emplace_back (edge.planes.begin(), edge.planes.end());
+    lines.planes_of_lines.emplace_back (edge.planes.begin(), edge.planes.end());
   }
   return lines;
 }
@@ -262,31 +128,35 @@ toJson (const PlaneEdges& found)
 std::vector<float>
 distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
-  const CoordinateReader place (cloud);
+  const CoordinateReader position_of (cloud);
   std::vector<float> distances (cloud.size(), std::numeric_limits<float>::quiet_NaN());
   for (const PlaneSegment& plane : planes)
     for (const std::size_t i : plane.inliers) {
       // Relative to the centroid: far from zero an equation's offset loses digits.
-      distances[i] = plane.normal.dot (place (i) - plane.centroid);
+      distances[i] = plane.normal.dot (position_of (i) - plane.centroid);
     }
   return distances;
 }
 
+/** \brief Writes the labeled cloud.
+ * \param[in] labels of all points
+ * \param[in] plane_ids as Report::planeIdsOfPieces */
 void
-saveLabelled (const std::string& file,
-              const FileCloud& cloud,
-              const std::vector<PlaneSegment>& planes,
-              const std::vector<std::uint32_t>& labels,
-              const std::vector<std::uint32_t>& lies_on,
-              const SegmentOptions& options)
+saveLabeled (const std::string& file,
+             const FileCloud& cloud,
+             const std::vector<PlaneSegment>& planes,
+             const std::vector<std::uint32_t>& labels,
+             const std::vector<std::uint32_t>& plane_ids,
+             const SegmentOptions& options)
 {
-  const std::vector<std::uint32_t> of_points =
-      lies_on.empty() ? lies_on : labelsOf (planes, cloud.size(), lies_on);
+  const std::vector<std::uint32_t> plane_id_of_points =
+      plane_ids.empty() ? plane_ids : labelsOf (planes, cloud.size(), plane_ids);
   const std::vector<float> distances =
-      options.distances ? distancesOf (cloud, planes) : std::vector<float>();
+      options.has_distances ? distancesOf (cloud, planes) : std::vector<float>();
   if (isLasName (file))
-    return saveLabelledLas (file, *cloud.las, labels, distances, of_points);
-  saveLabelledCloud (file, cloud, labels, distances, options.keep_color, of_points);
+    return saveLabeledLas (file, *cloud.las, labels, distances, plane_id_of_points);
+  saveLabelledCloud (
+      file, cloud, labels, distances, options.keeps_color, plane_id_of_points);
 }
 
 std::string
@@ -322,11 +192,11 @@ savePlaneClouds (const std::string& folder,
                  const std::string& extension)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  fillFolder (folder, isPlaneFile, [&] (const fs::path& written) {
+  fillFolder (folder, isPlaneFile, [&] (const fs::path& new_folder) {
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const std::string name = str (boost::format ("plane_%03d_%s%s") % report.ids[i] %
                                     toString (planes[i].orientation) % extension);
-      saveCloud (written / name, pointsOf (cloud, planes[i].inliers));
+      saveCloud (new_folder / name, pointsOf (cloud, planes[i].inliers));
     }
   });
   return counted (planes.size(), "plane") + ", each in a file";
@@ -334,6 +204,7 @@ savePlaneClouds (const std::string& folder,
 
 /** \brief Writes outlines in the colors of the labeled cloud. Planes whose points span
  * no area have no outline.
+ * \param[in] is_double as PolyData::is_double
  * \return a description of the contents for messages */
 std::string
 saveMesh (const std::string& file,
@@ -342,17 +213,18 @@ saveMesh (const std::string& file,
           bool is_double)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  PolyData mesh{false, is_double};
+  constexpr bool are_lines = false;
+  PolyData mesh{are_lines, is_double};
   std::size_t outlines = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const Rings rings = report.extents[p].rings();
     if (rings.empty())
       continue;
     ++outlines;
-    const pcl::index_t first = mesh.points.size();
+    const pcl::index_t first_corner = mesh.points.size();
     for (pcl::Indices& face : facesOf (planes[p], report.extents[p].center, rings)) {
       for (pcl::index_t& corner : face)
-        corner += first;
+        corner += first_corner;
       mesh.cells.push_back (face);
     }
     for (const Ring& ring : rings)
@@ -363,7 +235,7 @@ saveMesh (const std::string& file,
   return counted (outlines, "outline");
 }
 
-/** \brief Writes the edges of the planes in the format of the file's extension.
+/** \brief Writes where planes meet, with the ids of planes.
  * \param[in] meter length of a meter in the unit of the cloud
  * \return a description of the contents for messages */
 std::string
@@ -376,13 +248,13 @@ saveEdges (const std::string& file,
 {
   PlaneEdges edges =
       findPlaneEdges (*shifted.cloud, report.detected.planes, {}, shifted.shift);
-  const auto number = [&] (auto& of_planes) {
-    for (auto& element : of_planes)
+  const auto replace_indices_by_ids = [&] (auto& edges_or_corners) {
+    for (auto& element : edges_or_corners)
       for (std::size_t& plane : element.planes)
         plane = report.ids[plane];
   };
-  number (edges.edges);
-  number (edges.corners);
+  replace_indices_by_ids (edges.edges);
+  replace_indices_by_ids (edges.corners);
   const std::string extension = extensionOf (file);
   if (extension == ".json")
     writeTextFile (file, toJson (edges));
@@ -394,6 +266,103 @@ saveEdges (const std::string& file,
     savePolyData (file, cloud, toLines (edges));
   return counted (edges.edges.size(), "edge") + ", " +
          counted (edges.corners.size(), "corner");
+}
+
+/** \brief Writes the floor plan.
+ * \return a description of the contents for messages */
+std::string
+saveFloorPlan (const std::string& file,
+               const Report& report,
+               const SegmentOptions& options)
+{
+  const FloorPlan& plan = report.plan.value();
+  const std::string title = fs::path (report.input).filename().string();
+  savePlan (file, plan, report.ids, title, options.map.crs, options.of_plan.meter);
+  return contentOf (plan);
+}
+
+/** \brief Writes the labeled cloud, the picture and the page for a browser. */
+void
+saveColored (const SegmentOptions& options,
+             const Outputs& outputs,
+             const FileCloud& cloud,
+             const ShiftedCloud& shifted,
+             const Report& report)
+{
+  const Detected& detected = report.detected;
+  const std::vector<PlaneSegment>& planes = detected.planes;
+  if (!outputs.cloud.empty())
+    saveLabeled (outputs.cloud,
+                 cloud,
+                 planes,
+                 labelsOf (planes, cloud.size(), report.ids),
+                 report.planeIdsOfPieces(),
+                 options);
+  if (!outputs.image.empty())
+    savePicture (outputs.image,
+                 *shifted.cloud,
+                 labelsOf (planes, cloud.size()),
+                 planes,
+                 detected.up,
+                 report.ids);
+  if (!outputs.view.empty())
+    savePlanePage (
+        outputs.view,
+        {fs::path (report.input).filename().string(),
+         shifted,
+         planes,
+         planeObjects (planes, report.extents, detected.kinds, report.ids, detected.up),
+         detected.up});
+}
+
+/** \brief Writes outputs whose contents the table does not show.
+ * \return a line for each with its contents */
+std::vector<std::string>
+saveNoted (const SegmentOptions& options,
+           const Outputs& outputs,
+           const FileCloud& cloud,
+           const ShiftedCloud& shifted,
+           const Report& report)
+{
+  const Detected& detected = report.detected;
+  const std::vector<PlaneSegment>& planes = detected.planes;
+  std::vector<std::string> notes;
+  const auto note = [&] (const std::string& file, const std::string& contents) {
+    notes.push_back (file + ": " + contents);
+  };
+  if (!outputs.mesh.empty()) {
+    const bool is_double = !shifted.shift.isZero (0.0);
+    note (outputs.mesh, saveMesh (outputs.mesh, cloud, report, is_double));
+  }
+  if (!outputs.edges.empty())
+    note (outputs.edges,
+          saveEdges (outputs.edges,
+                     cloud,
+                     shifted,
+                     report,
+                     options.map.crs,
+                     options.of_plan.meter));
+  if (!outputs.floor_plan.empty())
+    note (outputs.floor_plan, saveFloorPlan (outputs.floor_plan, report, options));
+  if (!outputs.rest.empty())
+    note (
+        outputs.rest,
+        saveRest (
+            outputs.rest, cloud, shifted, labelsOf (planes, cloud.size(), report.ids)));
+  if (!outputs.planes_dir.empty())
+    note (
+        outputs.planes_dir,
+        savePlaneClouds (outputs.planes_dir, cloud, report, options.cloudExtension()));
+  if (!outputs.trace.empty())
+    note (outputs.trace,
+          saveStages (outputs.trace,
+                      cloud,
+                      detected.stages,
+                      CloudPicture (*shifted.cloud,
+                                    labelsOf (planes, cloud.size()),
+                                    planes,
+                                    detected.up)));
+  return notes;
 }
 
 } // namespace
@@ -413,76 +382,17 @@ saveOutputs (const SegmentOptions& options,
              const ShiftedCloud& shifted,
              const Report& report)
 {
-  const std::vector<PlaneSegment>& planes = report.detected.planes;
-  const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size(), report.ids);
-  std::vector<std::string> written;
-  const auto note = [&] (const std::string& file, const std::string& content) {
-    written.push_back (file + ": " + content);
-  };
-  if (!outputs.cloud.empty())
-    saveLabelled (
-        outputs.cloud, cloud, planes, labels, report.planesOfPieces(), options);
-  if (!outputs.image.empty())
-    savePicture (outputs.image,
-                 *shifted.cloud,
-                 labelsOf (planes, cloud.size()),
-                 planes,
-                 report.detected.up,
-                 report.ids);
-  if (!outputs.view.empty())
-    savePlanePage (outputs.view,
-                   {fs::path (report.input).filename().string(),
-                    shifted,
-                    planes,
-                    planeObjects (planes,
-                                  report.extents,
-                                  report.detected.kinds,
-                                  report.ids,
-                                  report.detected.up),
-                    report.detected.up});
-  if (!outputs.mesh.empty())
-    note (outputs.mesh,
-          saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0)));
-  if (!outputs.edges.empty())
-    note (outputs.edges,
-          saveEdges (outputs.edges,
-                     cloud,
-                     shifted,
-                     report,
-                     options.map.crs,
-                     options.of_plan.meter));
-  if (!outputs.plan.empty()) {
-    savePlan (outputs.plan,
-              report.plan.value(),
-              report.ids,
-              fs::path (report.input).filename().string(),
-              options.map.crs,
-              options.of_plan.meter);
-    note (outputs.plan, contentOf (*report.plan));
-  }
-  if (!outputs.rest.empty())
-    note (outputs.rest, saveRest (outputs.rest, cloud, shifted, labels));
-  if (!outputs.planes_dir.empty())
-    note (outputs.planes_dir,
-          savePlaneClouds (outputs.planes_dir, cloud, report, options.fileFormat()));
-  if (!outputs.trace.empty())
-    note (outputs.trace,
-          saveStages (outputs.trace,
-                      cloud,
-                      report.detected.stages,
-                      CloudPicture (*shifted.cloud,
-                                    labelsOf (planes, cloud.size()),
-                                    planes,
-                                    report.detected.up)));
-  // Last, so that a pipe gets its JSON when all files exist.
+  saveColored (options, outputs, cloud, shifted, report);
+  std::vector<std::string> notes = saveNoted (options, outputs, cloud, shifted, report);
+  // The list of planes comes last, so that a pipe gets its JSON when all files exist.
   if (outputs.planes.empty())
-    return written;
-  const std::string text = planesFor (outputs.planes, toJson (report), options.map);
+    return notes;
+  const std::string list = planesFor (outputs.planes, toJson (report), options.map);
   if (outputs.planes == standard_stream)
-    std::cout << text;
+    std::cout << list;
   else
-    writeTextFile (outputs.planes, text);
-  return written;
+    writeTextFile (outputs.planes, list);
+  return notes;
 }
 
 } // namespace pcl_ops::apps

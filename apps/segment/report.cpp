@@ -19,8 +19,8 @@ namespace {
 double
 percentage (std::size_t part, std::size_t whole)
 {
-  constexpr double per_cent = 100.0;
-  return per_cent * fraction (part, whole, 0.0);
+  constexpr double percent = 100.0;
+  return percent * fraction (part, whole, 0.0);
 }
 
 void
@@ -29,21 +29,21 @@ printPlanes (const Report& report, std::ostream& stream)
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const std::vector<PlaneKind>& kinds = report.detected.kinds;
   constexpr std::size_t max_rows = 20;
-  const std::vector<std::uint32_t> lies_on = report.planesOfPieces();
-  stream << "  id" << (lies_on.empty() ? "" : " plane")
+  const std::vector<std::uint32_t> plane_ids = report.planeIdsOfPieces();
+  stream << "  id" << (plane_ids.empty() ? "" : " plane")
          << "  orientation  kind       points      %       rms         a         b     "
             "    c"
             "         d\n";
-  std::size_t rest = report.points;
+  std::size_t on_no_plane = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::size_t size = planes[i].inliers.size();
-    rest -= size;
+    on_no_plane -= size;
     const auto [normal, offset] = planes[i].plane();
     if (i >= max_rows)
       continue;
     stream << boost::format ("%4d") % report.ids[i];
-    if (!lies_on.empty())
-      stream << boost::format (" %5d") % lies_on[i];
+    if (!plane_ids.empty())
+      stream << boost::format (" %5d") % plane_ids[i];
     stream << boost::format (
                   "  %-10s  %-7s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
                   toString (planes[i].orientation) % toString (kinds[i]) % size %
@@ -53,10 +53,13 @@ printPlanes (const Report& report, std::ostream& stream)
   if (planes.size() > max_rows)
     stream << "      and " << planes.size() - max_rows
            << " smaller ones: --planes FILE.json has them all\n";
-  stream << boost::format ("      no plane            %9d %6.1f\n") % rest %
-                percentage (rest, report.points);
+  stream << boost::format ("      no plane            %9d %6.1f\n") % on_no_plane %
+                percentage (on_no_plane, report.points);
 }
 
+/** \brief Returns the numbers of points and planes: "900 points, 12 pieces of 5
+ * planes".
+ */
 std::string
 countsOf (const Report& report)
 {
@@ -67,9 +70,10 @@ countsOf (const Report& report)
   };
   if (report.detected.lies_on.empty())
     return points + counted (planes, "plane");
-  const std::set<std::size_t> whole (report.detected.lies_on.begin(),
-                                     report.detected.lies_on.end());
-  return points + counted (planes, "piece") + " of " + counted (whole.size(), "plane");
+  const std::set<std::size_t> whole_planes (report.detected.lies_on.begin(),
+                                            report.detected.lies_on.end());
+  return points + counted (planes, "piece") + " of " +
+         counted (whole_planes.size(), "plane");
 }
 
 /** \brief Returns the voxel size and the threshold that were used, with the names of
@@ -107,27 +111,27 @@ remarksOn (const Report& report)
   return remarks;
 }
 
-/** \brief Returns how many planes were regularized, with the largest angle and offset.
- */
+/** \brief Returns a line on regularized planes: how many they are, the largest angle
+ * and the largest distance. */
 std::string
 noteOnMoves (const std::vector<PlaneMove>& moves)
 {
   std::size_t moved = 0;
-  double angle = 0.0;
-  double distance = 0.0;
+  double max_angle = 0.0;
+  double max_distance = 0.0;
   for (const PlaneMove& move : moves)
     if (move.is_moved) {
       ++moved;
-      angle = std::max (angle, move.angle);
-      distance = std::max (distance, std::abs (move.offset));
+      max_angle = std::max (max_angle, move.angle);
+      max_distance = std::max (max_distance, std::abs (move.offset));
     }
   return str (boost::format ("Regularized %1% of %2% planes: turned by %3$.2g degrees "
                              "and moved by %4$.2g at most") %
-              moved % moves.size() % toDegrees (angle) % distance);
+              moved % moves.size() % toDegrees (max_angle) % max_distance);
 }
 
-/** \brief Returns the displacement, or null if it is infinite: of a plane of rms 0 that
- * would have to move. */
+/** \brief Returns PlaneMove::displacement. Returns null if it is infinite: for a plane
+ * of rms 0 that would have to move. */
 nlohmann::ordered_json
 displacementOf (const PlaneMove& move)
 {
@@ -191,12 +195,12 @@ toJson (const Report& report)
     json["dropped"] = toObject (report.dropped);
   json["planes"] = nlohmann::ordered_json::array();
   const Eigen::Vector3d up = detected.up.cast<double>().normalized();
-  const std::vector<std::uint32_t> lies_on = report.planesOfPieces();
+  const std::vector<std::uint32_t> plane_ids = report.planeIdsOfPieces();
   for (std::size_t i = 0; i < detected.planes.size(); ++i) {
-    auto& object = json["planes"].emplace_back (planeObject (
+    nlohmann::ordered_json& object = json["planes"].emplace_back (planeObject (
         report.ids[i], detected.planes[i], report.extents[i], detected.kinds[i], up));
-    if (!lies_on.empty())
-      object["plane"] = lies_on[i];
+    if (!plane_ids.empty())
+      object["plane"] = plane_ids[i];
     if (!detected.moves.empty())
       object["moved"] = {{"angle", toDegrees (detected.moves[i].angle)},
                          {"distance", detected.moves[i].offset},

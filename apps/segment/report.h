@@ -9,36 +9,41 @@
 
 namespace pcl_ops::apps {
 
+/** \brief What was found in one cloud, for the table, messages and output files. */
 struct Report {
+  /** \brief Name of the input in messages. */
   std::string input;
+  /** \brief Name of the method, as in --method. */
   std::string method;
   /** \brief Number of points of the cloud, including NaN points. */
   std::size_t points = 0;
   Detected detected;
-  /** \brief Label of each plane in the labeled cloud. */
+  /** \brief Id of each plane in Detected::planes: its label in the labeled cloud. */
   std::vector<std::uint32_t> ids;
-  /** \brief Number of each plane in Detected::whole_planes, on which pieces lie. */
-  std::vector<std::uint32_t> ids_of_whole;
+  /** \brief Id of each plane in Detected::whole_planes, on which pieces lie. */
+  std::vector<std::uint32_t> whole_plane_ids;
+  /** \brief How many planes the options of \ref PlaneChoice dropped. */
   Dropped dropped;
   /** \brief Why the cloud looks damaged (damageOf); empty if it does not. */
   std::string damage;
   /** \brief What is doubtful about the planes and the plan. */
   std::vector<ResultWarning> warnings;
   /** \brief Contents of output files that the table does not show (saveOutputs). */
-  std::vector<std::string> written;
+  std::vector<std::string> file_notes;
   /** \brief The floor plan, if one is asked for. */
   std::optional<FloorPlan> plan;
   /** \brief Extent of each plane. Empty for concave hulls if no output needs them. */
   std::vector<PlaneExtent> extents;
 
-  /** \brief Returns for each piece the number of its plane; empty without --pieces. */
+  /** \brief Returns for each piece the id of the plane on which it lies; empty without
+   * --pieces. */
   std::vector<std::uint32_t>
-  planesOfPieces () const
+  planeIdsOfPieces () const
   {
-    std::vector<std::uint32_t> numbers;
-    for (const std::size_t plane : detected.lies_on)
-      numbers.push_back (ids_of_whole[plane]);
-    return numbers;
+    std::vector<std::uint32_t> plane_ids;
+    for (const std::size_t whole_plane : detected.lies_on)
+      plane_ids.push_back (whole_plane_ids[whole_plane]);
+    return plane_ids;
   }
 };
 
@@ -51,6 +56,7 @@ printTable (const Report& report, std::ostream& stream);
 std::string
 summaryOf (const Report& report);
 
+/** \brief Returns the list of planes of --planes FILE.json. */
 nlohmann::ordered_json
 toJson (const Report& report);
 
@@ -59,6 +65,7 @@ bool
 isPlaneFile (const std::string& name);
 
 /** \brief Writes the outputs for one cloud, each file or folder in one step.
+ * \param[in] shifted \p cloud as it was searched
  * \return contents of the files that the table does not show: "plan.dxf: 12 walls, 3
  * rooms, 41.2 m2"
  * \throws WorkError if an output cannot be written, Interrupted */

@@ -38,10 +38,10 @@ divideIntoPieces (const SegmentOptions& options,
                   const XyzCloud& cloud,
                   Detected& detected)
 {
-  const auto given = options.detector.numbers.find ("threads");
-  const unsigned threads = given == options.detector.numbers.end()
+  const auto threads_option = options.detector.numbers.find ("threads");
+  const unsigned threads = threads_option == options.detector.numbers.end()
                                ? 1
-                               : static_cast<unsigned> (given->second);
+                               : static_cast<unsigned> (threads_option->second);
   PlanePieces found =
       findPlanePieces (cloud, detected.planes, options.of_pieces, threads);
   detected.whole_planes = std::move (detected.planes);
@@ -61,16 +61,16 @@ detectPlanes (const SegmentOptions& options,
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
-  // A file without a sensor position has the sensor at zero. In the shifted cloud it is
-  // not at zero, so the detector takes it for known and leaves out turnUnseenUp.
+  // A file without a sensor position has the sensor at zero. In a shifted cloud that is
+  // another position, so the detector takes it for known and does not turn normals up.
   if (!shifted.shift.isZero (0.0) && cloud.origin.head<3>().isZero (0.0f))
     turnUnseenUp (*shifted.cloud,
                   shifted.cloud->sensor_origin_.head<3>().cast<double>(),
                   detected.up.cast<double>(),
                   detected.planes);
-  if (options.pieces)
+  if (options.divides_into_pieces)
     divideIntoPieces (options, *shifted.cloud, detected);
-  for (auto* planes : {&detected.planes, &detected.whole_planes}) {
+  for (std::vector<PlaneSegment>* planes : {&detected.planes, &detected.whole_planes}) {
     for (PlaneSegment& plane : *planes)
       plane.moveBy (shifted.shift);
     if (cloud.is_survey)
@@ -93,9 +93,9 @@ checkTakesLabels (const SegmentOptions& options,
   if (cloud.las == nullptr)
     throw UsageError (output, "is LAS, which the input is not; give a file .pcd");
   std::vector<LasField> fields = {label_field};
-  if (options.distances)
+  if (options.has_distances)
     fields.push_back (distance_field);
-  if (options.pieces)
+  if (options.divides_into_pieces)
     fields.push_back (plane_field);
   const std::string problem = cloud.las->validate (fields);
   if (!problem.empty())
@@ -142,10 +142,10 @@ regularize (Detected& detected)
  * which the kinds depend.
  * \param[in] meter units of the cloud in one meter */
 void
-nameKinds (const FileCloud& cloud,
-           const ShiftedCloud& shifted,
-           double meter,
-           Detected& detected)
+setKinds (const FileCloud& cloud,
+          const ShiftedCloud& shifted,
+          double meter,
+          Detected& detected)
 {
   for (const PlaneSegment& plane : detected.planes)
     detected.extents.push_back (extentInFile (shifted, plane, "convex"));
@@ -178,10 +178,10 @@ countOf (PlaneKind kind, const Detected& detected)
       std::count (detected.kinds.begin(), detected.kinds.end(), kind));
 }
 
-/** \brief Finds the floor plan, and warns if it has no wall.
+/** \brief Finds the floor plan, and adds a warning if it has no wall.
  * \param[in] counts numbers of planes before any was dropped */
 void
-drawPlan (const SegmentOptions& options,
+findPlan (const SegmentOptions& options,
           const ShiftedCloud& shifted,
           PlanCounts counts,
           Report& report)
@@ -201,7 +201,7 @@ drawPlan (const SegmentOptions& options,
 /** \brief Returns the options. If the user gave no reference system or no unit, those
  * of a LAS file are filled in. */
 SegmentOptions
-withSystemOf (const FileCloud& cloud, SegmentOptions options)
+withCrsAndUnitOf (const FileCloud& cloud, SegmentOptions options)
 {
   if (cloud.las == nullptr)
     return options;
@@ -237,7 +237,7 @@ reportOn (const SegmentOptions& options,
   return report;
 }
 
-/** \brief Names the kinds of planes and drops planes that are not chosen. If asked for,
+/** \brief Sets the kinds of planes and drops planes that are not chosen. If asked for,
  * regularizes planes before that and finds the floor plan after it. */
 void
 choosePlanes (const SegmentOptions& options,
@@ -246,18 +246,18 @@ choosePlanes (const SegmentOptions& options,
               const ShiftedCloud& shifted,
               Report& report)
 {
-  if (options.regularize)
+  if (options.regularizes)
     regularize (report.detected);
-  nameKinds (cloud, shifted, options.of_plan.meter, report.detected);
+  setKinds (cloud, shifted, options.of_plan.meter, report.detected);
   PlanCounts counts;
   counts.wall_planes_found = countOf (PlaneKind::Wall, report.detected);
   counts.has_floor = countOf (PlaneKind::Floor, report.detected) > 0;
-  const auto extentOfPlane = [&] (const PlaneSegment& plane) {
+  const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);
   };
-  report.dropped = keepChosen (options.choice, extentOfPlane, report.detected);
-  if (!outputs.plan.empty())
-    drawPlan (options, shifted, counts, report);
+  report.dropped = keepChosen (options.choice, extent_of, report.detected);
+  if (!outputs.floor_plan.empty())
+    findPlan (options, shifted, counts, report);
 }
 
 /** \brief Sets the extents: convex ones are known, concave ones are computed only if an
@@ -295,29 +295,29 @@ Report
 segmentCloud (const SegmentOptions& given,
               const Task& task,
               const GiveIds& give_ids,
-              StageLines* lines)
+              StageLines* progress)
 {
   const auto begin = [&] (const std::string& stage) {
     stopIfInterrupted();
-    if (lines != nullptr)
-      lines->begin (nameOfInput (task) + ": " + stage);
+    if (progress != nullptr)
+      progress->begin (nameOfInput (task) + ": " + stage);
   };
   begin ("reading");
   const FileCloud cloud = loadInput (task);
-  const SegmentOptions options = withSystemOf (cloud, given);
+  const SegmentOptions options = withCrsAndUnitOf (cloud, given);
   checkTakesLabels (options, task, cloud);
   begin ("finding planes in " + std::to_string (cloud.size()) + " points");
   const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));
   Report report = reportOn (options, task, cloud, shifted);
   choosePlanes (options, task.outputs, cloud, shifted, report);
   report.ids = numbersUpTo (report.detected.planes.size());
-  report.ids_of_whole = numbersUpTo (report.detected.whole_planes.size());
+  report.whole_plane_ids = numbersUpTo (report.detected.whole_planes.size());
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
   if (give_ids)
     give_ids (sensor.isZero (0.0) ? shifted.shift : sensor, report);
   setExtents (options, task.outputs, shifted, report);
   begin ("writing");
-  report.written = saveOutputs (options, task.outputs, cloud, shifted, report);
+  report.file_notes = saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;
 }
 

@@ -10,13 +10,13 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Sets Report::ids and Report::ids_of_whole of the planes of a cloud.
- * \param[in] sensor position of the sensor in the frame of the file; if the file has
- * none, ShiftedCloud::shift: a place near the points, or zero */
+/** \brief Sets Report::ids and Report::whole_plane_ids of the planes of a cloud.
+ * \param[in] sensor position of the sensor in the frame of the file. If the file has
+ * none, it is ShiftedCloud::shift: a position near the points, or zero. */
 using GiveIds = std::function<void (const Eigen::Vector3d& sensor, Report& report)>;
 
-/** \brief Returns the input file of a task, or the name of the standard input in
- * messages. */
+/** \brief Returns the name of a task's input for messages: its file, or "standard
+ * input". */
 std::string
 nameOfInput (const Task& task);
 
@@ -24,13 +24,13 @@ nameOfInput (const Task& task);
  * \param[in] given the options; if they leave out the reference system or the unit,
  * those of a LAS file are used
  * \param[in] give_ids empty: planes are numbered by falling size
- * \param[in] lines prints each stage as it begins; nullptr: prints nothing
+ * \param[in] progress is told each stage that begins; nullptr: no progress is printed
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
  * written, Interrupted, which leaves no half-written file */
 Report
 segmentCloud (const SegmentOptions& given,
               const Task& task,
               const GiveIds& give_ids,
-              StageLines* lines);
+              StageLines* progress);
 
 } // namespace pcl_ops::apps

@@ -28,53 +28,63 @@ FileCloud
 coordinatesOf (const FileCloud& cloud)
 {
   const pcl::PCLPointCloud2& points = cloud.points;
-  FileCloud alone{{}, cloud.origin, cloud.orientation};
-  alone.points.width = points.width;
-  alone.points.height = points.height;
-  std::vector<std::pair<std::size_t, std::size_t>> parts; // offset, bytes
+  FileCloud only_xyz{{}, cloud.origin, cloud.orientation};
+  only_xyz.points.width = points.width;
+  only_xyz.points.height = points.height;
+  struct BytesInPoint {
+    std::size_t offset, size;
+  };
+  std::vector<BytesInPoint> coordinates;
   for (const char* axis : {"x", "y", "z"}) {
     const int index = pcl::getFieldIndex (points, axis);
     const pcl::PCLPointField& field = points.fields.at (std::size_t (index));
-    addField (axis, field.datatype, alone.points);
-    parts.emplace_back (field.offset, numberType (field.datatype).size);
+    addField (axis, field.datatype, only_xyz.points);
+    coordinates.push_back ({field.offset, numberType (field.datatype).size});
   }
-  alone.points.data.reserve (cloud.size() * alone.points.point_step);
+  only_xyz.points.data.reserve (cloud.size() * only_xyz.points.point_step);
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    for (const auto& [offset, size] : parts) {
+    for (const BytesInPoint& bytes : coordinates) {
       const std::uint8_t* const from =
-          points.data.data() + i * points.point_step + offset;
-      alone.points.data.insert (alone.points.data.end(), from, from + size);
+          points.data.data() + i * points.point_step + bytes.offset;
+      only_xyz.points.data.insert (only_xyz.points.data.end(), from, from + bytes.size);
     }
-  return alone;
+  return only_xyz;
 }
 
 /** \brief Returns a new number for each region: that of the plane that shares most
  * points with it, so that both have the same color in all pictures. Each plane gives
- * its number to one region. Other regions get numbers after those of all planes. */
+ * its number to one region. Other regions get numbers above those of all planes.
+ * \param[in] grown, joined, result of Stage::Regions, Stage::Joined and Stage::Labels */
 std::vector<std::int32_t>
 numbersOfRegions (const StageResult& grown,
                   const StageResult& joined,
                   const StageResult& result)
 {
-  const auto numberOf = [] (const pcl_ops::Labels& labels) {
+  const auto count_of = [] (const pcl_ops::Labels& labels) {
     return labels.empty() ? 0 : *std::max_element (labels.begin(), labels.end()) + 1;
   };
   using RegionAndPlane = std::pair<std::int32_t, std::int32_t>;
-  std::map<RegionAndPlane, std::size_t> shared;
+  std::map<RegionAndPlane, std::size_t> shared_points;
   for (std::size_t i = 0; i < joined.labels.size(); ++i)
     if (joined.labels[i] != no_plane && result.labels[i] != no_plane)
-      ++shared[{joined.labels[i], result.labels[i]}];
-  std::vector<std::pair<RegionAndPlane, std::size_t>> pairs (shared.begin(),
-                                                             shared.end());
-  std::stable_sort (pairs.begin(), pairs.end(), [] (const auto& a, const auto& b) {
-    return a.second > b.second;
-  });
-  std::vector<std::int32_t> numbers (std::size_t (numberOf (grown.labels)), no_plane);
-  std::set<std::int32_t> taken;
-  for (const auto& [pair, points] : pairs)
-    if (numbers[pair.first] == no_plane && taken.insert (pair.second).second)
-      numbers[pair.first] = pair.second;
-  std::int32_t next = numberOf (result.labels);
+      ++shared_points[{joined.labels[i], result.labels[i]}];
+  struct SharedPoints {
+    std::int32_t region, plane;
+    std::size_t points;
+  };
+  std::vector<SharedPoints> shares;
+  for (const auto& [pair, points] : shared_points)
+    shares.push_back ({pair.first, pair.second, points});
+  std::stable_sort (
+      shares.begin(), shares.end(), [] (const SharedPoints& a, const SharedPoints& b) {
+        return a.points > b.points;
+      });
+  std::vector<std::int32_t> numbers (std::size_t (count_of (grown.labels)), no_plane);
+  std::set<std::int32_t> used_planes;
+  for (const SharedPoints& share : shares)
+    if (numbers[share.region] == no_plane && used_planes.insert (share.plane).second)
+      numbers[share.region] = share.plane;
+  std::int32_t next = count_of (result.labels);
   for (std::int32_t& number : numbers)
     if (number == no_plane)
       number = next++;
@@ -83,17 +93,18 @@ numbersOfRegions (const StageResult& grown,
 
 /** \brief Renumbers the regions of the stages by \ref numbersOfRegions. */
 std::vector<StageResult>
-numberedAlike (std::vector<StageResult> stages)
+numberedAsPlanes (std::vector<StageResult> stages)
 {
-  if (stages.size() < std::size (all_stages))
+  const bool has_regions = stages.size() >= std::size (all_stages);
+  if (!has_regions) // a cloud of too few points has Stage::Labels alone
     return stages;
-  const auto of = [&] (Stage stage) -> StageResult& {
+  const auto result_of = [&] (Stage stage) -> StageResult& {
     return stages[static_cast<std::size_t> (stage)];
   };
-  const std::vector<std::int32_t> numbers =
-      numbersOfRegions (of (Stage::Regions), of (Stage::Joined), of (Stage::Labels));
+  const std::vector<std::int32_t> numbers = numbersOfRegions (
+      result_of (Stage::Regions), result_of (Stage::Joined), result_of (Stage::Labels));
   for (const Stage stage : {Stage::Regions, Stage::Joined, Stage::Planes})
-    for (std::int32_t& label : of (stage).labels)
+    for (std::int32_t& label : result_of (stage).labels)
       if (label != no_plane)
         label = numbers[label];
   return stages;
@@ -101,13 +112,14 @@ numberedAlike (std::vector<StageResult> stages)
 
 /** \brief Converts labels to those of files: from 1 on, 0 for no label. */
 std::vector<std::uint32_t>
-writtenLabels (const pcl_ops::Labels& labels)
+fileLabels (const pcl_ops::Labels& labels)
 {
-  std::vector<std::uint32_t> written;
-  written.reserve (labels.size());
+  static_assert (no_plane + 1 == 0);
+  std::vector<std::uint32_t> file_labels;
+  file_labels.reserve (labels.size());
   for (const std::int32_t label : labels)
-    written.push_back (static_cast<std::uint32_t> (label + 1));
-  return written;
+    file_labels.push_back (static_cast<std::uint32_t> (label + 1));
+  return file_labels;
 }
 
 /** \brief Colors points by their value, or by their label if the stage has no values.
@@ -119,10 +131,13 @@ colorsOf (const StageResult& result, const ColorScale& scale)
   std::vector<pcl::RGB> colors (has_values ? result.values.size()
                                            : result.labels.size());
   for (std::size_t i = 0; i < colors.size(); ++i) {
-    const bool is_none = !result.labels.empty() && result.labels[i] == no_plane;
-    colors[i] = is_none      ? colorOfLabel (0)
-                : has_values ? scale (result.values[i])
-                             : colorOfLabel (std::uint32_t (result.labels[i] + 1));
+    const bool is_gray = !result.labels.empty() && result.labels[i] == no_plane;
+    if (is_gray)
+      colors[i] = colorOfLabel (0);
+    else if (has_values)
+      colors[i] = scale (result.values[i]);
+    else
+      colors[i] = colorOfLabel (std::uint32_t (result.labels[i] + 1));
   }
   return colors;
 }
@@ -134,7 +149,8 @@ saveStageCloud (const std::string& file,
                 const std::vector<pcl::RGB>& colors)
 {
   using pcl::PCLPointField;
-  const std::vector<std::uint32_t> labels = writtenLabels (result.labels);
+  const std::vector<std::uint32_t> labels = fileLabels (result.labels);
+  // For a part of the points, from index first on.
   saveCloud (file, coordinates, [&] (FileCloud& part, std::size_t first) {
     if (!labels.empty())
       setField (part, "label", PCLPointField::UINT32, labels.data() + first);
@@ -166,13 +182,13 @@ saveStages (const std::string& folder,
   const auto is_ours = [&] (const std::string& name) {
     return std::find (files.begin(), files.end(), name) != files.end();
   };
-  fillFolder (folder, is_ours, [&] (const fs::path& written) {
+  fillFolder (folder, is_ours, [&] (const fs::path& new_folder) {
     const FileCloud coordinates = coordinatesOf (cloud);
-    for (const StageResult& result : numberedAlike (stages)) {
+    for (const StageResult& result : numberedAsPlanes (stages)) {
       stopIfInterrupted();
       const ColorScale scale (result.values);
       const std::vector<pcl::RGB> colors = colorsOf (result, scale);
-      const std::string file = (written / nameOfStage (result.stage)).string();
+      const std::string file = (new_folder / nameOfStage (result.stage)).string();
       saveStageCloud (file + ".pcd", coordinates, result, colors);
       picture.save (file + ".png", colors, result.values.empty() ? nullptr : &scale);
     }

@@ -15,12 +15,13 @@ knowledgeOfUp (const DetectorOptions& detector,
                const FileCloud& cloud,
                const Detected& detected)
 {
-  if (detector.finds_up || detector.sequence_has_up)
+  const bool is_estimated = detector.finds_up || detector.sequence_has_up;
+  if (is_estimated)
     return detected.settings.at ("up_confidence").is_null() ? UpKnowledge::NotFound
                                                             : UpKnowledge::Known;
   // A survey is in a reference system, where z is up.
-  const bool is_said = detector.up || detector.up_is_camera || cloud.is_survey;
-  return is_said ? UpKnowledge::Known : UpKnowledge::Assumed;
+  const bool is_given = detector.up || detector.up_is_camera || cloud.is_survey;
+  return is_given ? UpKnowledge::Known : UpKnowledge::Assumed;
 }
 
 } // namespace
@@ -36,12 +37,13 @@ warningsOn (const SegmentOptions& options,
   context.shift = shifted.shift;
   context.unit = cloud.las ? coordinateUnitOf (*cloud.las) : CoordinateUnit::Unknown;
   context.has_meter = options.has_meter;
-  if (!cloud.origin.head<3>().isZero (0.0F))
+  const bool has_sensor_position = !cloud.origin.head<3>().isZero (0.0F);
+  if (has_sensor_position)
     context.viewpoint = shifted.cloud->sensor_origin_.head<3>().cast<double>();
   context.up_knowledge = knowledgeOfUp (options.detector, cloud, detected);
   context.up = detected.up.cast<double>();
   context.suggested_up = detected.suggested_up;
-  context.uses_kinds = !task.outputs.plan.empty() || options.choice.namesKinds();
+  context.uses_kinds = !task.outputs.floor_plan.empty() || options.choice.namesKinds();
   context.has_camera_poses = options.track.has_camera_poses;
   context.search = detected.search;
   return resultWarnings (*shifted.cloud, detected.planes, context);

@@ -7,8 +7,8 @@
 namespace pcl_ops::apps {
 
 /** \brief Returns warnings on the planes of a cloud (resultWarnings).
- * \param[in] shifted the cloud as it was searched
- * \param[in] detected before planes are regularized or dropped */
+ * \param[in] shifted \p cloud as it was searched
+ * \param[in] detected planes before planes are regularized or dropped */
 std::vector<ResultWarning>
 warningsOn (const SegmentOptions& options,
             const Task& task,

@@ -18,59 +18,64 @@ namespace pcl_ops::apps {
  * The integers have room for 10^11 points at 10^7 m from zero, with cells of a
  * decimeter and a unit of a ten thousandth of a cell. */
 struct ExactMoments {
-  using Whole = boost::int128_type;
+  using Int128 = boost::int128_type;
 
   /** \brief Spacing of the lattice [m], a power of two: rounding to the lattice is then
    * the only error. */
   double unit = 1.0;
   /** \brief Sum of p p^T over all points p = (x, y, z, 1) [unit]. */
-  Eigen::Matrix<Whole, 4, 4> sums = Eigen::Matrix<Whole, 4, 4>::Zero();
+  Eigen::Matrix<Int128, 4, 4> sums = Eigen::Matrix<Int128, 4, 4>::Zero();
 
-  Whole
+  /** \brief Number of points. */
+  Int128
   count () const
   {
     return sums (3, 3);
   }
 
-  /** \brief Adds a point, rounded to the nearest lattice place. \param[in] place [m] */
+  /** \brief Adds a point, rounded to the nearest point of the lattice.
+   * \param[in] point [m] */
   void
-  add (const Eigen::Vector3d& place)
+  add (const Eigen::Vector3d& point)
   {
-    const Eigen::Vector3d on_lattice = (place / unit).array().round();
-    const Eigen::Matrix<Whole, 4, 1> p = on_lattice.homogeneous().cast<Whole>();
+    const Eigen::Vector3d on_lattice = (point / unit).array().round();
+    const Eigen::Matrix<Int128, 4, 1> p = on_lattice.homogeneous().cast<Int128>();
     sums += p * p.transpose();
   }
 
-  /** \brief The moments in meters, about a lattice place next to the centroid; zero if
-   * there are no points. */
+  /** \brief Returns the moments in meters. Their origin is a point of the lattice next
+   * to the centroid. Returns zero moments if there are no points. */
   Moments
   toMoments () const
   {
     Moments moments;
     if (count() == 0)
       return moments;
-    Eigen::Matrix<Whole, 4, 4> move = Eigen::Matrix<Whole, 4, 4>::Identity();
-    move.col (3).head<3>() = sums.col (3).head<3>() / -count();
-    const Eigen::Matrix<double, 4, 4> moved =
-        (move * sums * move.transpose()).cast<double>();
-    moments.origin = -unit * move.col (3).head<3>().cast<double>();
-    moments.count = moved (3, 3);
-    moments.sum = unit * moved.col (3).head<3>();
-    const Eigen::Matrix3d products = unit * unit * moved.topLeftCorner<3, 3>();
-    double* product = moments.products.data();
-    for (int i = 0; i < 3; ++i)
-      for (int k = i; k < 3; ++k)
-        *product++ = products (i, k);
+    // Translation of the points by the negative centroid, rounded by integer division.
+    Eigen::Matrix<Int128, 4, 4> translation = Eigen::Matrix<Int128, 4, 4>::Identity();
+    translation.col (3).head<3>() = sums.col (3).head<3>() / -count();
+    const Eigen::Matrix<double, 4, 4> translated_sums =
+        (translation * sums * translation.transpose()).cast<double>();
+    moments.origin = -unit * translation.col (3).head<3>().cast<double>();
+    moments.count = translated_sums (3, 3);
+    moments.sum = unit * translated_sums.col (3).head<3>();
+    const Eigen::Matrix3d products =
+        unit * unit * translated_sums.topLeftCorner<3, 3>();
+    double* upper_triangle = moments.products.data();
+    for (int row = 0; row < 3; ++row)
+      for (int column = row; column < 3; ++column)
+        *upper_triangle++ = products (row, column);
     return moments;
   }
 };
 
-/** \brief The largest power of two up to a ten thousandth of a cell [m]. */
+/** \brief Returns the unit of \ref ExactMoments for a grid of cells: the largest power
+ * of two up to a ten thousandth of the edge of a cell [m]. */
 inline double
-latticeFor (double cell)
+momentsUnit (double cell_edge)
 {
-  constexpr double units_of_cell = 1e4;
-  return std::exp2 (std::floor (std::log2 (cell / units_of_cell)));
+  constexpr double min_units_per_cell = 1e4;
+  return std::exp2 (std::floor (std::log2 (cell_edge / min_units_per_cell)));
 }
 
 } // namespace pcl_ops::apps

@@ -35,8 +35,10 @@ struct TilesOptions {
   std::vector<std::string> inputs;
   std::string output_dir;
   PlanOptions plan;
-  PlanesOutput planes;
-  /** \brief File of the plan; empty for work/plan.json in the output folder. */
+  /** \brief The files of --planes, --image, --view and --floor-plan. */
+  PlanesOutput output;
+  /** \brief File of the plan of tiles; empty for work/plan.json in the output folder.
+   */
   std::string plan_file;
   /** \brief Tiles or inputs processed at a time; 0: one per processor. */
   unsigned jobs = 1;
@@ -60,24 +62,42 @@ constexpr const char* in_and_out =
 Lengths are in the unit of the inputs, meters by default.
 )";
 
+/** \brief Declares the options for files from the list of planes. */
 void
-checkPlanes (const CommandLine& line, PlanesOutput& planes)
+declareOutput (CommandLine& line, PlanesOutput& output)
 {
-  checkExtension ("--planes", planes.file, {".geojson", ".csv", ".json", ".gpkg"});
-  finishChoice (line, planes.choice);
-  checkMap (line, planes.file, {planes.floor_plan});
-  if (const auto given = line.givenOf (title_of_choice);
-      !given.empty() && planes.files().empty())
+  line.add ("planes FILE", output.planes)
+      .help ("write planes, all or those to keep: .geojson, .gpkg, .csv, .json");
+  line.add ("image FILE.png", output.image)
+      .help ("draw the same planes from above, by plane and by orientation");
+  line.add ("view FILE.html", output.view)
+      .help ("a page that shows the same planes, and points, in a browser");
+  line.add ("floor-plan FILE", output.floor_plan)
+      .help ("write walls, openings, rooms: .dxf, .svg, .geojson, .gpkg");
+  line.add ("plan-height M", output.of_plan.cut_height, from (-1000).upTo (1000))
+      .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
+}
+
+/** \brief Checks the options for files from the list of planes, and completes
+ * PlanesOutput::choice. \throws UsageError */
+void
+finishOutput (const CommandLine& line, PlanesOutput& output)
+{
+  checkExtension ("--planes", output.planes, {".geojson", ".csv", ".json", ".gpkg"});
+  finishChoice (line, output.choice);
+  checkMap (line, output.planes, {output.floor_plan});
+  if (const std::vector<std::string> given = line.givenOf (title_of_choice);
+      !given.empty() && output.files().empty())
     throw UsageError ("--" + given.front(), "is about --planes FILE; give it, too");
-  checkExtension ("--image", planes.image, {".png"});
-  checkExtension ("--view", planes.view, {".html"});
+  checkExtension ("--image", output.image, {".png"});
+  checkExtension ("--view", output.view, {".html"});
   checkExtension (
-      "--floor-plan", planes.floor_plan, {".dxf", ".svg", ".geojson", ".gpkg"});
-  if (line.isGiven ("plan-height") && planes.floor_plan.empty())
+      "--floor-plan", output.floor_plan, {".dxf", ".svg", ".geojson", ".gpkg"});
+  if (line.isGiven ("plan-height") && output.floor_plan.empty())
     throw UsageError ("--plan-height", "is about --floor-plan; give it, too");
 }
 
-/** \brief \return false if --help or --version was answered and nothing is left to do
+/** \return false if it printed --help or --version: nothing is left to do
  * \throws UsageError */
 bool
 readOptions (int argc, const char* const* argv, TilesOptions& options)
@@ -95,25 +115,15 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
       .help ("tiles at a time; 0: one for each processor (1)");
   line.add ("plan FILE", options.plan_file)
       .help ("the plan to follow; written if there is none (DIR/work/plan.json)");
-  line.add ("planes FILE", options.planes.file)
-      .help ("write planes, all or those to keep: .geojson, .gpkg, .csv, .json");
-  line.add ("image FILE.png", options.planes.image)
-      .help ("draw the same planes from above, by plane and by orientation");
-  line.add ("view FILE.html", options.planes.view)
-      .help ("a page that shows the same planes, and points, in a browser");
-  line.add ("floor-plan FILE", options.planes.floor_plan)
-      .help ("write walls, openings, rooms: .dxf, .svg, .geojson, .gpkg");
-  line.add (
-          "plan-height M", options.planes.of_plan.cut_height, from (-1000).upTo (1000))
-      .help ("where --floor-plan cuts the walls, over the lowest floor (1.2)");
+  declareOutput (line, options.output);
   double meter = 1.0;
   declareMeter (line, meter);
-  declareMap (line, options.planes.map);
+  declareMap (line, options.output.map);
   line.add ("dry-run", options.dry_run).help ("print the plan, and do nothing");
   line.add ("quiet", options.quiet).help ("print nothing");
   bool pieces = false;
   line.add ("pieces", pieces).help ("not here: planes.json has parts of planes");
-  declareChoice (line, options.planes.choice);
+  declareChoice (line, options.output.choice);
   if (!line.parse (argc, argv))
     return false;
   if (line.isGiven ("meter"))
@@ -129,14 +139,14 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
                           options.plan_file);
   if (options.output_dir.empty())
     throw UsageError ("--output-dir", "is missing; give a folder for the outputs");
-  checkPlanes (line, options.planes);
+  finishOutput (line, options.output);
   return true;
 }
 
 /** \brief Refuses a path that is not UTF-8, as the JSON of the plan and of planes.json
  * cannot hold it. \throws WorkError */
 void
-checkName (const std::string& file)
+checkIsUtf8 (const std::string& file)
 {
   const fs::path path = fs::absolute (file).lexically_normal();
   const std::pair<fs::path, const char*> parts[] = {
@@ -150,8 +160,9 @@ checkName (const std::string& file)
     }
 }
 
-/** \brief Keeps one name of each file, as its points would count twice through a second
- * name (a link). A file goes before symbolic links to it, whatever the names. */
+/** \brief Keeps one name of each file: with a second name (a link) its points would
+ * count twice. The name of the file is kept rather than that of a symbolic link to it.
+ */
 std::vector<std::string>
 eachFileOnce (std::vector<std::string> names)
 {
@@ -160,13 +171,14 @@ eachFileOnce (std::vector<std::string> names)
   std::stable_partition (names.begin(), names.end(), [&] (const std::string& name) {
     return !fs::is_symlink (name, ignored);
   });
-  std::map<std::pair<dev_t, ino_t>, std::string> seen;
+  using FileId = std::pair<dev_t, ino_t>;
+  std::map<FileId, std::string> name_of_file;
   std::vector<std::string> files;
   for (const std::string& name : names) {
     struct stat status {};
     const bool is_there = ::stat (name.c_str(), &status) == 0;
     const auto [known, is_new] =
-        seen.emplace (std::pair (status.st_dev, status.st_ino), name);
+        name_of_file.emplace (FileId (status.st_dev, status.st_ino), name);
     if (is_there && !is_new)
       warn (name + ": is the same file as " + known->second + "; it is left out");
     else
@@ -182,7 +194,7 @@ inputsOf (const TilesOptions& options)
   if (!found.problems.empty())
     throw WorkError ("INPUT", found.problems.front());
   for (const std::string& file : found.files)
-    checkName (file);
+    checkIsUtf8 (file);
   return eachFileOnce (std::move (found.files));
 }
 
@@ -190,30 +202,32 @@ inputsOf (const TilesOptions& options)
 void
 checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
 {
-  // Key: name of a file. Value: the input written to it, or empty for other files.
-  std::map<std::string, std::string> input_of;
+  // Key: name of a file. Value: the input that is written to it; empty for a file that
+  // is an input or another output.
+  std::map<std::string, std::string> input_of_file;
   for (const PlannedInput& input : plan.inputs)
-    input_of.emplace (resolvedName (input.file), "");
+    input_of_file.emplace (resolvedName (input.file), "");
   checkWritable (folder.output (planes_file));
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     const std::string output = outputOf (plan, folder, i);
     const std::string& input = plan.inputs[i].file;
-    const auto [first, is_new] = input_of.emplace (resolvedName (output), input);
-    if (!is_new && first->second.empty())
+    const auto [known, is_new] = input_of_file.emplace (resolvedName (output), input);
+    const std::string& first_input = known->second;
+    if (!is_new && first_input.empty())
       throw UsageError (output, "is an input, too; give another --output-dir");
     if (!is_new)
-      throw UsageError (first->second + " and " + input,
+      throw UsageError (first_input + " and " + input,
                         "would both be written to " + output + "; rename one");
     checkWritable (output);
   }
-  input_of.emplace (resolvedName (folder.output (planes_file)), "");
-  const auto check_output = [&] (const std::string& option, const std::string& file) {
-    if (!input_of.emplace (resolvedName (file), "").second)
-      throw UsageError (file, "is an input or another output; give another " + option);
-    checkWritable (file);
-  };
-  for (const auto& [option, file] : options.planes.files())
-    check_output (option, file);
+  input_of_file.emplace (resolvedName (folder.output (planes_file)), "");
+  for (const RequestedFile& file : options.output.files()) {
+    const bool is_new = input_of_file.emplace (resolvedName (file.name), "").second;
+    if (!is_new)
+      throw UsageError (file.name,
+                        "is an input or another output; give another " + file.option);
+    checkWritable (file.name);
+  }
 }
 
 std::string
@@ -226,39 +240,78 @@ textOf (const Plan& plan)
       plan.likely_tiles % (plan.likely_tiles == 1 ? "" : "s") % plan.grid.edgeOfTile());
 }
 
+/** \brief Runs the phases of a plan, this rank's share of each. */
 struct TileRun {
   const Plan& plan;
   const RunFolder& folder;
   const TilesOptions& options;
   const Ranks& ranks;
+  /** \brief When the phase began, by the wall clock, and by the processor time of this
+   * rank over all of its threads [s]. */
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  double processor_start = static_cast<double> (std::clock()) / CLOCKS_PER_SEC;
+  double processor_start = processorTime();
+  /** \brief How long each finished phase took, in words. */
   std::string times = {};
 
-  /** \return how long each phase took, in words */
+  /** \brief Processor time of this rank over all of its threads [s]. */
+  static double
+  processorTime ()
+  {
+    return static_cast<double> (std::clock()) / CLOCKS_PER_SEC;
+  }
+
+  /** \return \ref times */
   std::string
   run ()
   {
-    std::vector<std::uint64_t> points_of_input;
-    for (const PlannedInput& input : plan.inputs)
-      points_of_input.push_back (input.points);
-    const auto share_inputs =
-        [&] (const std::string& phase, const auto& is_done, const auto& work) {
-          share (points_of_input, "inputs " + phase, is_done, [&] (std::size_t i) {
-            inMemory (plan.inputs[i].file, "give fewer --jobs", [&] {
-              work (plan, folder, i);
-            });
-          });
-          finish (phase);
-        };
-    const auto is_sorted = [&] (std::size_t i) { return isThere (folder.cells (i)); };
-    share_inputs ("sorted", is_sorted, partitionInput);
+    const bool is_first = ranks.rank == 0;
+    const auto is_sorted = [&] (std::size_t input) {
+      return isThere (folder.cells (input));
+    };
+    shareInputs ("sorted", is_sorted, partitionInput);
     const SortedPoints points (plan, folder);
-    if (ranks.rank == 0 && !isThere (folder.work (run_file::noise)))
+    if (is_first && !isThere (folder.work (run_file::noise)))
       inMemory ("--tile", "give a smaller one", [&] {
         measureSurvey (plan, folder, points);
       });
     finish ("noise measured");
+    shareTiles (points);
+    finish ("planes found");
+    if (is_first && !isThere (folder.work (run_file::list)))
+      joinTiles (plan, folder, points);
+    finish ("joined");
+    const auto is_labeled = [&] (std::size_t input) {
+      return isThere (folder.labeledMark (input)) &&
+             isThere (outputOf (plan, folder, input));
+    };
+    shareInputs ("labelled", is_labeled, labelInput);
+    return times;
+  }
+
+private:
+  using IsDone = std::function<bool (std::size_t)>;
+  using PhaseOfInput = void (const Plan&, const RunFolder&, std::size_t input);
+
+  /** \brief Does this rank's share of a phase of inputs.
+   * \param[in] name of the phase for \ref times and the progress bar */
+  void
+  shareInputs (const std::string& name, const IsDone& is_done, PhaseOfInput* phase)
+  {
+    std::vector<std::uint64_t> points_of_input;
+    for (const PlannedInput& input : plan.inputs)
+      points_of_input.push_back (input.points);
+    share (points_of_input, "inputs " + name, is_done, [&] (std::size_t input) {
+      inMemory (plan.inputs[input].file, "give fewer --jobs", [&] {
+        phase (plan, folder, input);
+      });
+    });
+    finish (name);
+  }
+
+  /** \brief Finds the planes in this rank's share of the tiles. */
+  void
+  shareTiles (const SortedPoints& points)
+  {
     const auto is_found = [&] (std::size_t i) {
       return isThere (folder.ofTile (points.tiles[i], ".planes"));
     };
@@ -267,15 +320,6 @@ struct TileRun {
         detectTile (plan, folder, points, points.tiles[i]);
       });
     });
-    finish ("planes found");
-    if (ranks.rank == 0 && !isThere (folder.work (run_file::list)))
-      joinTiles (plan, folder, points);
-    finish ("joined");
-    const auto is_labelled = [&] (std::size_t i) {
-      return isThere (folder.mark (i)) && isThere (outputOf (plan, folder, i));
-    };
-    share_inputs ("labelled", is_labelled, labelInput);
-    return times;
   }
 
   /** \brief Waits until all ranks have finished a phase, and notes its time. */
@@ -284,8 +328,7 @@ struct TileRun {
   {
     ranks.meet();
     const auto now = std::chrono::steady_clock::now();
-    // CPU time of this rank, over all of its threads.
-    const double processor = static_cast<double> (std::clock()) / CLOCKS_PER_SEC;
+    const double processor = processorTime();
     times += str (boost::format ("%s%s in %.1f s (%.1f of the processor)") %
                   (times.empty() ? "" : ", ") % phase %
                   std::chrono::duration<double> (now - start).count() %
@@ -295,20 +338,23 @@ struct TileRun {
   }
 
   /** \brief Does this rank's share of a phase, without the parts done before.
-   * \param[in] parts amount of work of each part */
+   * \param[in] work_of_part amount of work of each part
+   * \param[in] noun what the progress bar counts
+   * \param[in] is_done whether a part was done before, by its position
+   * \param[in] work does a part, by its position */
   void
-  share (const std::vector<std::uint64_t>& parts,
+  share (const std::vector<std::uint64_t>& work_of_part,
          const std::string& noun,
-         const std::function<bool (std::size_t)>& is_done,
+         const IsDone& is_done,
          const std::function<void (std::size_t)>& work)
   {
-    std::vector<std::size_t> own = shareOf (ranks.rank, ranks.size, parts);
+    std::vector<std::size_t> own = shareOf (ranks.rank, ranks.size, work_of_part);
     own.erase (std::remove_if (own.begin(), own.end(), is_done), own.end());
     const bool is_terminal = ::isatty (STDERR_FILENO) == 1;
+    const bool speaks = ranks.rank == 0 && !options.quiet;
     Progress progress (own.size(),
                        std::cerr,
-                       ranks.rank == 0 && !options.quiet ? progressStyleOf (is_terminal)
-                                                         : ProgressStyle::None,
+                       speaks ? progressStyleOf (is_terminal) : ProgressStyle::None,
                        noun);
     try {
       runInParallel (own.size(), options.jobs, [&] (std::size_t i) {
@@ -331,7 +377,8 @@ isDone (const Plan& plan, const RunFolder& folder)
   for (std::size_t i = 0; i < plan.inputs.size(); ++i)
     if (!isThere (outputOf (plan, folder, i)))
       return false;
-  return isThere (folder.work (run_file::end)) && isThere (folder.output (planes_file));
+  return isThere (folder.work (run_file::end_mark)) &&
+         isThere (folder.output (planes_file));
 }
 
 PlanFile
@@ -341,8 +388,8 @@ planFileOf (const RunFolder& folder)
           "remove its folder or give another --output-dir"};
 }
 
-/** \brief Makes sure that a folder has a plan: its own, that of --plan, or a new one. A
- * folder without a plan first loses what an earlier run left.
+/** \brief Makes sure that a folder has a plan: its own, that of --plan, or a new one.
+ * If the folder has no plan, files that an earlier run left in it are removed first.
  * \throws UsageError or WorkError if a plan does not fit this run, the folder has
  * another plan than --plan, or outputs cannot be written */
 void
@@ -354,29 +401,29 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
           ? own
           : PlanFile{options.plan_file, "remove it or give another --plan"};
   const bool has_own = isThere (own.name);
-  const auto earlier = [&] (const PlanFile& file) {
+  const auto load_earlier = [&] (const PlanFile& file) {
     Plan plan = loadPlan (file);
     checkIsFor (plan, file, inputsOf (options), options.plan);
     return plan;
   };
-  const Plan plan = isThere (named.name) ? earlier (named)
-                    : has_own            ? earlier (own)
+  const Plan plan = isThere (named.name) ? load_earlier (named)
+                    : has_own            ? load_earlier (own)
                                          : makePlan (inputsOf (options), options.plan);
   if (has_own && toText (loadPlan (own)) != toText (plan))
     throw WorkError (own.name, "is another plan than " + named.name + "; " + own.fix);
   checkClashes (plan, folder, options);
   if (!has_own)
-    folder.empty();
-  folder.make();
+    folder.removeEarlierRun();
+  folder.makeFolders();
   for (const PlanFile& file : {named, own})
     if (!isThere (file.name))
       writeTextFile (file.name, toText (plan));
 }
 
-/** \brief Adds to the options the unit of the plan and, if none is given, the reference
- * system of its inputs. */
+/** \brief Returns the options with the unit of the plan and, if none is given, the
+ * reference system of its inputs. */
 PlanesOutput
-outputIn (const Plan& plan, PlanesOutput output)
+withUnitAndCrsOf (const Plan& plan, PlanesOutput output)
 {
   output.of_plan.meter = plan.meter;
   if (output.map.crs.empty())
@@ -384,20 +431,35 @@ outputIn (const Plan& plan, PlanesOutput output)
   return output;
 }
 
-/** \brief Prints times and counts to stdout; what a floor plan has, and warnings, to
- * stderr. */
+/** \brief Prints times and counts to stdout; contents of files, and warnings, to
+ * stderr.
+ */
 void
-say (const std::string& folder, const std::string& times, const PlanesSaid& planes)
+print (const std::string& folder,
+       const std::string& times,
+       const PlaneMessages& messages)
 {
   std::cout << times << folder << ": the labelled inputs and planes.json, "
-            << planes.counts << "\n"
+            << messages.counts << "\n"
             << std::flush;
-  for (const std::string& line : planes.written)
+  for (const std::string& line : messages.file_notes)
     warn (line);
-  WarningLines doubts;
-  doubts.add (folder, planes.warnings);
-  for (const std::string& line : doubts.lines())
+  WarningLines warnings;
+  warnings.add (folder, messages.warnings);
+  for (const std::string& line : warnings.lines())
     warn (line);
+}
+
+/** \brief Creates a folder if it is missing, and locks it.
+ * \throws WorkError if another run has locked it */
+void
+lockFolder (const std::string& folder, std::optional<FolderLock>& lock)
+{
+  makeFolder (folder);
+  if (!lock.emplace (folder).take())
+    throw WorkError (folder,
+                     "another run works in it; wait until it has ended, or give "
+                     "another --output-dir");
 }
 
 /** \brief Runs the program together with all other ranks. Each phase leaves files; a
@@ -419,11 +481,7 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   }
   std::optional<FolderLock> lock;
   if (is_first) {
-    makeFolder (options.output_dir);
-    if (!lock.emplace (options.output_dir).take())
-      throw WorkError (options.output_dir,
-                       "another run works in it; wait until it has ended, or give "
-                       "another --output-dir");
+    lockFolder (options.output_dir, lock);
     preparePlan (options, folder);
   }
   ranks.meet();
@@ -435,18 +493,20 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
       is_done ? "" : TileRun{plan, folder, options, ranks}.run() + "\n";
   if (!is_first)
     return ExitCode::done;
-  const auto points = [&] (const VisitLabelled& visit) {
-    forLabelledPoints (plan, folder, visit);
+  const auto for_each_point = [&] (const VisitLabeledPosition& visit) {
+    forEachLabeledPoint (plan, folder, visit);
   };
   if (!is_done)
     folder.finish ([&] (const std::string& list) {
-      return withWarnings (plan, options.plan.meter.has_value(), list, points);
+      return withWarnings (plan, options.plan.meter.has_value(), list, for_each_point);
     });
-  folder.clean();
-  const PlanesSaid planes = saveChosenPlanes (
-      folder.output (planes_file), points, outputIn (plan, options.planes));
+  folder.removePhaseFiles();
+  const PlaneMessages messages =
+      saveChosenPlanes (folder.output (planes_file),
+                        for_each_point,
+                        withUnitAndCrsOf (plan, options.output));
   if (speaks)
-    say (options.output_dir, times, planes);
+    print (options.output_dir, times, messages);
   return ExitCode::done;
 }
 

@@ -16,42 +16,49 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Folders of the files that phases leave, in the order of the phases. */
+/** \brief Names of the folders in \ref RunFolder::work of the files that phases leave,
+ * in the order of the phases. */
 constexpr const char* folders[] = {"cells", "planes", "labelled"};
 
+/** \brief Size of a word of \ref Checksum [bytes]. */
+constexpr std::size_t word_size = sizeof (std::uint32_t);
+
+/** \brief Reads all points that a tile sees. */
 TilePoints
-pointsOf (const SortedPoints& points, const TileKey& tile)
+pointsSeenBy (const TileKey& tile, const SortedPoints& points)
 {
-  const BlockKey own{tile[0], tile[1], 0};
-  const BlockKey halo{tile[0], tile[1], 1};
-  TilePoints all{tile, {}, {}};
+  const BlockKey own{tile, TilePart::Own};
+  const BlockKey halo{tile, TilePart::Halo};
+  TilePoints seen{tile, {}, {}};
   std::uint64_t count = 0;
-  for (std::size_t i = 0; i < points.files.size(); ++i) {
-    const CellFile& file = points.files[i];
+  for (std::size_t input = 0; input < points.files.size(); ++input) {
+    const CellFile& file = points.files[input];
     count += file.count (own) + file.count (halo);
     if (file.count (own) > 0)
-      all.own_of_input.emplace_back (i, file.count (own));
+      seen.own_of_inputs.push_back (
+          {static_cast<std::uint32_t> (input), file.count (own)});
   }
-  all.points.reserve (count);
+  seen.points.reserve (count);
   for (const BlockKey& key : {own, halo})
     for (const CellFile& file : points.files)
-      file.read (key, all.points);
-  return all;
+      file.read (key, seen.points);
+  return seen;
 }
 
-/** \brief A line with the checksum of a text, padded by spaces to whole words. */
+/** \brief Returns a line with the checksum of a text. For the checksum the text is
+ * padded by one to four spaces to whole words. */
 std::string
-sumOf (const std::string& file, std::string text)
+checksumLine (const std::string& file, std::string text)
 {
-  text.resize ((text.size() / sizeof (std::uint32_t) + 1) * sizeof (std::uint32_t),
-               ' ');
+  text.resize ((text.size() / word_size + 1) * word_size, ' ');
   Checksum sum (file);
   sum.add (text.data(), text.size());
   return std::to_string (sum.value()) + "\n";
 }
 
+/** \brief Writes the number of each piece's plane in planes.json. */
 void
-saveNumbers (const std::string& file, const std::vector<std::uint32_t>& numbers)
+savePlaneNumbers (const std::string& file, const std::vector<std::uint32_t>& numbers)
 {
   writeFile (file, [&] (std::ostream& stream) {
     BinaryWriter write (stream, file);
@@ -76,59 +83,67 @@ checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
 class TileLabels {
 public:
   TileLabels (const RunFolder& folder, const TileKey& tile, std::size_t input)
-  : file_ (folder.labels (tile, input)), sum_ (file_)
+  : file_ (folder.pieceNumbers (tile, input)), sum_ (file_)
   {
     BinaryReader read (folder.ofTile (tile, ".numbers"));
-    read (numbers_);
+    read (plane_of_piece_);
     read.finish();
   }
 
+  /** \brief Returns the label of the next point: the number of its plane, 0 for none.
+   */
   std::uint32_t
   next ()
   {
-    constexpr std::uint64_t most = 4096;
-    if (used_ % most == 0)
-      readPieces (most);
-    if (used_ % most == pieces_.size())
+    const std::uint64_t in_buffer = points_done_ % max_buffer;
+    if (in_buffer == 0)
+      fillBuffer();
+    if (in_buffer == buffer_.size())
       throw WorkError (file_, "has too few labels; remove its folder and run it again");
-    const std::uint32_t piece = pieces_[used_++ % most];
-    if (piece > numbers_.size())
+    ++points_done_;
+    const std::uint32_t piece = buffer_[in_buffer];
+    if (piece > plane_of_piece_.size())
       BinaryReader (file_).fail();
-    return piece == 0 ? 0 : numbers_[piece - 1];
+    return piece == 0 ? 0 : plane_of_piece_[piece - 1];
   }
 
 private:
-  /** \brief Reads at most \p most further piece numbers. After the last ones it checks
+  static constexpr std::uint64_t max_buffer = 4096;
+
+  /** \brief Reads up to max_buffer further piece numbers. After the last one it checks
    * the checksum of the file. */
   void
-  readPieces (std::uint64_t most)
+  fillBuffer ()
   {
+    constexpr std::uint64_t words_of_checksum = sizeof (std::uint64_t) / word_size;
     BinaryReader read (file_);
-    if (read.size < (used_ + 2) * sizeof (std::uint32_t))
+    if (read.size < (points_done_ + words_of_checksum) * word_size)
       read.fail();
-    const std::uint64_t left = read.size / sizeof (std::uint32_t) - 2 - used_;
-    pieces_.resize (std::min (most, left));
-    read.stream.seekg (used_ * sizeof (std::uint32_t));
+    const std::uint64_t left = read.size / word_size - words_of_checksum - points_done_;
+    buffer_.resize (std::min (max_buffer, left));
+    read.stream.seekg (points_done_ * word_size);
     read.sum = sum_;
-    read (pieces_.data(), pieces_.size());
+    read (buffer_.data(), buffer_.size());
     sum_ = read.sum;
-    if (pieces_.size() == left)
+    if (buffer_.size() == left)
       read.finish();
   }
 
   std::string file_;
   /** \brief Checksum of the piece numbers read so far. */
   Checksum sum_;
-  /** \brief The plane of each piece of the tile. */
-  std::vector<std::uint32_t> numbers_;
-  std::vector<std::uint32_t> pieces_;
-  std::uint64_t used_ = 0;
+  /** \brief Number of the plane of each piece of the tile. */
+  std::vector<std::uint32_t> plane_of_piece_;
+  /** \brief Piece numbers of some successive points: from 1 on, 0 for no piece. */
+  std::vector<std::uint32_t> buffer_;
+  /** \brief Number of points whose labels were returned. */
+  std::uint64_t points_done_ = 0;
 };
 
 } // namespace
 
 void
-RunFolder::make() const
+RunFolder::makeFolders() const
 {
   makeFolder (outputs);
   for (const char* folder : folders)
@@ -136,12 +151,12 @@ RunFolder::make() const
 }
 
 void
-RunFolder::empty() const
+RunFolder::removeEarlierRun() const
 {
   std::error_code error;
-  fs::remove (work (run_file::end), error);
+  fs::remove (work (run_file::end_mark), error);
   if (!error)
-    error = clean();
+    error = removePhaseFiles();
   if (error)
     throw WorkError (output ("work"),
                      "cannot be emptied (" + error.message() +
@@ -149,7 +164,7 @@ RunFolder::empty() const
 }
 
 std::error_code
-RunFolder::clean() const
+RunFolder::removePhaseFiles() const
 {
   std::error_code error;
   for (const char* folder : folders)
@@ -159,17 +174,19 @@ RunFolder::clean() const
 }
 
 void
-RunFolder::finish (const std::function<std::string (const std::string&)>& amended) const
+RunFolder::finish (
+    const std::function<std::string (const std::string&)>& with_warnings) const
 {
   const std::string file = work (run_file::list);
   std::string list = readTextFile (file, "planes.json");
-  const std::size_t end = list.rfind ('\n', list.size() - 2) + 1; // begin of its sum
-  if (list.size() < 2 || list.substr (end) != sumOf (file, list.substr (0, end)))
+  const std::size_t size = list.rfind ('\n', list.size() - 2) + 1; // without checksum
+  if (list.size() < 2 ||
+      list.substr (size) != checksumLine (file, list.substr (0, size)))
     BinaryReader (file).fail();
-  list.resize (end);
+  list.resize (size);
   // Writes a string: a stream copied into a stream does not report a full disk.
-  writeTextFile (output (planes_file), amended (list));
-  writeTextFile (work (run_file::end), "");
+  writeTextFile (output (planes_file), with_warnings (list));
+  writeTextFile (work (run_file::end_mark), "");
 }
 
 void
@@ -179,16 +196,17 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
   PointFile points (plan.inputs[input].file);
   writeFile (folder.cells (input), [&] (std::ostream& stream) {
     CellFileWriter writer (stream, folder.cells (input));
-    points.forPlaces ([&] (const Eigen::Vector3d& place) {
-      if (!grid.reaches (place))
+    points.forPositions ([&] (const Eigen::Vector3d& point) {
+      if (!grid.reaches (point))
         return;
-      const auto add = [&] (const TileKey& tile, bool is_halo) {
-        const Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (tile));
-        writer.add ({tile[0], tile[1], is_halo}, (place - corner).cast<float>());
+      const auto add = [&] (const TileKey& tile, TilePart part) {
+        const Eigen::Vector3d origin = grid.cornerOf (grid.frameOf (tile));
+        writer.add ({tile, part}, (point - origin).cast<float>());
       };
-      const CellKey cell = grid.cellOf (place);
-      add (grid.tileOf (cell), false);
-      grid.forTilesAround (cell, [&] (const TileKey& tile) { add (tile, true); });
+      const CellKey cell = grid.cellOf (point);
+      add (grid.tileOf (cell), TilePart::Own);
+      grid.forTilesAround (cell,
+                           [&] (const TileKey& tile) { add (tile, TilePart::Halo); });
     });
     writer.finish();
     checkIsAsPlanned (plan.inputs[input], folder);
@@ -197,14 +215,14 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 
 SortedPoints::SortedPoints (const Plan& plan, const RunFolder& folder)
 {
-  std::map<TileKey, std::uint64_t> points;
-  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-    files.emplace_back (folder.cells (i));
-    for (const auto& [key, blocks] : files.back().blocks)
-      if (key[2] == 0)
-        points[{key[0], key[1]}] += files.back().count (key);
+  std::map<TileKey, std::uint64_t> own_points;
+  for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
+    const CellFile& file = files.emplace_back (folder.cells (input));
+    for (const auto& [key, blocks] : file.blocks)
+      if (key.part == TilePart::Own)
+        own_points[key.tile] += file.count (key);
   }
-  for (const auto& [tile, count] : points) {
+  for (const auto& [tile, count] : own_points) {
     tiles.push_back (tile);
     points_of_tile.push_back (count);
   }
@@ -215,16 +233,17 @@ measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& po
 {
   if (points.tiles.size() < 2 || plan.is_on_voxels)
     return;
-  std::vector<TileKey> telling;
-  for (const std::size_t tile : tilesThatTell (points.points_of_tile))
-    telling.push_back (points.tiles[tile]);
+  std::vector<TileKey> measured_tiles;
+  for (const std::size_t tile : tilesToMeasure (points.points_of_tile))
+    measured_tiles.push_back (points.tiles[tile]);
   const auto points_of = [&] (const TileKey& tile) {
     std::vector<Eigen::Vector3f> own;
     for (const CellFile& file : points.files)
-      file.read ({tile[0], tile[1], 0}, own);
+      file.read ({tile, TilePart::Own}, own);
     return own;
   };
-  saveNoise (folder.work (run_file::noise), noiseOfSurvey (plan, telling, points_of));
+  saveNoise (folder.work (run_file::noise),
+             noiseOfSurvey (plan, measured_tiles, points_of));
 }
 
 void
@@ -233,20 +252,20 @@ detectTile (const Plan& plan,
             const SortedPoints& points,
             const TileKey& tile)
 {
-  const TilePoints seen = pointsOf (points, tile);
+  const TilePoints seen = pointsSeenBy (tile, points);
   std::optional<CloudNoise> noise;
   if (const std::string file = folder.work (run_file::noise); isThere (file))
     noise = loadNoise (file);
   const TileDetection found = detectInTile (plan, noise, seen);
-  const std::uint32_t* labels = found.labels.data();
-  for (const auto& [input, count] : seen.own_of_input) {
-    const std::string file = folder.labels (tile, input);
-    writeFile (file, [&, count = count] (std::ostream& stream) {
+  const std::uint32_t* of_input = found.piece_numbers.data();
+  for (const OwnPoints& own : seen.own_of_inputs) {
+    const std::string file = folder.pieceNumbers (tile, own.input);
+    writeFile (file, [&] (std::ostream& stream) {
       BinaryWriter write (stream, file);
-      write (labels, count);
+      write (of_input, own.count);
       write.finish();
     });
-    labels += count;
+    of_input += own.count;
   }
   saveTilePlanes (folder.ofTile (tile, ".planes"), found.planes);
 }
@@ -259,33 +278,33 @@ joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points
     return loadTilePlanes (folder.ofTile (tile, ".planes"));
   });
   for (std::size_t i = 0; i < tiles.size(); ++i)
-    saveNumbers (folder.ofTile (tiles[i], ".numbers"), joined.numbers[i]);
+    savePlaneNumbers (folder.ofTile (tiles[i], ".numbers"), joined.numbers[i]);
   const std::string list = toJson (plan, tiles.size(), joined.planes);
-  writeTextFile (folder.work (run_file::list),
-                 list + sumOf (folder.work (run_file::list), list));
+  const std::string file = folder.work (run_file::list);
+  writeTextFile (file, list + checksumLine (file, list));
 }
 
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
   const TileGrid& grid = plan.grid;
-  std::map<TileKey, TileLabels> tiles;
-  auto last = tiles.end();
+  std::map<TileKey, TileLabels> labels_of_tiles;
+  auto last = labels_of_tiles.end(); // the next point is mostly in the same tile
   checkIsAsPlanned (plan.inputs[input], folder);
   PointFile points (plan.inputs[input].file);
   const std::string output = outputOf (plan, folder, input);
-  points.saveLabelled (output, [&] (const Eigen::Vector3d& place) -> std::uint32_t {
-    if (!grid.reaches (place))
+  points.saveLabeled (output, [&] (const Eigen::Vector3d& point) -> std::uint32_t {
+    if (!grid.reaches (point))
       return 0;
-    const TileKey tile = grid.tileOf (grid.cellOf (place));
-    if (last == tiles.end() || last->first != tile)
-      last = tiles.try_emplace (tile, folder, tile, input).first;
+    const TileKey tile = grid.tileOf (grid.cellOf (point));
+    if (last == labels_of_tiles.end() || last->first != tile)
+      last = labels_of_tiles.try_emplace (tile, folder, tile, input).first;
     return last->second.next();
   });
   if (hasChanged (plan.inputs[input]))
     fs::remove (output);
   checkIsAsPlanned (plan.inputs[input], folder);
-  writeTextFile (folder.mark (input), "");
+  writeTextFile (folder.labeledMark (input), "");
 }
 
 std::string
@@ -297,9 +316,9 @@ outputOf (const Plan& plan, const RunFolder& folder, std::size_t input)
 }
 
 void
-forLabelledPoints (const Plan& plan,
-                   const RunFolder& folder,
-                   const VisitLabelled& visit)
+forEachLabeledPoint (const Plan& plan,
+                     const RunFolder& folder,
+                     const VisitLabeledPosition& visit)
 {
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     stopIfInterrupted();

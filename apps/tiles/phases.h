@@ -12,19 +12,27 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Names for \ref RunFolder::work: the plan of the run, the list of planes
- * before it becomes planes.json, the survey's noise, and the mark of a finished run. */
+/** \brief Names of files in \ref RunFolder::work. */
 namespace run_file {
-inline constexpr const char *plan = "plan.json", *list = "planes/planes.json",
-                            *noise = "planes/noise", *end = "done";
+inline constexpr const char* plan = "plan.json";
+/** \brief The list of planes before it becomes planes.json, with a checksum. */
+inline constexpr const char* list = "planes/planes.json";
+/** \brief The noise of the survey. */
+inline constexpr const char* noise = "planes/noise";
+/** \brief An empty file that marks a finished run. */
+inline constexpr const char* end_mark = "done";
 } // namespace run_file
 
+/** \brief Name of the list of planes among the outputs. */
 inline constexpr const char* planes_file = "planes.json";
 
-/** \brief Paths of the outputs of a run and of the files its phases leave. */
+/** \brief Paths of the outputs of a run and of the files its phases leave. Inputs are
+ * given by their positions in \ref Plan::inputs. */
 struct RunFolder {
+  /** \brief The folder of --output-dir. */
   std::string outputs;
 
+  /** \brief Path of an output. */
   std::string
   output (const std::string& name) const
   {
@@ -38,14 +46,16 @@ struct RunFolder {
     return output ("work/" + name);
   }
 
+  /** \brief Path of the points of an input, sorted by tiles (\ref CellFileWriter). */
   std::string
   cells (std::size_t input) const
   {
     return work ("cells/" + std::to_string (input) + ".cells");
   }
 
-  /** \param[in] extension .planes for the pieces of a tile; .numbers for the number of
-   * each piece's plane in planes.json; or that of \ref labels */
+  /** \brief Path of a file about a tile.
+   * \param[in] extension .planes for its \ref TilePlanes; .numbers for the number of
+   * each piece's plane in planes.json; or that of \ref pieceNumbers */
   std::string
   ofTile (const TileKey& tile, const std::string& extension) const
   {
@@ -53,40 +63,43 @@ struct RunFolder {
                  extension);
   }
 
-  /** \brief Path of the labels of a tile's own points of one input, in the order of the
-   * points. */
+  /** \brief Path of the piece numbers (TileDetection::piece_numbers) of a tile's own
+   * points of one input, in the order of the points. */
   std::string
-  labels (const TileKey& tile, std::size_t input) const
+  pieceNumbers (const TileKey& tile, std::size_t input) const
   {
     return ofTile (tile, "." + std::to_string (input) + ".labels");
   }
 
+  /** \brief Path of an empty file that marks an input whose output is written. */
   std::string
-  mark (std::size_t input) const
+  labeledMark (std::size_t input) const
   {
     return work ("labelled/" + std::to_string (input));
   }
 
   /** \brief Makes the folders that are missing. \throws WorkError */
   void
-  make () const;
+  makeFolders () const;
 
   /** \brief Removes the files of all phases and the mark of a finished run, but not the
    * plan. \throws WorkError */
   void
-  empty () const;
+  removeEarlierRun () const;
 
   /** \brief Removes the files of all phases, but neither the plan nor the mark of a
    * finished run. \return the first error */
   std::error_code
-  clean () const;
+  removePhaseFiles () const;
 
   /** \brief Writes planes.json and the mark of a finished run, as the last phase.
-   * \param[in] amended makes the text of planes.json from the list of planes */
+   * \param[in] with_warnings returns the text of the list of planes with warnings added
+   */
   void
-  finish (const std::function<std::string (const std::string&)>& amended) const;
+  finish (const std::function<std::string (const std::string&)>& with_warnings) const;
 };
 
+/** \brief Whether a file or folder exists. */
 inline bool
 isThere (const std::string& file)
 {
@@ -94,15 +107,18 @@ isThere (const std::string& file)
   return std::filesystem::exists (file, error);
 }
 
+/** \brief First phase, for each input: sorts its points by the tiles that see them. */
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 
+/** \brief The points of all inputs as \ref partitionInput has sorted them. */
 struct SortedPoints {
+  /** \brief Reads the indexes of the files, but no points. */
   SortedPoints (const Plan& plan, const RunFolder& folder);
 
   /** \brief One for each input. */
   std::vector<CellFile> files;
-  /** \brief All tiles with own points, sorted, and the number of own points of each. */
+  /** \brief All tiles with own points in ascending order, and how many each has. */
   std::vector<TileKey> tiles;
   std::vector<std::uint64_t> points_of_tile;
 };
@@ -112,26 +128,32 @@ struct SortedPoints {
 void
 measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
+/** \brief Phase for each tile: finds the planes of the points that it sees, and writes
+ * its pieces of planes and the piece numbers of its own points. */
 void
 detectTile (const Plan& plan,
             const RunFolder& folder,
             const SortedPoints& points,
             const TileKey& tile);
 
+/** \brief Phase for the whole survey: joins the pieces of all tiles to planes, and
+ * writes the list of planes and the plane of each piece. */
 void
 joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
+/** \brief Phase for each input: writes it with the labels of its points. */
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 
+/** \brief Path of the labeled copy of an input. */
 std::string
 outputOf (const Plan& plan, const RunFolder& folder, std::size_t input);
 
 /** \brief Visits all points of the outputs of a finished run, with their labels.
  * \throws WorkError if an output cannot be read or has no labels */
 void
-forLabelledPoints (const Plan& plan,
-                   const RunFolder& folder,
-                   const VisitLabelled& visit);
+forEachLabeledPoint (const Plan& plan,
+                     const RunFolder& folder,
+                     const VisitLabeledPosition& visit);
 
 } // namespace pcl_ops::apps

@@ -24,19 +24,21 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Version of the files that phases leave for each other: one more with each
- * change. */
-constexpr int format_of_files = 6;
+/** \brief Version of the format of all files that phases leave for each other: one more
+ * with each change. */
+constexpr int format_version = 6;
 
+/** \brief Returns path, size and time of a file as they are now, but no number of
+ * points. */
 PlannedInput
-stateOf (const std::string& file)
+currentState (const std::string& file)
 {
   PlannedInput input;
   std::error_code error;
   input.file = fs::absolute (file).lexically_normal().string();
   input.bytes = fs::file_size (file, error);
   if (!error)
-    input.written = fs::last_write_time (file, error).time_since_epoch().count();
+    input.changed_at = fs::last_write_time (file, error).time_since_epoch().count();
   return input;
 }
 
@@ -46,7 +48,7 @@ isEmptyLas (const std::string& file)
   std::error_code error;
   if (!isLasName (file) || !fs::is_regular_file (file, error))
     return false;
-  HeaderReader reader (file, "LAS");
+  FileReader reader (file, "LAS");
   return readLasHeader (reader).pointCount() == 0;
 }
 
@@ -61,17 +63,19 @@ sorted (std::vector<std::string> files)
   return files;
 }
 
+/** \brief Returns the number of cells along an edge of a tile.
+ * \throws UsageError if the given tile is too small or too large */
 std::int64_t
-cellsOfTile (const PlanOptions& options, double cell)
+cellsOfTile (const PlanOptions& options, double cell_edge)
 {
   // A tile has half a million points at the usual density, and needs some 500 MB; on
   // voxels it has 2 million, and needs some 300 MB.
-  constexpr std::int64_t usual = 128;
-  constexpr std::int64_t usual_on_voxels = 256;
+  constexpr std::int64_t default_cells = 128;
+  constexpr std::int64_t default_on_voxels = 256;
   if (!options.tile)
-    return options.voxel_size ? usual_on_voxels : usual;
-  constexpr auto step = TileGrid::cells_of_coarsest;
-  const double cells = step * std::round (*options.tile / (step * cell));
+    return options.voxel_size ? default_on_voxels : default_cells;
+  constexpr std::int64_t step = TileGrid::cells_of_coarsest;
+  const double cells = step * std::round (*options.tile / (step * cell_edge));
   if (cells < double (TileGrid::halo))
     throw UsageError ("--tile",
                       "is less than " + std::to_string (TileGrid::halo) +
@@ -84,18 +88,18 @@ cellsOfTile (const PlanOptions& options, double cell)
 }
 
 /** \brief Refuses cells so small that \ref TileGrid::reach leaves out more than a tenth
- * of an input's places. \throws UsageError */
+ * of the sampled points of an input. \throws UsageError */
 void
 checkReach (const TileGrid& grid,
             const std::string& file,
-            const std::vector<Eigen::Vector3d>& places)
+            const std::vector<Eigen::Vector3d>& points)
 {
-  constexpr double min_reached = 0.9;
-  const auto reached =
-      std::count_if (places.begin(), places.end(), [&grid] (const auto& place) {
-        return grid.reaches (place);
+  constexpr double min_reached_share = 0.9;
+  const auto reached = std::count_if (
+      points.begin(), points.end(), [&grid] (const Eigen::Vector3d& point) {
+        return grid.reaches (point);
       });
-  if (double (reached) >= min_reached * double (places.size()))
+  if (double (reached) >= min_reached_share * double (points.size()))
     return;
   throw UsageError ("--voxel-size",
                     str (boost::format ("voxels of %g reach %g from zero, and %s has "
@@ -103,61 +107,67 @@ checkReach (const TileGrid& grid,
                          grid.edge % grid.reach() % file));
 }
 
-/** \return edge of a cell by \ref voxelSizeFor [m]; 0 if most places coincide */
+/** \brief Returns the edge of a cell by \ref voxelSizeFor [m]; 0 if most points of the
+ * sample coincide. For the parameters see \ref cellEdgeFor. */
 double
-unroundedEdgeFor (const std::vector<Eigen::Vector3d>& places,
-                  const Eigen::Vector3d& zero,
-                  std::uint64_t points)
+unroundedCellEdgeFor (const std::vector<Eigen::Vector3d>& sample,
+                      const Eigen::Vector3d& local_origin,
+                      std::uint64_t points)
 {
   constexpr double points_of_cell = 20.0;
-  pcl::PointCloud<pcl::PointXYZ> near_zero;
-  near_zero.resize (places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    near_zero[i].getVector3fMap() = (places[i] - zero).cast<float>();
-  return voxelSizeFor (CloudView (near_zero), std::max (1.0, points / points_of_cell));
+  pcl::PointCloud<pcl::PointXYZ> local_sample;
+  local_sample.resize (sample.size());
+  for (std::size_t i = 0; i < sample.size(); ++i)
+    local_sample[i].getVector3fMap() = (sample[i] - local_origin).cast<float>();
+  const double wanted_cells = std::max (1.0, points / points_of_cell);
+  return voxelSizeFor (CloudView (local_sample), wanted_cells);
 }
 
-/** \brief Edge of a cell with about 20 points where it crosses a surface [m], rounded
- * to two digits. It follows from the density of the points, not from their number.
- * Measured on simulated surveys: larger cells miss planes, smaller ones cost more.
- * \param[in] places an even sample of the points; most of them may coincide
- * \param[in] zero a place near most of them */
+/** \brief Returns the edge of a cell with about 20 points where it crosses a surface
+ * [m], rounded to two digits. It follows from the density of the points, not from their
+ * number. Measured on simulated surveys: larger cells miss planes, smaller ones cost
+ * more.
+ * \param[in] sample an even sample of the points; most of them may coincide
+ * \param[in] local_origin a position near most of them
+ * \param[in] points number of all points */
 double
-cellEdgeFor (std::vector<Eigen::Vector3d> places,
-             const Eigen::Vector3d& zero,
+cellEdgeFor (std::vector<Eigen::Vector3d> sample,
+             const Eigen::Vector3d& local_origin,
              std::uint64_t points)
 {
-  double edge = unroundedEdgeFor (places, zero, points);
+  double edge = unroundedCellEdgeFor (sample, local_origin, points);
   if (!(edge > 0.0)) {
-    // Most places coincide: each counts once instead.
-    std::sort (places.begin(), places.end(), [] (const auto& a, const auto& b) {
+    // Most points coincide: equal points count once instead.
+    std::sort (sample.begin(), sample.end(), [] (const auto& a, const auto& b) {
       return std::lexicographical_compare (
           a.data(), a.data() + 3, b.data(), b.data() + 3);
     });
-    places.erase (std::unique (places.begin(), places.end()), places.end());
-    edge = unroundedEdgeFor (places, zero, points);
+    sample.erase (std::unique (sample.begin(), sample.end()), sample.end());
+    edge = unroundedCellEdgeFor (sample, local_origin, points);
   }
   if (!(edge > 0.0))
     throw WorkError ("INPUT", "has its points at one place; give --voxel-size");
-  const double digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);
-  return std::round (edge / digit) * digit;
+  const double second_digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);
+  return std::round (edge / second_digit) * second_digit;
 }
 
-struct Sample {
+struct InputSample {
   PlannedInput input;
-  std::vector<Eigen::Vector3d> some_places;
-  /** \brief A place near most points; set for the first input only. */
-  Eigen::Vector3d usual = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> points;
+  /** \brief A position near most points; set for the first input only. */
+  Eigen::Vector3d local_origin = Eigen::Vector3d::Zero();
 };
 
-std::vector<Sample>
-lookAt (const std::vector<std::string>& files)
+/** \brief Samples the points of all files that have points.
+ * \throws WorkError if a file cannot be read or labels cannot be added to it */
+std::vector<InputSample>
+sampleInputs (const std::vector<std::string>& files)
 {
-  constexpr std::size_t most = 16384;
-  constexpr std::size_t fewest = 64;
-  const std::size_t wanted =
-      std::max (fewest, most / std::max<std::size_t> (1, files.size()));
-  std::vector<Sample> samples;
+  constexpr std::size_t usual_sample_size = 16384; // of all files together
+  constexpr std::size_t min_of_file = 64;
+  const std::size_t max_of_file = std::max (
+      min_of_file, usual_sample_size / std::max<std::size_t> (1, files.size()));
+  std::vector<InputSample> samples;
   for (const std::string& file : files) {
     if (isEmptyLas (file)) {
       warn (file + ": has no points; it is left out");
@@ -167,11 +177,12 @@ lookAt (const std::vector<std::string>& files)
     const std::string problem = points.las ? points.las->validate ({label_field}) : "";
     if (!problem.empty())
       throw WorkError (file, problem);
-    const auto place = [&points] (std::uint64_t i) { return points.place (i); };
-    Sample sample{stateOf (file), somePlaces (points.size(), place, wanted)};
+    const auto position = [&points] (std::uint64_t i) { return points.position (i); };
+    InputSample sample{currentState (file),
+                       somePositions (points.size(), position, max_of_file)};
     sample.input.points = points.size();
     if (samples.empty())
-      sample.usual = localOrigin (points.size(), place);
+      sample.local_origin = localOrigin (points.size(), position);
     samples.push_back (std::move (sample));
   }
   return samples;
@@ -179,40 +190,53 @@ lookAt (const std::vector<std::string>& files)
 
 /** \brief Joins the samples of all inputs, thinned to the same share of the points. */
 std::vector<Eigen::Vector3d>
-evenSample (const std::vector<Sample>& samples)
+evenSample (const std::vector<InputSample>& samples)
 {
   // The input with the smallest share of its points in its sample limits all.
-  double per_point = 1.0;
-  for (const auto& [input, places, usual] : samples)
-    per_point = std::min (per_point, places.size() / double (input.points));
+  double share = 1.0;
+  for (const InputSample& sample : samples)
+    share = std::min (share, sample.points.size() / double (sample.input.points));
   std::vector<Eigen::Vector3d> even;
-  for (const auto& [input, places, usual] : samples) {
-    const double wanted = std::ceil (per_point * double (input.points));
-    const std::size_t count = std::min (std::size_t (wanted), places.size());
+  for (const InputSample& sample : samples) {
+    const std::size_t size = sample.points.size();
+    const double wanted = std::ceil (share * double (sample.input.points));
+    const std::size_t count = std::min (std::size_t (wanted), size);
     for (std::size_t k = 0; k < count; ++k)
-      even.push_back (places[k * places.size() / count]);
+      even.push_back (sample.points[k * size / count]);
   }
   return even;
 }
 
-/** \brief What \p say reads from the reference system of every input; nothing if the
- * results differ, or an input is missing or no .las. */
-template <typename Said>
-std::optional<Said>
-commonToLas (const std::vector<PlannedInput>& inputs, Said (*say) (LasFile&))
+/** \brief Reads a value from the reference system of every input. Returns nothing if
+ * the values differ, or if an input is missing or no .las. */
+template <typename Value>
+std::optional<Value>
+commonToLas (const std::vector<PlannedInput>& inputs, Value (*read) (LasFile&))
 {
-  std::optional<Said> common;
+  std::optional<Value> common;
   for (const PlannedInput& input : inputs) {
-    // Inputs of a run that is done may be gone.
+    // The inputs of a finished run may have been removed.
     if (!isLasName (input.file) || !fs::exists (input.file))
       return std::nullopt;
     LasFile las (input.file);
-    const Said said = say (las);
-    if (common && *common != said)
+    const Value value = read (las);
+    if (common && *common != value)
       return std::nullopt;
-    common = said;
+    common = value;
   }
   return common;
+}
+
+/** \brief Whether the grid and the unit of a plan that was read are in their ranges. */
+bool
+isInRange (const Plan& plan)
+{
+  const TileGrid& grid = plan.grid;
+  const bool is_edge_valid = grid.edge > 0.0 && std::isfinite (grid.edge);
+  const bool is_tile_valid = grid.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
+                             grid.cells_of_tile >= TileGrid::halo &&
+                             grid.cells_of_tile <= TileGrid::max_cells;
+  return is_edge_valid && is_tile_valid && plan.meter > 0.0;
 }
 
 } // namespace
@@ -220,36 +244,38 @@ commonToLas (const std::vector<PlannedInput>& inputs, Said (*say) (LasFile&))
 bool
 hasChanged (const PlannedInput& input)
 {
-  const PlannedInput now = stateOf (input.file);
-  return input.bytes != now.bytes || input.written != now.written;
+  const PlannedInput now = currentState (input.file);
+  return input.bytes != now.bytes || input.changed_at != now.changed_at;
 }
 
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options)
 {
-  const std::vector<Sample> samples = lookAt (sorted (std::move (files)));
+  const std::vector<InputSample> samples = sampleInputs (sorted (std::move (files)));
   if (samples.empty())
     throw WorkError ("INPUT", "has no points in any file; give clouds that have");
-  const std::vector<Eigen::Vector3d> some = evenSample (samples);
-  const Eigen::Vector3d usual = samples.front().usual;
+  const std::vector<Eigen::Vector3d> even_sample = evenSample (samples);
+  const Eigen::Vector3d local_origin = samples.front().local_origin;
   Plan plan;
-  for (const Sample& sample : samples)
+  for (const InputSample& sample : samples)
     plan.inputs.push_back (sample.input);
   TileGrid& grid = plan.grid;
-  grid.edge = options.voxel_size ? *options.voxel_size
-                                 : cellEdgeFor (some, usual, plan.points());
+  grid.edge = options.voxel_size
+                  ? *options.voxel_size
+                  : cellEdgeFor (even_sample, local_origin, plan.points());
   plan.is_on_voxels = options.voxel_size.has_value();
   grid.cells_of_tile = cellsOfTile (options, grid.edge);
-  for (const Sample& sample : samples)
-    checkReach (grid, sample.input.file, sample.some_places);
-  checkReach (grid, plan.inputs.front().file, {usual});
-  constexpr auto step = TileGrid::cells_of_coarsest;
+  for (const InputSample& sample : samples)
+    checkReach (grid, sample.input.file, sample.points);
+  checkReach (grid, plan.inputs.front().file, {local_origin});
+  constexpr std::int64_t step = TileGrid::cells_of_coarsest;
   for (int axis = 0; axis < 3; ++axis)
-    grid.place[axis] = step * std::llround (usual[axis] / (step * grid.edge));
+    grid.cell_near_points[axis] =
+        step * std::llround (local_origin[axis] / (step * grid.edge));
   std::set<TileKey> tiles;
-  for (const Eigen::Vector3d& place : some)
-    if (grid.reaches (place))
-      tiles.insert (grid.tileOf (grid.cellOf (place)));
+  for (const Eigen::Vector3d& point : even_sample)
+    if (grid.reaches (point))
+      tiles.insert (grid.tileOf (grid.cellOf (point)));
   plan.likely_tiles = tiles.size();
   plan.meter = options.meter ? *options.meter
                              : commonToLas (plan.inputs, unitsInMeter).value_or (1.0);
@@ -265,17 +291,17 @@ commonCrs (const Plan& plan)
 std::string
 toText (const Plan& plan)
 {
-  nlohmann::ordered_json json = {{"format", format_of_files},
+  nlohmann::ordered_json json = {{"format", format_version},
                                  {"cell", plan.grid.edge},
                                  {"cells_of_tile", plan.grid.cells_of_tile},
-                                 {"place", plan.grid.place},
+                                 {"place", plan.grid.cell_near_points},
                                  {"likely_tiles", plan.likely_tiles},
                                  {"is_on_voxels", plan.is_on_voxels},
                                  {"meter", plan.meter}};
   for (const PlannedInput& input : plan.inputs)
     json["inputs"].push_back ({{"file", input.file},
                                {"bytes", input.bytes},
-                               {"written", input.written},
+                               {"written", input.changed_at},
                                {"points", input.points}});
   return jsonText (json);
 }
@@ -288,13 +314,13 @@ loadPlan (const PlanFile& file)
     std::ifstream stream (fs::is_directory (file.name) ? "" : file.name);
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
-    if (json.value ("format", 1) != format_of_files)
+    if (json.value ("format", 1) != format_version)
       throw WorkError (file.name,
                        "is the plan of another version of this program; " + file.fix);
     TileGrid& grid = plan.grid;
     json.at ("cell").get_to (grid.edge);
     json.at ("cells_of_tile").get_to (grid.cells_of_tile);
-    json.at ("place").get_to (grid.place);
+    json.at ("place").get_to (grid.cell_near_points);
     json.at ("likely_tiles").get_to (plan.likely_tiles);
     json.at ("is_on_voxels").get_to (plan.is_on_voxels);
     json.at ("meter").get_to (plan.meter);
@@ -303,14 +329,11 @@ loadPlan (const PlanFile& file)
                               input.at ("bytes"),
                               input.at ("written"),
                               input.at ("points")});
-    if (grid.edge > 0.0 && std::isfinite (grid.edge) && plan.meter > 0.0 &&
-        grid.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
-        grid.cells_of_tile >= TileGrid::halo &&
-        grid.cells_of_tile <= TileGrid::max_cells)
+    if (isInRange (plan))
       return plan;
   }
   catch (const nlohmann::json::exception&) {
-    // the error is thrown below
+    // The error is thrown below.
   }
   throw WorkError (file.name, "is no plan; " + file.fix);
 }
@@ -325,24 +348,24 @@ checkIsFor (const Plan& plan,
     throw WorkError (file.name,
                      "is the plan of another run (" + reason + "); " + file.fix);
   };
-  std::size_t known = 0;
+  std::size_t inputs_in_plan = 0;
   for (const std::string& input : sorted (std::move (inputs))) {
-    const std::string name = stateOf (input).file;
+    const std::string path = currentState (input).file;
     const auto planned =
-        std::find_if (plan.inputs.begin(), plan.inputs.end(), [&] (const auto& other) {
-          return other.file == name;
-        });
+        std::find_if (plan.inputs.begin(),
+                      plan.inputs.end(),
+                      [&] (const PlannedInput& other) { return other.file == path; });
     if (planned == plan.inputs.end() && isEmptyLas (input))
       continue;
     if (planned == plan.inputs.end())
       refuse (input + " is not in it");
     if (hasChanged (*planned))
       refuse (input + " has changed");
-    ++known;
+    ++inputs_in_plan;
   }
-  if (known < plan.inputs.size())
+  if (inputs_in_plan < plan.inputs.size())
     refuse ("it has " + std::to_string (plan.inputs.size()) + " inputs, not " +
-            std::to_string (known));
+            std::to_string (inputs_in_plan));
   if (options.voxel_size && *options.voxel_size != plan.grid.edge)
     refuse ("--voxel-size was another one");
   if (options.tile && cellsOfTile (options, plan.grid.edge) != plan.grid.cells_of_tile)

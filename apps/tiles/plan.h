@@ -12,13 +12,15 @@ namespace pcl_ops::apps {
 
 /** \brief A file of points as it was when the plan was made. */
 struct PlannedInput {
+  /** \brief Absolute path. */
   std::string file;
   std::uint64_t bytes = 0;
-  /** \brief Time of the last change [ns]. */
-  std::int64_t written = 0;
+  /** \brief Time of the last change of the file [ns]. */
+  std::int64_t changed_at = 0;
   std::uint64_t points = 0;
 };
 
+/** \brief Whether the file of an input has another size or time than in the plan. */
 bool
 hasChanged (const PlannedInput& input);
 
@@ -26,8 +28,10 @@ hasChanged (const PlannedInput& input);
 struct Plan {
   /** \brief Sorted by file name. */
   std::vector<PlannedInput> inputs;
-  /** \brief Its \ref TileGrid::place is near most points of the first input. */
+  /** \brief Its \ref TileGrid::cell_near_points is near most points of the first input.
+   */
   TileGrid grid;
+  /** \brief Number of tiles that have points of the sample. */
   std::uint64_t likely_tiles = 0;
   /** \brief Whether planes are found on voxels, because --voxel-size was given. */
   bool is_on_voxels = false;
@@ -35,6 +39,7 @@ struct Plan {
    * plans. */
   double meter = 1.0;
 
+  /** \brief Returns the number of points of all inputs. */
   std::uint64_t
   points () const
   {
@@ -48,42 +53,44 @@ struct Plan {
 /** \brief The file of a plan, which need not exist yet. */
 struct PlanFile {
   std::string name;
-  /** \brief Advice at the end of error messages about the file, as how to replace a
-   * wrong plan. */
+  /** \brief End of error messages about the file: how to replace a wrong plan. */
   std::string fix;
 };
 
 struct PlanOptions {
-  /** \brief Edges of voxels and tiles [m]. If not given, the density of the points
-   * decides on voxels, and a tile has a fixed number of voxels. */
-  std::optional<double> voxel_size, tile;
-  /** \brief Length of a meter in the unit of the inputs; if not given, their reference
+  /** \brief Edge of a voxel, which is a cell of the grid [m]. Not given: the density of
+   * the points decides. */
+  std::optional<double> voxel_size;
+  /** \brief Edge of a tile [m]. Not given: a fixed number of voxels. */
+  std::optional<double> tile;
+  /** \brief Length of a meter in the unit of the inputs. Not given: their reference
    * system decides. */
   std::optional<double> meter = std::nullopt;
 };
 
 /** \brief Makes a plan from the headers of all inputs and a sample of their points.
  * \param[in] files in any order
- * \throws WorkError if any cannot be read or takes no labels */
+ * \throws WorkError if a file cannot be read or labels cannot be added to it */
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options);
 
-/** \brief The reference system of all inputs, "EPSG:N"; empty if they differ or have
- * no number. */
+/** \brief Returns the reference system of all inputs, "EPSG:N"; empty if they differ or
+ * have no number. */
 std::string
 commonCrs (const Plan& plan);
 
-/** \brief The text of a plan file. Runs whose plans have the same text write the same
- * files. */
+/** \brief Returns the text of a plan file. Runs whose plans have the same text write
+ * the same files. */
 std::string
 toText (const Plan& plan);
 
-/** \brief \throws WorkError if it cannot be read */
+/** \throws WorkError if the file cannot be read or is no plan of this version */
 Plan
 loadPlan (const PlanFile& file);
 
-/** \brief \throws WorkError if an earlier plan is for other inputs or other lengths
- * than those given now, or an input has changed since */
+/** \brief Checks whether a run can follow an earlier plan.
+ * \throws WorkError if the plan is for other inputs or other lengths than those given
+ * now, or an input has changed since */
 void
 checkIsFor (const Plan& plan,
             const PlanFile& file,

@@ -11,26 +11,31 @@ namespace pcl_ops::apps {
 
 namespace {
 
-struct Pair {
+/** \brief Two pieces of neighboring tiles, by their positions among all pieces. */
+struct PiecePair {
   std::size_t first, second;
-  std::uint32_t votes;
+  /** \brief Number of cells in which both have points. */
+  std::uint32_t shared_cells;
 };
 
+/** \brief Groups of pieces that were joined (union-find). */
 class PieceGroups {
 public:
-  explicit PieceGroups (const std::vector<Piece>& pieces) : root_ (pieces.size())
+  explicit PieceGroups (const std::vector<TilePiece>& pieces) : parent_ (pieces.size())
   {
-    std::iota (root_.begin(), root_.end(), std::size_t (0));
-    for (const Piece& piece : pieces)
-      seen_.push_back (piece.all);
+    std::iota (parent_.begin(), parent_.end(), std::size_t (0));
+    for (const TilePiece& piece : pieces)
+      moments_.push_back (piece.seen_moments);
   }
 
-  /** \brief The first piece of the group of a piece (union-find). */
+  /** \brief Returns the first piece of the group of a piece. */
   std::size_t
   rootOf (std::size_t piece)
   {
-    while (root_[piece] != piece)
-      piece = root_[piece] = root_[root_[piece]];
+    while (parent_[piece] != piece) {
+      parent_[piece] = parent_[parent_[piece]]; // shortens the path of later calls
+      piece = parent_[piece];
+    }
     return piece;
   }
 
@@ -41,54 +46,68 @@ public:
     const auto [first, second] = std::minmax ({rootOf (a), rootOf (b)});
     if (first == second)
       return;
-    // As Sampling::Surfels merges within a tile: the noise alone decides.
+    // The noise alone decides, as where Sampling::Surfels merges planes within a tile.
     MergingParameters by_noise;
     by_noise.distance_threshold = 0.0;
     by_noise.noise_factor = 1.5;
-    const MergedPlanes merged = mergePlanes ({seen_[first], seen_[second]}, by_noise);
-    if (merged.moments.size() != 1 || merged.merged_into[0] != merged.merged_into[1])
+    const MergedPlanes merged =
+        mergePlanes ({moments_[first], moments_[second]}, by_noise);
+    const bool are_merged =
+        merged.moments.size() == 1 && merged.merged_into[0] == merged.merged_into[1];
+    if (!are_merged)
       return;
-    root_[second] = first;
-    seen_[first] = merged.moments[0];
+    parent_[second] = first;
+    moments_[first] = merged.moments[0];
   }
 
 private:
-  std::vector<std::size_t> root_;
-  /** \brief For each root: moments of all points of its pieces, with those in halos. */
-  std::vector<Moments> seen_;
+  /** \brief For each piece an earlier piece of its group, or the piece itself if it is
+   * the first one. */
+  std::vector<std::size_t> parent_;
+  /** \brief For the first piece of each group: moments of the points of all its pieces,
+   * with those in halos. */
+  std::vector<Moments> moments_;
 };
 
-/** \brief Adds the pairs of pieces of two tiles that share cells, with their number.
- * \param[in] first_of_a, first_of_b positions of the tiles' first pieces */
+/** \brief Adds the pairs of pieces of two tiles that share at least three cells.
+ * \param[in] a, b border voxels of the tiles
+ * \param[in] first_of_a, first_of_b positions of the tiles' first pieces among all pieces
+ */
 void
-countVotes (const std::vector<BorderVoxel>& a,
-            const std::vector<BorderVoxel>& b,
-            std::size_t first_of_a,
-            std::size_t first_of_b,
-            std::vector<Pair>& pairs)
+addPairs (const std::vector<BorderVoxel>& a,
+          const std::vector<BorderVoxel>& b,
+          std::size_t first_of_a,
+          std::size_t first_of_b,
+          std::vector<PiecePair>& pairs)
 {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> votes;
+  using PieceOfAAndOfB = std::pair<std::uint32_t, std::uint32_t>;
+  std::map<PieceOfAAndOfB, std::uint32_t> shared_cells;
   auto in_b = b.begin();
   for (const BorderVoxel& voxel : a) {
     while (in_b != b.end() && in_b->cell < voxel.cell)
       ++in_b;
     for (auto other = in_b; other != b.end() && other->cell == voxel.cell; ++other)
-      ++votes[{voxel.piece, other->piece}];
+      ++shared_cells[{voxel.piece, other->piece}];
   }
-  constexpr std::uint32_t min_votes = 3;
-  for (const auto& [pieces, count] : votes)
-    if (count >= min_votes)
-      pairs.push_back ({first_of_a + pieces.first, first_of_b + pieces.second, count});
+  constexpr std::uint32_t min_shared_cells = 3;
+  for (const auto& [pieces, cells] : shared_cells) {
+    const auto [piece_of_a, piece_of_b] = pieces;
+    if (cells >= min_shared_cells)
+      pairs.push_back ({first_of_a + piece_of_a, first_of_b + piece_of_b, cells});
+  }
 }
 
-/** \brief Pairs of pieces of all neighboring tiles, by falling number of votes. */
-std::vector<Pair>
+/** \brief Returns the pairs of pieces of all neighboring tiles, by falling number of
+ * shared cells.
+ * \param[in] first_piece position of each tile's first piece among all pieces */
+std::vector<PiecePair>
 pairsOf (const std::vector<TileKey>& tiles,
          const std::vector<std::size_t>& first_piece,
          const std::function<TilePlanes (const TileKey&)>& load)
 {
+  // To four of the eight neighbors: so each pair of tiles is visited once.
   constexpr std::array<TileKey, 4> steps = {{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
-  std::vector<Pair> pairs;
+  std::vector<PiecePair> pairs;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     std::optional<TilePlanes> own;
     for (const TileKey& step : steps) {
@@ -99,34 +118,37 @@ pairsOf (const std::vector<TileKey>& tiles,
       if (!own)
         own = load (tiles[i]);
       const std::size_t other = found - tiles.begin();
-      countVotes (own->border_voxels,
-                  load (next).border_voxels,
-                  first_piece[i],
-                  first_piece[other],
-                  pairs);
+      addPairs (own->border_voxels,
+                load (next).border_voxels,
+                first_piece[i],
+                first_piece[other],
+                pairs);
     }
   }
-  std::stable_sort (pairs.begin(), pairs.end(), [] (const Pair& a, const Pair& b) {
-    return a.votes > b.votes;
-  });
+  std::stable_sort (
+      pairs.begin(), pairs.end(), [] (const PiecePair& a, const PiecePair& b) {
+        return a.shared_cells > b.shared_cells;
+      });
   return pairs;
 }
 
-/** \brief Adds a piece to its plane, without its edges then; called by tile. */
+/** \brief Adds a piece to its plane, and moves its edges there. Is called for all
+ * pieces of a tile before those of the next tile. */
 void
-addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
+addPiece (TilePiece& piece, const TileKey& tile, JoinedPlane& plane)
 {
-  if (plane.tiles.empty()) {
-    plane.moments.unit = piece.own.unit;
+  const bool is_first = plane.tiles.empty();
+  if (is_first) {
+    plane.moments.unit = piece.own_moments.unit;
     plane.normal = piece.normal;
-    plane.fit = fitPlane (piece.all).value_or (PlaneFit());
+    plane.fit = fitPlane (piece.seen_moments).value_or (PlaneFit());
   }
-  plane.moments.sums += piece.own.sums;
+  plane.moments.sums += piece.own_moments.sums;
   const bool is_same_side = plane.normal.dot (piece.normal) >= 0.0;
   for (const OutlineEdge& edge : piece.edges)
     plane.edges.push_back (is_same_side ? edge : OutlineEdge{edge.to, edge.from});
   piece.edges = {}; // frees much memory
-  if (plane.tiles.empty() || plane.tiles.back() != tile)
+  if (is_first || plane.tiles.back() != tile)
     plane.tiles.push_back (tile);
   for (const std::uint32_t input : piece.inputs)
     if (std::find (plane.inputs.begin(), plane.inputs.end(), input) ==
@@ -134,16 +156,17 @@ addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
       plane.inputs.push_back (input);
 }
 
-/** \brief The number of each piece's plane, from 1 on by falling number of points;
- * planes of equal size are in the order of their first pieces. */
+/** \brief Returns the number of each piece's plane. Planes are numbered from 1 on by
+ * falling number of points, and those of equal size in the order of their first pieces.
+ */
 std::vector<std::uint32_t>
-numbersOf (const std::vector<Piece>& pieces, PieceGroups& groups)
+planeNumbersOf (const std::vector<TilePiece>& pieces, PieceGroups& groups)
 {
-  std::vector<ExactMoments::Whole> points (pieces.size());
+  std::vector<ExactMoments::Int128> points (pieces.size());
   std::vector<std::size_t> roots;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t root = groups.rootOf (i);
-    points[root] += pieces[i].own.count();
+    points[root] += pieces[i].own_moments.count();
     if (root == i)
       roots.push_back (i);
   }
@@ -151,8 +174,8 @@ numbersOf (const std::vector<Piece>& pieces, PieceGroups& groups)
     return points[a] > points[b];
   });
   std::vector<std::uint32_t> numbers (pieces.size());
-  for (std::size_t k = 0; k < roots.size(); ++k)
-    numbers[roots[k]] = k + 1;
+  for (std::size_t plane = 0; plane < roots.size(); ++plane)
+    numbers[roots[plane]] = plane + 1;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     numbers[i] = numbers[groups.rootOf (i)];
   return numbers;
@@ -164,19 +187,19 @@ JoinedPlanes
 joinPlanes (const std::vector<TileKey>& tiles,
             const std::function<TilePlanes (const TileKey&)>& load)
 {
-  std::vector<Piece> pieces;
+  std::vector<TilePiece> pieces;
   std::vector<std::size_t> first_piece;
   for (const TileKey& tile : tiles) {
     first_piece.push_back (pieces.size());
-    for (Piece& piece : load (tile).pieces)
+    for (TilePiece& piece : load (tile).pieces)
       pieces.push_back (std::move (piece));
   }
   PieceGroups groups (pieces);
-  for (const Pair& pair : pairsOf (tiles, first_piece, load))
+  for (const PiecePair& pair : pairsOf (tiles, first_piece, load))
     groups.join (pair.first, pair.second);
 
-  const std::vector<std::uint32_t> numbers = numbersOf (pieces, groups);
-  first_piece.push_back (pieces.size());
+  const std::vector<std::uint32_t> numbers = planeNumbersOf (pieces, groups);
+  first_piece.push_back (pieces.size()); // end of the pieces of the last tile
   JoinedPlanes joined{{}, std::vector<std::vector<std::uint32_t>> (tiles.size())};
   if (!numbers.empty())
     joined.planes.resize (*std::max_element (numbers.begin(), numbers.end()));

@@ -8,32 +8,38 @@
 
 namespace pcl_ops::apps {
 
+/** \brief A plane of the survey, joined from the pieces of one or more tiles. */
 struct JoinedPlane {
+  /** \brief Moments of all points on the plane; each is an own point of one tile. */
   ExactMoments moments;
   PlaneFit fit;
-  /** \brief Seen from the side it points to, the plane is to the left of its edges. */
+  /** \brief Unit normal. To a viewer on the side that it points to, the plane lies to
+   * the left of each edge. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   /** \brief Edges of all pieces; between two tiles they come in opposite pairs. */
   std::vector<OutlineEdge> edges;
+  /** \brief The tiles of the pieces, without duplicates. */
   std::vector<TileKey> tiles;
+  /** \brief Positions in Plan::inputs of the inputs with points on the plane. */
   std::vector<std::uint32_t> inputs;
 };
 
 struct JoinedPlanes {
   /** \brief By falling number of points. */
   std::vector<JoinedPlane> planes;
-  /** \brief For each tile, for each of its pieces, the number of its plane from 1 on.
-   */
+  /** \brief For each tile, for each of its pieces: the position of the piece's plane in
+   * \ref planes plus 1. */
   std::vector<std::vector<std::uint32_t>> numbers;
 };
 
 /** \brief Joins pieces of neighboring tiles that are on the same plane.
  *
- * A tile also sees points of its halo. Each cell where pieces of two tiles both have
- * points is a vote for the pair. Pairs with three votes or more are examined, most
- * votes first: they are joined if \ref mergePlanes merges the moments of the groups
- * that either piece has been joined with before.
- * \param[in] tiles sorted
+ * A tile also sees the points of its halo. So two tiles may have pieces with points in
+ * the same cells. Pairs of pieces that share three cells or more are tested, those that
+ * share most cells first. Each piece is in a group of the pieces that it was joined
+ * with before. The groups of a pair are joined if \ref mergePlanes merges their
+ * moments.
+ * \param[in] tiles in ascending order
  * \param[in] load returns the pieces of a tile; called several times for each, so that
  * the border voxels of two tiles at most are in memory */
 JoinedPlanes

@@ -14,24 +14,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief A plane with the centroid and covariance of all its points, but the count of
- * its sampled ones, so that the spacing of points is that of the sample. */
+/** \brief Returns a plane with the centroid and covariance of all its points, but the
+ * count of its sampled ones, so that the spacing of points is that of the sample. */
 PlaneSegment
-sampledSegment (const Json& plane, std::size_t count)
+sampledSegment (const Json& plane, std::size_t sampled_points)
 {
   PlaneSegment segment = segmentIn (plane);
-  const Json& known = plane.at ("moments");
-  Moments moments;
-  known.at ("origin").get_to (moments.origin);
-  known.at ("count").get_to (moments.count);
-  known.at ("sum").get_to (moments.sum);
-  known.at ("products").get_to (moments.products);
-  segment.moments = Moments::of (
-      static_cast<double> (count), moments.centroid(), moments.covariance());
+  const Json& object = plane.at ("moments");
+  Moments of_all_points;
+  object.at ("origin").get_to (of_all_points.origin);
+  object.at ("count").get_to (of_all_points.count);
+  object.at ("sum").get_to (of_all_points.sum);
+  object.at ("products").get_to (of_all_points.products);
+  segment.moments = Moments::of (static_cast<double> (sampled_points),
+                                 of_all_points.centroid(),
+                                 of_all_points.covariance());
   return segment;
 }
 
-/** \brief The group of each plane, its position in the list, by its label. */
+/** \brief Returns the group of each plane, its position in the list, by its label. */
 std::map<std::uint32_t, std::size_t>
 groupsIn (const Json& planes)
 {
@@ -42,33 +43,36 @@ groupsIn (const Json& planes)
 }
 
 std::vector<SampledPoints>
-sampledPoints (const Json& list, const LabelledPoints& points, std::size_t max_points)
+sampledPoints (const Json& list,
+               const ForEachLabeledPoint& for_each_point,
+               std::size_t max_points)
 {
   const Json& planes = list.at ("planes");
   const std::map<std::uint32_t, std::size_t> groups = groupsIn (planes);
-  std::vector<std::size_t> sizes;
-  auto rest = list.at ("points").get<std::size_t>();
+  std::vector<std::size_t> group_sizes;
+  auto on_no_plane = list.at ("points").get<std::size_t>();
   for (const Json& plane : planes) {
-    sizes.push_back (plane.at ("points").get<std::size_t>());
-    rest -= std::min (rest, sizes.back());
+    group_sizes.push_back (plane.at ("points").get<std::size_t>());
+    on_no_plane -= std::min (on_no_plane, group_sizes.back());
   }
-  sizes.push_back (rest);
-  PointSample sample (sizes, max_points);
-  points ([&] (const Eigen::Vector3d& place, std::uint32_t label) {
+  group_sizes.push_back (on_no_plane);
+  PointSample sample (group_sizes, max_points);
+  for_each_point ([&] (const Eigen::Vector3d& point, std::uint32_t label) {
     const auto group = groups.find (label);
-    sample.add (group == groups.end() ? groups.size() : group->second, place);
+    sample.add (group == groups.end() ? groups.size() : group->second, point);
   });
   return sample.take();
 }
 
-/** \brief A place near the points: relative to it floats keep their digits. */
+/** \brief Returns a position near the points. Relative to it, coordinates keep their
+ * digits in single precision. */
 Eigen::Vector3d
-originOf (const std::vector<SampledPoints>& samples)
+originOf (const std::vector<SampledPoints>& groups)
 {
-  std::vector<Eigen::Vector3d> places;
-  for (const SampledPoints& sample : samples)
-    places.insert (places.end(), sample.places.begin(), sample.places.end());
-  return localOrigin (places.size(), [&] (std::size_t i) { return places[i]; });
+  std::vector<Eigen::Vector3d> points;
+  for (const SampledPoints& group : groups)
+    points.insert (points.end(), group.positions.begin(), group.positions.end());
+  return localOrigin (points.size(), [&] (std::size_t i) { return points[i]; });
 }
 
 } // namespace
@@ -86,29 +90,32 @@ segmentIn (const Json& plane)
 }
 
 PlaneSample
-samplePlanes (const Json& list, const LabelledPoints& points, std::size_t max_points)
+samplePlanes (const Json& list,
+              const ForEachLabeledPoint& for_each_point,
+              std::size_t max_points)
 {
   PlaneSample sample;
-  sample.points = sampledPoints (list, points, max_points);
+  sample.points = sampledPoints (list, for_each_point, max_points);
   const Eigen::Vector3d shift = originOf (sample.points);
   sample.shifted = {XyzCloud::Ptr (new XyzCloud), shift};
   XyzCloud& cloud = *sample.shifted.cloud;
   // A survey has no single sensor: with one far above, pictures are views from above.
-  constexpr float far_above = 1e9f;
+  constexpr float far_above = 1e9f; // [m]
   cloud.sensor_origin_.z() = far_above;
   const Json& planes = list.at ("planes");
   for (std::size_t i = 0; i < sample.points.size(); ++i) {
     const std::size_t first = cloud.size();
-    for (const Eigen::Vector3d& place : sample.points[i].places) {
-      const Eigen::Vector3f local = (place - shift).cast<float>();
+    for (const Eigen::Vector3d& point : sample.points[i].positions) {
+      const Eigen::Vector3f local = (point - shift).cast<float>();
       cloud.push_back (pcl::PointXYZ (local.x(), local.y(), local.z()));
     }
-    if (i == planes.size())
+    const bool is_on_no_plane = i == planes.size();
+    if (is_on_no_plane)
       break;
     PlaneSegment& segment =
         sample.planes.emplace_back (sampledSegment (planes[i], cloud.size() - first));
-    for (std::size_t point = first; point < cloud.size(); ++point)
-      segment.inliers.push_back (static_cast<pcl::index_t> (point));
+    for (std::size_t inlier = first; inlier < cloud.size(); ++inlier)
+      segment.inliers.push_back (static_cast<pcl::index_t> (inlier));
   }
   return sample;
 }

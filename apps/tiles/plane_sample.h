@@ -14,31 +14,35 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Visits all labelled points of a survey, which are never all in memory. */
-using LabelledPoints = std::function<void (const VisitLabelled&)>;
+/** \brief Calls a function with each point of a survey and its label. The points are
+ * never all in memory. */
+using ForEachLabeledPoint = std::function<void (const VisitLabeledPosition&)>;
 
 /** \brief Planes with some of their points. */
 struct PlaneSample {
   /** \brief The sample as a cloud: plane after plane, then the points on no plane. */
   ShiftedCloud shifted;
-  /** \brief In the frame of the survey. Inliers are indices into the sample; moments
-   * count the sample's points alone. */
+  /** \brief In the frame of the survey. Inliers are indices into the cloud. Moments
+   * have the centroid and covariance of all points of the plane, but the count of the
+   * sampled ones. */
   std::vector<PlaneSegment> planes;
-  /** \brief The same points in the frame of the survey, grouped as in the cloud. */
+  /** \brief The points of the cloud in the frame of the survey: a group for each plane,
+   * then one for the points on no plane. */
   std::vector<SampledPoints> points;
 };
 
-/** \brief Reads normal, centroid, number of points and orientation of a plane in a
- * list. */
+/** \brief Reads normal, centroid, number of points and orientation of a plane.
+ * \param[in] plane as \ref planeObject has written it */
 PlaneSegment
 segmentIn (const nlohmann::ordered_json& plane);
 
 /** \brief Samples the points of the planes in a list (\ref PointSample). Points of
  * planes that are not in the list count as points on no plane.
- * \throws WorkError as \p points does */
+ * \param[in] list an object whose "planes" is an array of \ref planeObject
+ * \throws WorkError as \p for_each_point does */
 PlaneSample
 samplePlanes (const nlohmann::ordered_json& list,
-              const LabelledPoints& points,
+              const ForEachLabeledPoint& for_each_point,
               std::size_t max_points);
 
 } // namespace pcl_ops::apps

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes_json.h"
 
+#include "plane_outline.h"
 #include "survey_warnings.h"
 #include <cli/errors.h>
 #include <detection/warning_lines.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <tuple>
 
 namespace fs = std::filesystem;
 
@@ -25,8 +25,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief The plane with its normal towards the zero of the frame, where it stays for
- * vertical planes (\ref turnUp). */
+/** \brief Returns the plane with its normal towards the zero of the frame. Later \ref
+ * turnUp turns the normals of planes that are not vertical. */
 PlaneSegment
 segmentOf (const JoinedPlane& plane)
 {
@@ -39,9 +39,16 @@ segmentOf (const JoinedPlane& plane)
   return segment;
 }
 
-/** \return the outline of the largest part with the area and the rectangle of all
- * parts, and the outlines of the other parts */
-std::pair<PlaneExtent, Polygons>
+/** \brief The extent of a plane that may have several parts. */
+struct PartedExtent {
+  /** \brief Area and rectangle of all parts; hull and holes of the largest part. */
+  PlaneExtent extent;
+  /** \brief Outlines of the other parts. */
+  Polygons other_parts;
+};
+
+/** \param[in] segment the plane with the normal of its frame */
+PartedExtent
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {
   const PlaneFrame frame (segment.centroid, segment.normal);
@@ -49,26 +56,29 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
   if (plane.normal.dot (segment.normal) < 0.0)
     for (OutlineEdge& edge : edges)
       std::swap (edge.from, edge.to);
-  const double min_area = std::pow (1.5 * plan.grid.edge, 2);
+  constexpr double min_width_in_cells = 1.5;
+  const double min_area = std::pow (min_width_in_cells * plan.grid.edge, 2);
   const std::vector<PlanarRings> outline = outlineOf (
       edges, frame, outlineUnit (plan.grid.edge), segment.moments.count, min_area);
   PlanarPoints corners;
   for (const PlanarRings& part : outline)
     corners.insert (corners.end(), part.front().begin(), part.front().end());
-  PlaneExtent whole = pcl_ops::extentOf ({convexHull (corners, 0.0)}, corners, frame);
-  Polygons others;
+  PartedExtent parted{pcl_ops::extentOf ({convexHull (corners, 0.0)}, corners, frame),
+                      {}};
+  PlaneExtent& whole = parted.extent;
   whole.area = 0.0;
   for (const PlanarRings& part : outline) {
     PlaneExtent of_part = pcl_ops::extentOf (part, part.front(), frame);
     whole.area += of_part.area;
-    if (&part != &outline.front())
-      others.push_back (of_part.rings());
-    else {
+    const bool is_largest = &part == &outline.front();
+    if (is_largest) {
       whole.hull = std::move (of_part.hull);
       whole.holes = std::move (of_part.holes);
     }
+    else
+      parted.other_parts.push_back (of_part.rings());
   }
-  return {std::move (whole), std::move (others)};
+  return parted;
 }
 
 Json
@@ -77,11 +87,11 @@ toObject (const Plan& plan,
           const JoinedPlane& plane,
           const PlaneSegment& segment,
           const PlaneExtent& extent,
-          const Polygons& others,
+          const Polygons& other_parts,
           PlaneKind kind)
 {
   Json object =
-      planeObject (id, segment, extent, kind, Eigen::Vector3d::UnitZ(), others);
+      planeObject (id, segment, extent, kind, Eigen::Vector3d::UnitZ(), other_parts);
   const Moments& moments = segment.moments;
   object["moments"] = {{"origin", moments.origin},
                        {"count", moments.count},
@@ -93,6 +103,14 @@ toObject (const Plan& plan,
   return object;
 }
 
+/** \brief Returns the kind of a plane; lists of earlier versions have no kinds. */
+PlaneKind
+kindIn (const Json& plane)
+{
+  const std::string kind = plane.value ("kind", std::string());
+  return kindCalled (kind).value_or (PlaneKind::Other);
+}
+
 /** \brief Removes planes from a list. \return how many, and why */
 Dropped
 choosePlanes (const PlaneChoice& choice, Json& list)
@@ -102,8 +120,7 @@ choosePlanes (const PlaneChoice& choice, Json& list)
   std::vector<PlaneKind> kinds;
   for (const Json& plane : all) {
     segments.push_back (segmentIn (plane));
-    const std::string kind = plane.value ("kind", std::string());
-    kinds.push_back (kindCalled (kind).value_or (PlaneKind::Other));
+    kinds.push_back (kindIn (plane));
   }
   const auto extent_of = [&] (const PlaneSegment& segment) {
     const Json& plane = all[std::size_t (&segment - segments.data())];
@@ -144,9 +161,9 @@ void
 saveView (const std::string& file,
           const std::string& title,
           const Json& list,
-          const LabelledPoints& points)
+          const ForEachLabeledPoint& for_each_point)
 {
-  const PlaneSample sample = samplePlanes (list, points, max_points_on_page);
+  const PlaneSample sample = samplePlanes (list, for_each_point, max_points_on_page);
   Json planes = list.at ("planes");
   for (Json& plane : planes)
     for (const char* key : {"moments", "tiles", "inputs"})
@@ -169,22 +186,19 @@ countOfKind (PlaneKind kind, const Json& planes)
       }));
 }
 
-/** \return the plan */
 FloorPlan
-saveFloorPlan (const PlanesOutput& output,
-               const std::string& title,
-               const Json& list,
-               const LabelledPoints& points)
+findAndSaveFloorPlan (const PlanesOutput& output,
+                      const std::string& title,
+                      const Json& list,
+                      const ForEachLabeledPoint& for_each_point)
 {
   // Some hundred points per square meter of the walls of a large building.
-  constexpr std::size_t enough = 4'000'000;
-  const PlaneSample sample = samplePlanes (list, points, enough);
+  constexpr std::size_t sample_size = 4'000'000;
+  const PlaneSample sample = samplePlanes (list, for_each_point, sample_size);
   std::vector<PlaneKind> kinds;
   std::vector<std::uint32_t> ids;
   for (const Json& plane : list.at ("planes")) {
-    // Lists of earlier versions have no kinds.
-    const std::string kind = plane.value ("kind", std::string());
-    kinds.push_back (kindCalled (kind).value_or (PlaneKind::Other));
+    kinds.push_back (kindIn (plane));
     ids.push_back (plane.at ("id").get<std::uint32_t>());
   }
   const FloorPlan plan = findFloorPlan (*sample.shifted.cloud,
@@ -197,7 +211,7 @@ saveFloorPlan (const PlanesOutput& output,
   return plan;
 }
 
-/** \brief The name of the folder that a file is in. */
+/** \brief Returns the name of the folder that a file is in. */
 std::string
 folderOf (const std::string& file)
 {
@@ -205,7 +219,7 @@ folderOf (const std::string& file)
 }
 
 std::string
-numberOf (std::size_t planes)
+countedPlanes (std::size_t planes)
 {
   return std::to_string (planes) + (planes == 1 ? " plane" : " planes");
 }
@@ -218,37 +232,39 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   std::vector<PlaneSegment> segments;
   for (const JoinedPlane& plane : planes)
     segments.push_back (segmentOf (plane));
-  constexpr double tolerance = paper_angle_tolerance;
-  nameOrientations (segments, Eigen::Vector3d::UnitZ(), tolerance);
-  turnUp (segments, Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  nameOrientations (segments, up, paper_angle_tolerance);
+  turnUp (segments, up);
   Json json = {{"points", plan.points()},
                {"voxel_size", plan.grid.edge},
                {"tile", plan.grid.edgeOfTile()},
                {"tiles", tiles},
                {"planes", Json::array()}};
-  std::vector<PlaneExtent> extents (planes.size());
-  std::vector<Polygons> others (planes.size());
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    std::tie (extents[i], others[i]) = extentOf (plan, segments[i], planes[i]);
-  const std::vector<PlaneKind> kinds =
-      planeKinds (segments, extents, Eigen::Vector3d::UnitZ(), plan.meter);
+  std::vector<PlaneExtent> extents;
+  std::vector<Polygons> other_parts;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    PartedExtent parted = extentOf (plan, segments[i], planes[i]);
+    extents.push_back (std::move (parted.extent));
+    other_parts.push_back (std::move (parted.other_parts));
+  }
+  const std::vector<PlaneKind> kinds = planeKinds (segments, extents, up, plan.meter);
   for (std::size_t i = 0; i < planes.size(); ++i)
     json["planes"].push_back (toObject (
-        plan, i + 1, planes[i], segments[i], extents[i], others[i], kinds[i]));
+        plan, i + 1, planes[i], segments[i], extents[i], other_parts[i], kinds[i]));
   return jsonText (json);
 }
 
-PlanesSaid
+PlaneMessages
 saveChosenPlanes (const std::string& list_file,
-                  const LabelledPoints& points,
+                  const ForEachLabeledPoint& for_each_point,
                   const PlanesOutput& output)
 try {
   Json list = Json::parse (readTextFile (list_file, "planes.json"));
-  PlanesSaid said;
-  said.warnings = warningsIn (list);
-  said.counts = numberOf (list.at ("planes").size());
+  PlaneMessages messages;
+  messages.warnings = warningsIn (list);
+  messages.counts = countedPlanes (list.at ("planes").size());
   if (output.files().empty())
-    return said;
+    return messages;
   PlanCounts counts;
   counts.wall_planes_found = countOfKind (PlaneKind::Wall, list.at ("planes"));
   counts.has_floor = countOfKind (PlaneKind::Floor, list.at ("planes")) > 0;
@@ -256,21 +272,22 @@ try {
   if (!output.image.empty())
     saveImage (output.image, list.at ("planes"));
   if (!output.view.empty())
-    saveView (output.view, folderOf (list_file), list, points);
+    saveView (output.view, folderOf (list_file), list, for_each_point);
   if (!output.floor_plan.empty()) {
-    const FloorPlan plan = saveFloorPlan (output, folderOf (list_file), list, points);
+    const FloorPlan plan =
+        findAndSaveFloorPlan (output, folderOf (list_file), list, for_each_point);
     counts.walls = plan.walls.size();
     counts.wall_planes_kept = countOfKind (PlaneKind::Wall, list.at ("planes"));
-    said.written.push_back (output.floor_plan + ": " + contentOf (plan));
-    putWarningOnPlan (counts, said.warnings);
+    messages.file_notes.push_back (output.floor_plan + ": " + contentOf (plan));
+    putWarningOnPlan (counts, messages.warnings);
   }
-  if (!output.file.empty())
-    writeTextFile (output.file, planesFor (output.file, list, output.map));
+  if (!output.planes.empty())
+    writeTextFile (output.planes, planesFor (output.planes, list, output.map));
   const std::string reasons = dropped.reasons();
-  said.counts = numberOf (dropped.found) + "; " + output.files().front().second + ": " +
-                numberOf (list.at ("planes").size()) +
-                (reasons.empty() ? "" : ", dropped " + reasons);
-  return said;
+  messages.counts = countedPlanes (dropped.found) + "; " + output.files().front().name +
+                    ": " + countedPlanes (list.at ("planes").size()) +
+                    (reasons.empty() ? "" : ", dropped " + reasons);
+  return messages;
 }
 catch (const Json::exception&) {
   throw WorkError (list_file, "is no list of planes; remove it and run it again");

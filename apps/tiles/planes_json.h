@@ -12,12 +12,21 @@
 
 namespace pcl_ops::apps {
 
+/** \brief Returns the text of planes.json, without warnings.
+ * \param[in] tiles number of tiles with points */
 std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);
 
+/** \brief An option that names an output file, and the file. */
+struct RequestedFile {
+  std::string option;
+  std::string name;
+};
+
+/** \brief Options for the files that are written from the list of planes. */
 struct PlanesOutput {
   /** \brief A list of planes, .json, .csv, .geojson or .gpkg; empty for none. */
-  std::string file;
+  std::string planes;
   /** \brief A picture of the planes, .png; empty for none. */
   std::string image;
   /** \brief A page for a browser, .html; empty for none. */
@@ -25,40 +34,42 @@ struct PlanesOutput {
   /** \brief A floor plan, .dxf, .svg, .geojson or .gpkg; empty for none. */
   std::string floor_plan;
   FloorPlanParameters of_plan;
+  /** \brief Which planes to write. */
   PlaneChoice choice;
   MapOptions map;
 
-  /** \brief The requested files, each as a pair of its option and its name. */
-  std::vector<std::pair<std::string, std::string>>
+  /** \brief Returns the files that are asked for. */
+  std::vector<RequestedFile>
   files () const
   {
-    std::vector<std::pair<std::string, std::string>> asked_for;
-    for (const auto& [option, name] : {std::pair ("--planes", &file),
-                                       {"--image", &image},
-                                       {"--view", &view},
-                                       {"--floor-plan", &floor_plan}})
-      if (!name->empty())
-        asked_for.emplace_back (option, *name);
-    return asked_for;
+    std::vector<RequestedFile> requested;
+    for (const RequestedFile& file : {RequestedFile{"--planes", planes},
+                                      {"--image", image},
+                                      {"--view", view},
+                                      {"--floor-plan", floor_plan}})
+      if (!file.name.empty())
+        requested.push_back (file);
+    return requested;
   }
 };
 
 /** \brief Messages about the planes of a run and the files written from them. */
-struct PlanesSaid {
-  /** \brief Text: how many planes were found, and how many were written. */
+struct PlaneMessages {
+  /** \brief How many planes were found, and how many were written, in words. */
   std::string counts;
-  /** \brief "plan.dxf: 12 walls, 3 rooms, 41.2 m2" */
-  std::vector<std::string> written;
+  /** \brief Contents of files: "plan.dxf: 12 walls, 3 rooms, 41.2 m2". */
+  std::vector<std::string> file_notes;
+  /** \brief The warnings of the list, and one on the floor plan. */
   std::vector<ResultWarning> warnings;
 };
 
 /** \brief Writes the requested files from the planes of a run.
  * \param[in] list_file the list of all planes
- * \param[in] points all points with their labels, which are the ids of the planes
- * \throws WorkError if the list cannot be read or the file cannot be written */
-PlanesSaid
+ * \param[in] for_each_point visits all points; labels are the ids of the planes
+ * \throws WorkError if the list cannot be read or a file cannot be written */
+PlaneMessages
 saveChosenPlanes (const std::string& list_file,
-                  const LabelledPoints& points,
+                  const ForEachLabeledPoint& for_each_point,
                   const PlanesOutput& output);
 
 } // namespace pcl_ops::apps

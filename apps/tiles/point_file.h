@@ -31,28 +31,29 @@ struct PointFile {
     return las ? las->size() : cloud.size();
   }
 
-  /** \brief NaN for a point without coordinates. */
+  /** \brief Returns the coordinates of a point, by its index; NaN if it has none. */
   Eigen::Vector3d
-  place (std::uint64_t point)
+  position (std::uint64_t point)
   {
-    return las ? las->place (point) : CoordinateReader (cloud) (point);
+    return las ? las->position (point) : CoordinateReader (cloud) (point);
   }
 
-  /** \brief Calls \p visit with the place of each point, in their order. */
+  /** \brief Calls \p visit with the coordinates of each point, in their order. */
   void
-  forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
+  forPositions (const std::function<void (const Eigen::Vector3d&)>& visit)
   {
     if (las)
-      return las->forPlaces (visit);
+      return las->forPositions (visit);
     const CoordinateReader reader (cloud);
     for (std::size_t i = 0; i < cloud.size(); ++i)
       visit (reader (i));
   }
 
-  /** \brief Visits the points of a file that \ref saveLabelled has written.
-   * \throws WorkError if they have no labels */
+  /** \brief Calls \p visit with the coordinates and the label of each point of a file
+   * that \ref saveLabeled has written.
+   * \throws WorkError if the points have no labels */
   void
-  forLabels (const VisitLabelled& visit)
+  forLabels (const VisitLabeledPosition& visit)
   {
     if (las)
       return las->forLabels (visit);
@@ -60,32 +61,35 @@ struct PointFile {
     if (index < 0)
       throw WorkError (name, "has no labels; give a file with labels");
     const pcl::PCLPointField& field = cloud.points.fields[std::size_t (index)];
-    const NumberReader label = numberType (field.datatype).read;
-    const CoordinateReader place (cloud);
+    const NumberReader read_number = numberType (field.datatype).read;
+    const CoordinateReader position_of (cloud);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
-      const std::size_t at = i * cloud.points.point_step + field.offset;
-      visit (place (i), static_cast<std::uint32_t> (label (&cloud.points.data[at])));
+      const std::size_t offset = i * cloud.points.point_step + field.offset;
+      const double label = read_number (&cloud.points.data[offset]);
+      visit (position_of (i), static_cast<std::uint32_t> (label));
     }
   }
 
   /** \brief Writes a copy of the file with a label for each point; in a .pcd also with
    * a color by label, in place of that of the file.
    * \param[in] output a .las for a .las, else a .pcd
-   * \param[in] label called for each point, in the order of the file
-   * \throws WorkError if it cannot be written */
+   * \param[in] label_of called for each point, in the order of the file
+   * \throws WorkError if \p output cannot be written */
   void
-  saveLabelled (const std::string& output, const LabelOfPlace& label)
+  saveLabeled (const std::string& output, const NextFieldValue& label_of)
   {
     if (las)
-      return saveLasWith (output, *las, {{label_field, label}});
+      return saveLasWith (output, *las, {{label_field, label_of}});
     std::vector<std::uint32_t> labels;
-    forPlaces (
-        [&] (const Eigen::Vector3d& place) { labels.push_back (label (place)); });
+    forPositions (
+        [&] (const Eigen::Vector3d& point) { labels.push_back (label_of (point)); });
     saveLabelledCloud (output, cloud, labels, {}, false);
   }
 
   std::string name;
+  /** \brief nullptr for other formats. */
   std::shared_ptr<LasFile> las;
+  /** \brief Empty for a .las. */
   FileCloud cloud;
 };
 

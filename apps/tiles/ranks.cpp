@@ -26,7 +26,8 @@ struct Ranks::State {
 Ranks::Ranks()
 {
 #ifdef PCL_OPS_WITH_MPI
-  // MPI is slow to start: only processes of mpirun, which have one of these, do so.
+  // MPI is slow to start. Only processes that mpirun has started need it; they have one
+  // of these variables.
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
     if (!state_ && std::getenv (variable) != nullptr)
       state_ = std::make_shared<State>();
@@ -44,13 +45,13 @@ Ranks::meet() const
   if (!state_)
     return;
   // A plain barrier would keep a processor busy while it waits.
-  constexpr std::chrono::milliseconds nap (1);
+  constexpr std::chrono::milliseconds pause (1);
   MPI_Request request;
   MPI_Ibarrier (state_->world, &request);
   int all_are_here = 0;
   while (MPI_Test (&request, &all_are_here, MPI_STATUS_IGNORE) == MPI_SUCCESS &&
          all_are_here == 0)
-    std::this_thread::sleep_for (nap);
+    std::this_thread::sleep_for (pause);
 #endif
 }
 
@@ -64,22 +65,25 @@ Ranks::endAll ([[maybe_unused]] int exit_code) const
 }
 
 std::vector<std::size_t>
-shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts)
+shareOf (std::size_t rank,
+         std::size_t ranks,
+         const std::vector<std::uint64_t>& work_of_part)
 {
-  std::vector<std::size_t> order (parts.size());
-  std::vector<std::size_t> own;
-  std::iota (order.begin(), order.end(), std::size_t (0));
-  std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
-    return parts[a] > parts[b];
+  std::vector<std::size_t> parts (work_of_part.size());
+  std::iota (parts.begin(), parts.end(), std::size_t (0));
+  std::stable_sort (parts.begin(), parts.end(), [&] (std::size_t a, std::size_t b) {
+    return work_of_part[a] > work_of_part[b];
   });
-  std::vector<std::uint64_t> load (ranks, 0);
-  for (const std::size_t part : order) {
-    const auto idlest = std::min_element (load.begin(), load.end());
-    *idlest += parts[part];
-    if (idlest == load.begin() + rank)
-      own.push_back (part);
+  // Each part goes to the rank with the least work so far.
+  std::vector<std::uint64_t> work_of_rank (ranks, 0);
+  std::vector<std::size_t> own_parts;
+  for (const std::size_t part : parts) {
+    const auto least = std::min_element (work_of_rank.begin(), work_of_rank.end());
+    *least += work_of_part[part];
+    if (least == work_of_rank.begin() + rank)
+      own_parts.push_back (part);
   }
-  return own;
+  return own_parts;
 }
 
 } // namespace pcl_ops::apps

@@ -14,6 +14,7 @@ namespace pcl_ops::apps {
 struct Ranks {
   Ranks();
 
+  /** \brief Waits until all ranks have called this function. */
   void
   meet () const;
 
@@ -21,6 +22,7 @@ struct Ranks {
   void
   endAll (int exit_code) const;
 
+  /** \brief Number of this process, from 0 on, and number of all processes. */
   std::size_t rank = 0, size = 1;
 
 private:
@@ -28,10 +30,13 @@ private:
   std::shared_ptr<State> state_;
 };
 
-/** \return positions of the parts that a rank works on, the largest first; all ranks
- * have about the same amount of work
- * \param[in] parts amount of work of each part */
+/** \brief Returns the positions of the parts that a rank works on, the largest part
+ * first. All ranks have about the same amount of work.
+ * \param[in] ranks number of all ranks
+ * \param[in] work_of_part amount of work of each part */
 std::vector<std::size_t>
-shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts);
+shareOf (std::size_t rank,
+         std::size_t ranks,
+         const std::vector<std::uint64_t>& work_of_part);
 
 } // namespace pcl_ops::apps

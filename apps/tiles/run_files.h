@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
+#include "tile_grid.h"
 #include <cli/errors.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -14,12 +14,14 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-// Files that only a run and its continuation read. Checksums of contents and names
-// detect files that a bad disk has changed or that were copied to another name.
+// Binary files that a run writes for its later phases, or for a run that continues it.
+// Checksums of contents and names detect files that a bad disk has changed or that were
+// copied to another name.
 
 namespace pcl_ops::apps {
 
@@ -27,21 +29,24 @@ namespace pcl_ops::apps {
  * word have different checksums. */
 class Checksum {
 public:
-  /** \param[in] file its name is part of the checksum, its folder is not */
+  /** \param[in] file path of the file: its name is part of the checksum, its folder is
+   * not */
   explicit Checksum (const std::string& file)
   {
     for (const char c : std::filesystem::path (file).filename().string())
       addWord (static_cast<unsigned char> (c));
   }
 
+  /** \brief Adds the bytes as 32-bit words.
+   * \param[in] size number of bytes, a multiple of 4 */
   void
   add (const void* bytes, std::size_t size)
   {
     const auto* const begin = static_cast<const char*> (bytes);
-    for (std::size_t i = 0; i + sizeof (std::uint32_t) <= size;
-         i += sizeof (std::uint32_t)) {
+    for (std::size_t offset = 0; offset + sizeof (std::uint32_t) <= size;
+         offset += sizeof (std::uint32_t)) {
       std::uint32_t word;
-      std::memcpy (&word, begin + i, sizeof (word));
+      std::memcpy (&word, begin + offset, sizeof (word));
       addWord (word);
     }
   }
@@ -56,16 +61,17 @@ private:
   void
   addWord (std::uint32_t word)
   {
-    constexpr std::uint64_t prime = 0x100000001b3;
-    value_ = (value_ ^ word) * prime;
+    constexpr std::uint64_t fnv_prime = 0x100000001b3;
+    value_ = (value_ ^ word) * fnv_prime;
   }
 
-  std::uint64_t value_ = 0xcbf29ce484222325;
+  static constexpr std::uint64_t fnv_offset_basis = 0xcbf29ce484222325;
+  std::uint64_t value_ = fnv_offset_basis;
 };
 
 /** \brief Writes numbers in this machine's representation, and their checksum. */
 struct BinaryWriter {
-  /** \param[in] file the name it will have */
+  /** \param[in] file name that the file will have, for the checksum */
   BinaryWriter (std::ostream& output, const std::string& file)
   : stream (output), sum (file)
   {}
@@ -74,12 +80,14 @@ struct BinaryWriter {
   void
   operator() (const Number* numbers, std::size_t count)
   {
-    static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
-    static_assert (sizeof (Number) % sizeof (std::uint32_t) == 0, "a sum has them all");
+    static_assert (std::is_trivially_copyable_v<Number>, "bytes are written");
+    static_assert (sizeof (Number) % sizeof (std::uint32_t) == 0,
+                   "the checksum is over whole words");
     stream.write (reinterpret_cast<const char*> (numbers), count * sizeof (Number));
     sum.add (numbers, count * sizeof (Number));
   }
 
+  /** \brief Writes the length of a list, then its numbers. */
   template <typename Number>
   void
   operator() (const std::vector<Number>& numbers)
@@ -101,10 +109,11 @@ struct BinaryWriter {
   Checksum sum;
 };
 
-/** \brief Reads what \ref BinaryWriter wrote. \throws WorkError that names the file */
+/** \brief Reads what \ref BinaryWriter wrote. All functions throw a WorkError that
+ * names the file if it cannot be read or is damaged. */
 struct BinaryReader {
-  explicit BinaryReader (const std::string& name)
-  : file (name), stream (name, std::ios::binary | std::ios::ate), sum (name)
+  explicit BinaryReader (const std::string& path)
+  : file (path), stream (path, std::ios::binary | std::ios::ate), sum (path)
   {
     if (!stream)
       throw WorkError (file, "cannot be read; remove its folder and run it again");
@@ -116,12 +125,13 @@ struct BinaryReader {
   void
   operator() (Number* numbers, std::size_t count)
   {
-    static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
+    static_assert (std::is_trivially_copyable_v<Number>, "bytes are read");
     if (!stream.read (reinterpret_cast<char*> (numbers), count * sizeof (Number)))
       fail();
     sum.add (numbers, count * sizeof (Number));
   }
 
+  /** \brief Reads the length of a list, then its numbers. */
   template <typename Number>
   void
   operator() (std::vector<Number>& numbers)
@@ -134,9 +144,9 @@ struct BinaryReader {
     (*this) (numbers.data(), count);
   }
 
-  /** \throws WorkError unless the checksum of all numbers that were read follows */
+  /** \brief Reads a checksum and compares it with that of all numbers read so far. */
   void
-  expectSum ()
+  expectChecksum ()
   {
     std::uint64_t value = 0;
     if (!stream.read (reinterpret_cast<char*> (&value), sizeof (value)) ||
@@ -144,11 +154,11 @@ struct BinaryReader {
       fail();
   }
 
-  /** \throws WorkError unless \ref expectSum succeeds and the file ends after that */
+  /** \brief Checks the checksum, and that the file ends after it. */
   void
   finish ()
   {
-    expectSum();
+    expectChecksum();
     if (static_cast<std::uint64_t> (stream.tellg()) != size)
       fail();
   }
@@ -161,25 +171,49 @@ struct BinaryReader {
 
   std::string file;
   std::ifstream stream;
+  /** \brief Size of the file [bytes]. */
   std::uint64_t size = 0;
   Checksum sum;
 };
 
-/** \brief \ref TileKey of a tile, then 0 for its own points or 1 for its halo. */
-using BlockKey = std::array<std::int64_t, 3>;
+/** \brief Which of the points that a tile sees: those in the tile or those in its halo.
+ */
+enum class TilePart : std::int64_t { Own = 0, Halo = 1 };
 
-/** \brief A run of points with the same key in a file, in the order of the input. */
+/** \brief The tile that sees the points of a block, and whether they are in the tile or
+ * in its halo. */
+struct BlockKey {
+  TileKey tile{};
+  TilePart part = TilePart::Own;
+
+  friend bool
+  operator<(const BlockKey& a, const BlockKey& b)
+  {
+    return std::tie (a.tile, a.part) < std::tie (b.tile, b.part);
+  }
+
+  friend bool
+  operator== (const BlockKey& a, const BlockKey& b)
+  {
+    return a.tile == b.tile && a.part == b.part;
+  }
+};
+
+/** \brief Consecutive points in a file with the same key, in the order of the input. */
 struct Block {
   BlockKey key{};
+  /** \brief Offset of the first point in the file [bytes], and the number of points. */
   std::uint64_t offset = 0, points = 0;
   /** \brief \ref Checksum of the points. */
   std::uint64_t sum = 0;
 };
 
-/** \brief Writes points sorted into blocks, with two million in memory at most. */
+/** \brief Writes the points of one input, sorted into blocks. The file has the points
+ * of all blocks, then the index: the offset of the index, the list of blocks and their
+ * checksum. The last number of the file is the offset of the index. */
 class CellFileWriter {
 public:
-  /** \param[in] file the name it will have */
+  /** \param[in] file name that the file will have, for checksums */
   CellFileWriter (std::ostream& stream, std::string file)
   : stream_ (stream), file_ (std::move (file))
   {}
@@ -188,11 +222,11 @@ public:
   void
   add (const BlockKey& key, const Eigen::Vector3f& point)
   {
-    constexpr std::size_t most = 1U << 21U;
-    if (last_ == waiting_.end() || last_->first != key)
-      last_ = waiting_.try_emplace (key).first;
+    constexpr std::size_t max_points_in_memory = 1U << 21U; // 24 MiB
+    if (last_ == unwritten_.end() || !(last_->first == key))
+      last_ = unwritten_.try_emplace (key).first;
     last_->second.push_back (point);
-    if (++points_waiting_ == most)
+    if (++points_unwritten_ == max_points_in_memory)
       flush();
   }
 
@@ -202,55 +236,62 @@ public:
   {
     flush();
     BinaryWriter write (stream_, file_);
-    write (&offset_, 1);
+    const std::uint64_t index_offset = offset_;
+    write (&index_offset, 1);
     write (blocks_);
     write.finish();
-    stream_.write (reinterpret_cast<const char*> (&offset_), sizeof (offset_));
+    stream_.write (reinterpret_cast<const char*> (&index_offset),
+                   sizeof (index_offset));
   }
 
 private:
+  /** \brief Writes a block for each key with unwritten points. */
   void
   flush ()
   {
-    for (const auto& [key, points] : waiting_) {
+    for (const auto& [key, points] : unwritten_) {
       BinaryWriter write (stream_, file_);
       write (points.front().data(), 3 * points.size());
       blocks_.push_back ({key, offset_, points.size(), write.sum.value()});
       offset_ += points.size() * sizeof (points.front());
     }
-    waiting_.clear();
-    last_ = waiting_.end();
-    points_waiting_ = 0;
+    unwritten_.clear();
+    last_ = unwritten_.end();
+    points_unwritten_ = 0;
   }
 
   std::ostream& stream_;
   std::string file_;
-  std::map<BlockKey, std::vector<Eigen::Vector3f>> waiting_;
+  std::map<BlockKey, std::vector<Eigen::Vector3f>> unwritten_;
   /** \brief Entry of the last key, as the next point mostly has the same key. */
-  decltype (waiting_)::iterator last_ = waiting_.end();
-  std::size_t points_waiting_ = 0;
+  decltype (unwritten_)::iterator last_ = unwritten_.end();
+  std::size_t points_unwritten_ = 0;
+  /** \brief Offset of the next block, or of the index [bytes]. */
   std::uint64_t offset_ = 0;
   std::vector<Block> blocks_;
 };
 
+/** \brief Reads the points of a file that \ref CellFileWriter wrote; only its index is
+ * in memory. */
 struct CellFile {
-  /** \throws WorkError if it cannot be read */
-  explicit CellFile (const std::string& name) : file (name)
+  /** \throws WorkError if the file cannot be read */
+  explicit CellFile (const std::string& path) : file (path)
   {
-    const std::uint64_t end_of_points = endOfPoints();
+    const std::uint64_t index_offset = indexOffset();
     BinaryReader read (file);
-    read.stream.seekg (end_of_points);
-    std::uint64_t end = 0;
-    read (&end, 1);
-    std::vector<Block> all;
-    read (all);
-    read.expectSum();
-    if (end != end_of_points)
+    read.stream.seekg (index_offset);
+    std::uint64_t repeated_offset = 0;
+    read (&repeated_offset, 1);
+    std::vector<Block> all_blocks;
+    read (all_blocks);
+    read.expectChecksum();
+    if (repeated_offset != index_offset)
       read.fail();
-    for (const Block& block : all)
+    for (const Block& block : all_blocks)
       blocks[block.key].push_back (block);
   }
 
+  /** \brief Returns the number of points of a key. */
   std::uint64_t
   count (const BlockKey& key) const
   {
@@ -280,15 +321,15 @@ struct CellFile {
     }
   }
 
-  /** \brief Offset of the index of blocks, which the last number of the file says. */
+  /** \brief Returns the offset of the index of blocks: the last number of the file. */
   std::uint64_t
-  endOfPoints () const
+  indexOffset () const
   {
     BinaryReader read (file);
-    std::uint64_t end = 0;
-    read.stream.seekg (read.size - sizeof (end));
-    read (&end, 1);
-    return end;
+    std::uint64_t offset = 0;
+    read.stream.seekg (read.size - sizeof (offset));
+    read (&offset, 1);
+    return offset;
   }
 
   std::string file;

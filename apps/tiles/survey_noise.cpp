@@ -22,20 +22,20 @@ struct OctaveNoise {
 } // namespace
 
 std::vector<std::size_t>
-tilesThatTell (const std::vector<std::uint64_t>& points)
+tilesToMeasure (const std::vector<std::uint64_t>& points_of_tile)
 {
-  // Measuring these points takes less time than finding the planes of one large tile.
-  // They show densities that only a few per cent of all points have.
-  constexpr std::uint64_t enough = 400'000;
-  const std::uint64_t all =
-      std::accumulate (points.begin(), points.end(), std::uint64_t (0));
-  const std::uint64_t step = std::max<std::uint64_t> (1, all / enough);
-  std::vector<std::size_t> tiles;
-  for (std::size_t tile = step / 2 % std::max<std::size_t> (1, points.size());
-       tile < points.size();
-       tile += step)
-    tiles.push_back (tile);
-  return tiles;
+  // To measure these points takes less time than to find the planes of one large tile.
+  // They include densities that only a few per cent of all points have.
+  constexpr std::uint64_t points_to_measure = 400'000;
+  const std::size_t tiles = points_of_tile.size();
+  const std::uint64_t points =
+      std::accumulate (points_of_tile.begin(), points_of_tile.end(), std::uint64_t (0));
+  const std::uint64_t step = std::max<std::uint64_t> (1, points / points_to_measure);
+  const std::size_t first = step / 2 % std::max<std::size_t> (1, tiles);
+  std::vector<std::size_t> chosen;
+  for (std::size_t tile = first; tile < tiles; tile += step)
+    chosen.push_back (tile);
+  return chosen;
 }
 
 CloudNoise
@@ -43,16 +43,18 @@ noiseOfSurvey (const Plan& plan,
                const std::vector<TileKey>& tiles,
                const PointsOfTile& points_of)
 {
-  const auto corner_of = [&] (const TileKey& tile) {
+  const auto origin_of = [&] (const TileKey& tile) {
     return plan.grid.cornerOf (plan.grid.frameOf (tile));
   };
-  std::vector<Eigen::Vector3f> all;
+  std::vector<Eigen::Vector3f> all; // in the frame of the first tile
   for (const TileKey& tile : tiles) {
-    const Eigen::Vector3d offset = corner_of (tile) - corner_of (tiles.front());
+    const Eigen::Vector3d shift = origin_of (tile) - origin_of (tiles.front());
     for (const Eigen::Vector3f& point : points_of (tile))
-      all.emplace_back ((offset + point.cast<double>()).cast<float>());
+      all.emplace_back ((shift + point.cast<double>()).cast<float>());
   }
-  return measureNoise ({all.data(), 0, sizeof (all[0]), all.size()}, {}, plan.points());
+  constexpr std::size_t x_offset = 0;
+  const CloudView view (all.data(), x_offset, sizeof (all[0]), all.size());
+  return measureNoise (view, {}, plan.points());
 }
 
 void

@@ -13,28 +13,30 @@
 
 namespace pcl_ops::apps {
 
-/** \return positions of the tiles in which the noise of the survey is measured: evenly
- * spread, with some hundred thousand points together; all tiles of a small survey
- * \param[in] points number of points of each tile */
+/** \brief Chooses the tiles in which the noise of the survey is measured: evenly
+ * spread, with some hundred thousand points together; all tiles of a small survey.
+ * \return their positions in the list
+ * \param[in] points_of_tile number of points of each tile */
 std::vector<std::size_t>
-tilesThatTell (const std::vector<std::uint64_t>& points);
+tilesToMeasure (const std::vector<std::uint64_t>& points_of_tile);
 
 /** \brief Returns the own points of a tile, in the frame of the tile. */
 using PointsOfTile = std::function<std::vector<Eigen::Vector3f> (const TileKey& tile)>;
 
-/** \brief Measures the noise of the survey, for detection in all tiles. With the noise
- * of a tile of hills alone, planes are found that the whole survey does not have.
- * \param[in] tiles in which it is measured */
+/** \brief Measures the noise of the survey, which detection in all tiles uses. A tile
+ * of hills, searched with its own noise, has planes that the whole survey does not
+ * have.
+ * \param[in] tiles in which the noise is measured */
 CloudNoise
 noiseOfSurvey (const Plan& plan,
                const std::vector<TileKey>& tiles,
                const PointsOfTile& points_of);
 
-/** \brief Writes it in one step. \throws WorkError if it cannot be written */
+/** \brief Writes the file in one step. \throws WorkError if it cannot be written */
 void
 saveNoise (const std::string& file, const CloudNoise& noise);
 
-/** \throws WorkError if it cannot be read */
+/** \throws WorkError if the file cannot be read */
 CloudNoise
 loadNoise (const std::string& file);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey_warnings.h"
 
-#include "dense_places.h"
+#include "dense_boxes.h"
 #include <detection/plane_list.h>
 #include <detection/warning_lines.h>
 #include <pcl_ops/detect_planes.h>
@@ -26,18 +26,20 @@ unitOfSurvey (const Plan& plan)
 }
 
 CloudView
-viewOf (const DensePlace& place)
+viewOf (const DenseBox& dense)
 {
-  const std::vector<Eigen::Vector3f>& points = place.points;
-  return {points.data(), 0, sizeof (Eigen::Vector3f), points.size()};
+  constexpr std::size_t x_offset = 0;
+  const std::vector<Eigen::Vector3f>& points = dense.points;
+  return {points.data(), x_offset, sizeof (points[0]), points.size()};
 }
 
-/** \brief The noise of the largest plane found in a place, if both exist. */
+/** \brief Returns the noise of the largest plane that is found in a box [m]; nothing if
+ * no plane is found, or the plane has no noise. */
 std::optional<double>
-noiseOf (const DensePlace& place)
+noiseOf (const DenseBox& dense)
 {
   const std::vector<PlaneSegment> planes =
-      detectPlanes (viewOf (place), OrientedPointSamplingParameters());
+      detectPlanes (viewOf (dense), OrientedPointSamplingParameters());
   return planes.empty() ? std::nullopt : planes.front().noise;
 }
 
@@ -52,37 +54,38 @@ upperMedianOf (std::vector<double> numbers)
   return *middle;
 }
 
-/** \brief Sets the noise of each plane to the median of the places on it, or of the
- * places on all planes if it has none. */
+/** \brief Sets the noise of each plane to the median over the boxes around its points.
+ * If these tell no noise, it is the median over the boxes of all planes. */
 void
-addNoise (const std::vector<DensePlace>& places, std::vector<PlaneSegment>& planes)
+setNoise (const std::vector<DenseBox>& boxes, std::vector<PlaneSegment>& planes)
 {
-  std::vector<double> all;
-  std::vector<std::vector<double>> of_planes (planes.size());
-  for (const DensePlace& place : places)
-    if (place.group < planes.size())
-      if (const std::optional<double> noise = noiseOf (place)) {
-        all.push_back (*noise);
-        of_planes[place.group].push_back (*noise);
+  std::vector<double> all_noises;
+  std::vector<std::vector<double>> noises_of_plane (planes.size());
+  for (const DenseBox& dense : boxes)
+    if (dense.group < planes.size())
+      if (const std::optional<double> noise = noiseOf (dense)) {
+        all_noises.push_back (*noise);
+        noises_of_plane[dense.group].push_back (*noise);
       }
-  const std::optional<double> usual = upperMedianOf (all);
+  const std::optional<double> usual = upperMedianOf (all_noises);
   for (std::size_t i = 0; i < planes.size(); ++i)
-    planes[i].noise = of_planes[i].empty() ? usual : upperMedianOf (of_planes[i]);
+    planes[i].noise =
+        noises_of_plane[i].empty() ? usual : upperMedianOf (noises_of_plane[i]);
 }
 
 TiledSearch
 searchOf (const Plan& plan,
           const PlaneSample& sample,
-          const std::vector<DensePlace>& places)
+          const std::vector<DenseBox>& boxes)
 {
   TiledSearch search;
   search.voxel_size = plan.grid.edge;
   search.sampled_share =
       static_cast<double> (sample.shifted.cloud->size()) /
       static_cast<double> (std::max<std::uint64_t> (1, plan.points()));
-  for (const DensePlace& place : places)
-    if (place.group == sample.planes.size())
-      search.places_on_none.push_back (viewOf (place));
+  for (const DenseBox& dense : boxes)
+    if (dense.group == sample.planes.size())
+      search.places_on_none.push_back (viewOf (dense));
   return search;
 }
 
@@ -92,23 +95,24 @@ std::string
 withWarnings (const Plan& plan,
               bool has_meter,
               const std::string& list_text,
-              const LabelledPoints& points)
+              const ForEachLabeledPoint& for_each_point)
 {
-  // Enough points for shares of points to be right within one per cent.
-  constexpr std::size_t looked_at = 40'000;
+  // With so many points, shares of points are right within one per cent.
+  constexpr std::size_t sample_size = 40'000;
   auto list = nlohmann::ordered_json::parse (list_text);
-  PlaneSample sample = samplePlanes (list, points, looked_at);
-  const std::vector<DensePlace> places = densePlaces (list, sample, points);
-  addNoise (places, sample.planes);
+  PlaneSample sample = samplePlanes (list, for_each_point, sample_size);
+  const std::vector<DenseBox> boxes = denseBoxes (list, sample, for_each_point);
+  setNoise (boxes, sample.planes);
   ResultContext context;
   context.shift = sample.shifted.shift;
   context.unit = unitOfSurvey (plan);
   context.has_meter = has_meter || plan.meter != 1.0;
-  context.tiles = searchOf (plan, sample, places);
+  context.tiles = searchOf (plan, sample, boxes);
   const std::vector<ResultWarning> warnings =
       resultWarnings (*sample.shifted.cloud, sample.planes, context);
   if (warnings.empty())
     return list_text;
+  // Keys stay in the order of insertion: the long list of planes comes last.
   nlohmann::ordered_json planes = std::move (list.at ("planes"));
   list.erase ("planes");
   list["warnings"] = warningsToJson (warnings);

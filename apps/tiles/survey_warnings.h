@@ -11,17 +11,19 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Adds warnings to a list of planes, found in a sample of the labelled points.
+/** \brief Adds warnings to a list of planes. They follow from a sample of the labeled
+ * points.
  * \return the new text of the list; the same text if there are no warnings
  * \param[in] has_meter whether the user gave the length of a meter, even if it is 1
- * \throws WorkError as \p points does */
+ * \param[in] list_text JSON of the list
+ * \throws WorkError as \p for_each_point does */
 std::string
 withWarnings (const Plan& plan,
               bool has_meter,
               const std::string& list_text,
-              const LabelledPoints& points);
+              const ForEachLabeledPoint& for_each_point);
 
-/** \brief The warnings that \ref withWarnings has added to a list. */
+/** \brief Returns the warnings that \ref withWarnings has added to a list. */
 std::vector<ResultWarning>
 warningsIn (const nlohmann::ordered_json& list);
 

@@ -11,22 +11,25 @@
 
 namespace pcl_ops::apps {
 
+/** \brief Number of a cell along x, y and z, counted from zero of the inputs' frame. */
 using CellKey = std::array<std::int64_t, 3>;
 
 /** \brief Number of a tile along x and y: its first cell is the number times \ref
  * TileGrid::cells_of_tile. */
 using TileKey = std::array<std::int64_t, 2>;
 
-/** \brief A lattice of cells from zero of the inputs' frame, and square tiles of whole
- * columns of cells. Intervals are half-open: a point is in one cell and one tile. */
+/** \brief A lattice of cubic cells from zero of the inputs' frame, and square tiles of
+ * whole columns of cells. Intervals are half-open: a point is in one cell and one tile.
+ * Around each tile is a halo: a border of cells of other tiles whose points the tile
+ * sees, too. */
 struct TileGrid {
   /** \brief Width of the voxels of the coarsest resolution of normals [cells]. */
   static constexpr std::int64_t cells_of_coarsest = 4;
-  /** \brief Width of the border around a tile from which it sees points, too: normals
-   * come from the nearest three of the coarsest voxels; planes grow and are joined
-   * voxel by voxel. */
-  static constexpr std::int64_t halo = 12;                 // [cells]
-  static constexpr std::int64_t max_cells = 1'000'000'000; // from zero
+  /** \brief Width of the halo [cells]: three of the coarsest voxels, from which normals
+   * come. Planes grow and are joined voxel by voxel. */
+  static constexpr std::int64_t halo = 12;
+  /** \brief Largest distance from zero along each axis [cells]. */
+  static constexpr std::int64_t max_cells = 1'000'000'000;
 
   /** \brief Edge of a cell [m]. */
   double edge = 0.0;
@@ -35,7 +38,7 @@ struct TileGrid {
   std::int64_t cells_of_tile = 0;
   /** \brief A cell near the points, for the frames of tiles (\ref frameOf). Each number
    * is a multiple of \ref cells_of_coarsest. */
-  CellKey place{};
+  CellKey cell_near_points{};
 
   /** \brief Edge of a tile [m]. */
   double
@@ -70,36 +73,39 @@ struct TileGrid {
   TileKey
   tileOf (const CellKey& cell) const
   {
-    const auto along = [this] (std::int64_t key) {
-      const std::int64_t tile = key / cells_of_tile;
-      return tile * cells_of_tile > key ? tile - 1 : tile;
+    const auto along = [this] (std::int64_t number) {
+      // Integer division rounds towards zero; tiles are counted by rounding down.
+      const std::int64_t tile = number / cells_of_tile;
+      return tile * cells_of_tile > number ? tile - 1 : tile;
     };
     return {along (cell[0]), along (cell[1])};
   }
 
   /** \brief Whether a cell is in a tile and in the halo of no other tile. */
   bool
-  isInside (const TileKey& tile, const CellKey& cell) const
+  isSeenOnlyBy (const TileKey& tile, const CellKey& cell) const
   {
     const auto along = [&] (std::size_t axis) {
-      const std::int64_t inside = cell[axis] - tile[axis] * cells_of_tile;
-      return inside >= halo && inside < cells_of_tile - halo;
+      const std::int64_t from_border = cell[axis] - tile[axis] * cells_of_tile;
+      return from_border >= halo && from_border < cells_of_tile - halo;
     };
     return along (0) && along (1);
   }
 
-  /** \brief The cell at the zero of a tile's frame: \ref place, clamped to the tile
-   * along x and y. Each number is a multiple of \ref cells_of_coarsest. */
+  /** \brief Returns the cell whose corner is the zero of a tile's frame: \ref
+   * cell_near_points, clamped to the tile along x and y. Each number is a multiple of
+   * \ref cells_of_coarsest. */
   CellKey
   frameOf (const TileKey& tile) const
   {
     const auto along = [&] (std::size_t axis) {
       const std::int64_t first = tile[axis] * cells_of_tile;
-      return std::clamp (place[axis], first, first + cells_of_tile);
+      return std::clamp (cell_near_points[axis], first, first + cells_of_tile);
     };
-    return {along (0), along (1), place[2]};
+    return {along (0), along (1), cell_near_points[2]};
   }
 
+  /** \brief Returns the corner of a cell with the smallest coordinates [m]. */
   Eigen::Vector3d
   cornerOf (const CellKey& cell) const
   {
@@ -113,8 +119,9 @@ struct TileGrid {
   {
     const TileKey own = tileOf (cell);
     const auto sees = [&] (std::size_t axis, std::int64_t step) {
-      const std::int64_t inside = cell[axis] - own[axis] * cells_of_tile;
-      return step == 0 || (step < 0 ? inside < halo : inside >= cells_of_tile - halo);
+      const std::int64_t from_border = cell[axis] - own[axis] * cells_of_tile;
+      return step == 0 ||
+             (step < 0 ? from_border < halo : from_border >= cells_of_tile - halo);
     };
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)

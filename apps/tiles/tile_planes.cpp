@@ -13,16 +13,19 @@ namespace pcl_ops::apps {
 
 namespace {
 
-template <typename File, typename SomePiece>
+/** \brief Writes a piece to a file, or reads it.
+ * \tparam File BinaryWriter, or BinaryReader
+ * \tparam Piece const TilePiece, or TilePiece */
+template <typename File, typename Piece>
 void
-transfer (File& file, SomePiece& piece)
+transfer (File& file, Piece& piece)
 {
-  file (&piece.own.unit, 1);
-  file (piece.own.sums.data(), piece.own.sums.size());
-  file (piece.all.origin.data(), 3);
-  file (&piece.all.count, 1);
-  file (piece.all.sum.data(), 3);
-  file (piece.all.products.data(), piece.all.products.size());
+  file (&piece.own_moments.unit, 1);
+  file (piece.own_moments.sums.data(), piece.own_moments.sums.size());
+  file (piece.seen_moments.origin.data(), 3);
+  file (&piece.seen_moments.count, 1);
+  file (piece.seen_moments.sum.data(), 3);
+  file (piece.seen_moments.products.data(), piece.seen_moments.products.size());
   file (piece.normal.data(), 3);
   file (piece.edges);
   file (piece.inputs);
@@ -34,68 +37,73 @@ detectIn (const Plan& plan,
           const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
-  // Noise of zero points means that there were too few to measure it.
+  // The survey had too few points to measure its noise if CloudNoise::points is 0.
   if (noise && noise->points > 0.0)
     parameters.noise_of_whole = noise;
   if (plan.is_on_voxels)
     parameters.surfels.voxel_size = plan.grid.edge;
-  const std::vector<Eigen::Vector3f>& all = points.points;
-  if (all.size() > std::size_t (std::numeric_limits<pcl::index_t>::max()))
+  const std::vector<Eigen::Vector3f>& seen = points.points;
+  if (seen.size() > std::size_t (std::numeric_limits<pcl::index_t>::max()))
     throw std::bad_alloc();
-  return detectPlanes ({all.data(), 0, sizeof (all[0]), all.size()}, parameters);
+  constexpr std::size_t x_offset = 0;
+  const CloudView view (seen.data(), x_offset, sizeof (seen[0]), seen.size());
+  return detectPlanes (view, parameters);
 }
 
-/** \brief The inputs of a plane's own points, which are its first inliers. */
+/** \brief Returns the inputs of a plane's own points, which are its first inliers. */
 std::vector<std::uint32_t>
 inputsOf (const PlaneSegment& plane, const TilePoints& points)
 {
   std::vector<std::uint32_t> inputs;
-  std::uint64_t next = 0;
+  std::uint64_t end_of_input = 0; // as an index of points
   auto first = plane.inliers.begin();
-  for (const auto& [input, count] : points.own_of_input) {
-    next += count;
-    const auto end = std::lower_bound (first, plane.inliers.end(), pcl::index_t (next));
+  for (const OwnPoints& own : points.own_of_inputs) {
+    end_of_input += own.count;
+    const auto end =
+        std::lower_bound (first, plane.inliers.end(), pcl::index_t (end_of_input));
     if (first != end)
-      inputs.push_back (input);
+      inputs.push_back (own.input);
     first = end;
   }
   return inputs;
 }
 
-/** \param[in] own how many inliers are the tile's own points; they come first
- * \param[in] number position of the piece in the tile
- * \param[in,out] border_voxels gets the cells of the piece that other tiles see, too */
-Piece
+/** \param[in] own_points how many inliers are the tile's own points; they come first
+ * \param[in] position of the piece in TilePlanes::pieces
+ * \param[in,out] border_voxels gets the cells of the piece that other tiles see, too;
+ * one for each of their points */
+TilePiece
 pieceOf (const PlaneSegment& plane,
          const TilePoints& points,
          const TileGrid& grid,
-         std::size_t own,
-         std::uint32_t number,
+         std::size_t own_points,
+         std::uint32_t position,
          std::vector<BorderVoxel>& border_voxels)
 {
   const CellKey frame = grid.frameOf (points.tile);
-  const Eigen::Vector3d corner = grid.cornerOf (frame);
+  const Eigen::Vector3d origin = grid.cornerOf (frame);
   const double unit = outlineUnit (grid.edge);
-  Piece piece;
-  piece.own.unit = latticeFor (grid.edge);
-  piece.all = plane.moments;
-  piece.all.origin += corner;
+  TilePiece piece;
+  piece.own_moments.unit = momentsUnit (grid.edge);
+  piece.seen_moments = plane.moments;
+  piece.seen_moments.origin += origin;
   piece.normal = plane.normal;
   piece.inputs = inputsOf (plane, points);
   std::vector<OutlinePoint> outline (plane.inliers.size());
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const std::size_t index = plane.inliers[i];
     const Eigen::Vector3d local = points.points[index].cast<double>();
-    outline[i].is_own = i < own;
+    outline[i].is_own = i < own_points;
     if (outline[i].is_own)
-      piece.own.add (corner + local);
+      piece.own_moments.add (origin + local);
     CellKey cell = grid.cellOf (local);
-    BorderVoxel voxel{{}, number};
+    BorderVoxel voxel{{}, position};
     for (int axis = 0; axis < 3; ++axis) {
-      outline[i].place[axis] = std::llround ((corner[axis] + local[axis]) / unit);
-      voxel.cell[axis] = cell[axis] += frame[axis];
+      outline[i].position[axis] = std::llround ((origin[axis] + local[axis]) / unit);
+      cell[axis] += frame[axis];
+      voxel.cell[axis] = cell[axis];
     }
-    if (!grid.isInside (points.tile, cell))
+    if (!grid.isSeenOnlyBy (points.tile, cell))
       border_voxels.push_back (voxel);
   }
   piece.edges = outlineEdges (outline, plane.normal, grid.edge / unit);
@@ -111,7 +119,7 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes)
     BinaryWriter write (stream, file);
     const std::uint64_t pieces = planes.pieces.size();
     write (&pieces, 1);
-    for (const Piece& piece : planes.pieces)
+    for (const TilePiece& piece : planes.pieces)
       transfer (write, piece);
     write (planes.border_voxels);
     write.finish();
@@ -137,24 +145,26 @@ detectInTile (const Plan& plan,
               const TilePoints& points)
 {
   std::uint64_t own_points = 0;
-  for (const auto& [input, count] : points.own_of_input)
-    own_points += count;
+  for (const OwnPoints& own : points.own_of_inputs)
+    own_points += own.count;
   TileDetection found{{}, std::vector<std::uint32_t> (own_points, 0)};
   auto& [pieces, border_voxels] = found.planes;
   for (const PlaneSegment& plane : detectIn (plan, noise, points)) {
     const auto begin = plane.inliers.begin();
-    const auto end =
+    const auto end_of_own =
         std::lower_bound (begin, plane.inliers.end(), pcl::index_t (own_points));
-    if (begin == end)
+    const std::size_t own_inliers = end_of_own - begin;
+    if (own_inliers == 0)
       continue;
+    const auto position = static_cast<std::uint32_t> (pieces.size());
     pieces.push_back (
-        pieceOf (plane, points, plan.grid, end - begin, pieces.size(), border_voxels));
-    for (auto index = begin; index != end; ++index)
-      found.labels[*index] = pieces.size();
+        pieceOf (plane, points, plan.grid, own_inliers, position, border_voxels));
+    for (auto index = begin; index != end_of_own; ++index)
+      found.piece_numbers[*index] = position + 1;
   }
   std::sort (border_voxels.begin(), border_voxels.end());
   const auto are_equal = [] (const BorderVoxel& a, const BorderVoxel& b) {
-    return !(a < b);
+    return !(a < b); // as they are sorted, b < a is false, too
   };
   border_voxels.erase (
       std::unique (border_voxels.begin(), border_voxels.end(), are_equal),

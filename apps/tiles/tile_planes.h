@@ -3,33 +3,39 @@
 #pragma once
 
 #include "exact_moments.h"
+#include "outline_edges.h"
 #include "plan.h"
-#include "plane_outline.h"
 #include <pcl_ops/detection_report.h>
 
 #include <optional>
 #include <string>
 #include <tuple>
-#include <utility>
+#include <vector>
 
 namespace pcl_ops::apps {
 
 /** \brief The part of a plane that a tile sees. */
-struct Piece {
-  /** \brief Moments of the tile's own points on it, in the frame of the inputs. */
-  ExactMoments own;
-  /** \brief The same with the points of the halo. */
-  Moments all;
-  /** \brief Seen from the side it points to, the plane is to the left of its edges. */
+struct TilePiece {
+  /** \brief Moments of the tile's own points on the piece, in the frame of the inputs.
+   */
+  ExactMoments own_moments;
+  /** \brief Moments of the points in the tile and its halo, in the same frame. */
+  Moments seen_moments;
+  /** \brief Unit normal. To a viewer on the side that it points to, the piece lies to
+   * the left of each edge. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  /** \brief The tile's share of the outline (\ref outlineEdges). */
   std::vector<OutlineEdge> edges;
-  /** \brief Positions in the plan of the inputs with own points on it. */
+  /** \brief Positions in Plan::inputs of the inputs with own points on the piece. */
   std::vector<std::uint32_t> inputs;
 };
 
-/** \brief A cell with points on a piece that another tile sees, too. */
+/** \brief A cell of \ref TileGrid with points on a piece that another tile sees, too.
+ */
 struct BorderVoxel {
+  /** \brief Its \ref CellKey, in less memory. */
   std::array<std::int32_t, 3> cell{};
+  /** \brief Position in TilePlanes::pieces. */
   std::uint32_t piece = 0;
 
   friend bool
@@ -42,35 +48,45 @@ struct BorderVoxel {
 /** \brief The pieces of a tile that have own points. */
 struct TilePlanes {
   /** \brief By falling number of points in the tile and its halo. */
-  std::vector<Piece> pieces;
-  /** \brief Sorted, each once. */
+  std::vector<TilePiece> pieces;
+  /** \brief In ascending order, without duplicates. */
   std::vector<BorderVoxel> border_voxels;
 };
 
-/** \brief Writes it in one step. \throws WorkError if it cannot be written */
+/** \brief Writes the file in one step. \throws WorkError if it cannot be written */
 void
 saveTilePlanes (const std::string& file, const TilePlanes& planes);
 
-/** \throws WorkError if it cannot be read */
+/** \throws WorkError if the file cannot be read */
 TilePlanes
 loadTilePlanes (const std::string& file);
 
-/** \brief The points a tile sees, in its frame: its own by input, then the halo. */
+/** \brief The number of a tile's own points in one input. */
+struct OwnPoints {
+  /** \brief Position in Plan::inputs. */
+  std::uint32_t input;
+  std::uint64_t count;
+};
+
+/** \brief The points that a tile sees. */
 struct TilePoints {
   TileKey tile;
+  /** \brief In the frame of the tile: its own points, input by input, then those of the
+   * halo. */
   std::vector<Eigen::Vector3f> points;
-  /** \brief The inputs with own points of the tile, and how many each has. */
-  std::vector<std::pair<std::uint32_t, std::uint64_t>> own_of_input;
+  /** \brief The inputs that have own points, in the order of their points. */
+  std::vector<OwnPoints> own_of_inputs;
 };
 
 struct TileDetection {
   TilePlanes planes;
-  /** \brief Per own point: 0 for no plane, else the position of its piece plus 1. */
-  std::vector<std::uint32_t> labels;
+  /** \brief For each own point the number of its piece: the position in
+   * TilePlanes::pieces plus 1, or 0 for no piece. */
+  std::vector<std::uint32_t> piece_numbers;
 };
 
-/** \brief Finds planes with the library's recommended preset, in voxels of the grid if
- * their size was given.
+/** \brief Finds planes with the default of OPS. If Plan::is_on_voxels is set, its
+ * voxels are the cells of the grid.
  * \param[in] noise of the survey; nothing for a single tile or on voxels */
 TileDetection
 detectInTile (const Plan& plan,

@@ -18,6 +18,7 @@ namespace pcl_ops::apps {
 
 /** \brief The state that keys and clicks change, except for the camera. */
 struct ViewState {
+  /** \brief The name of the detector: Method::name. */
   std::string method = "ops";
   /** \brief Keys change only its preset. */
   DetectorOptions detector;
@@ -60,7 +61,8 @@ pressKey (char key, ViewState& state)
     return true;
   case 'm': {
     const Method* const next = &methodCalled (state.method) + 1;
-    state.method = (next > &allMethods().back() ? &allMethods().front() : next)->name;
+    const bool was_last = next > &allMethods().back();
+    state.method = was_last ? allMethods().front().name : next->name;
     break;
   }
   case 'p':
@@ -73,14 +75,16 @@ pressKey (char key, ViewState& state)
   return true;
 }
 
+/** \brief A cloud and the planes found in it. */
 struct FoundPlanes {
   XyzCloud::ConstPtr cloud;
   Detected detected;
-  /** \brief Per point: 0 for no plane, else its position in the planes plus 1. */
+  /** \brief Per point: 0 for no plane, else the index of its plane plus 1. */
   std::vector<std::uint32_t> labels;
 };
 
-/** \throws UsageError or WorkError as the detector does */
+/** \brief Finds planes by the method and preset of a state.
+ * \throws UsageError or WorkError as the detector does */
 inline FoundPlanes
 findPlanes (const ViewState& state, const XyzCloud::ConstPtr& cloud)
 {
@@ -90,20 +94,21 @@ findPlanes (const ViewState& state, const XyzCloud::ConstPtr& cloud)
   return found;
 }
 
-/** \brief The color of a point; light gray if another plane is selected. */
+/** \brief Returns the color of a point; light gray if another plane is selected. */
 inline pcl::RGB
 colorOfPoint (const FoundPlanes& found, const ViewState& state, std::size_t point)
 {
+  constexpr std::uint8_t light_gray = 215;
   const std::uint32_t label = found.labels[point];
   if (state.selected != 0 && state.selected != label)
-    return {215, 215, 215};
+    return {light_gray, light_gray, light_gray};
   return label != 0 && state.coloring == "orientations"
              ? colorOf (found.detected.planes[label - 1].orientation)
              : colorOfLabel (label);
 }
 
-/** \brief Number, orientation, size, area and equation of the selected plane.
- * \param[in] shift zero of the frame of the planes in the frame of the file */
+/** \brief Returns number, orientation, size, area and equation of the selected plane.
+ * \param[in] shift origin of the frame of the planes in the frame of the file */
 inline std::string
 planeText (const FoundPlanes& found,
            const ViewState& state,
@@ -120,8 +125,8 @@ planeText (const FoundPlanes& found,
               plane.offset);
 }
 
-/** \brief The text in the window: keys, planes, advice if none was found, and the
- * selected plane. */
+/** \brief Returns the text in the window: keys, planes, advice if none was found, and
+ * the selected plane. */
 inline std::string
 statusText (const FoundPlanes& found,
             const ViewState& state,

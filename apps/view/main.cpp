@@ -35,11 +35,13 @@ namespace {
 
 using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
+/** \brief Size of the window [pixel]. */
 constexpr int width = 1280, height = 960;
 
 struct ViewOptions {
   std::string input;
-  /** \brief The picture or page to make instead of opening a window; empty for none. */
+  /** \brief The file of a picture or page to make instead of opening a window; empty
+   * for none. */
   std::string screenshot, page;
   /** \brief The length of a meter in the unit of the cloud. */
   double meter = 1.0;
@@ -122,6 +124,7 @@ checkDisplay ()
 #endif
 }
 
+/** \brief The window of the viewer, or a picture of it. */
 class Window {
 public:
   /** \param[in] finite indices of the points with coordinates, as VTK handles no others
@@ -134,14 +137,15 @@ public:
   , viewer_ ("pcl_ops_view " + options.input, false)
   , window_ (*viewer_.getRenderWindow())
   {
-    window_.SetMultiSamples (0); // they are slow without a graphics card
+    window_.SetMultiSamples (0); // more are slow without a graphics card
     window_.SetOffScreenRendering (options.screenshot.empty() ? 0 : 1);
     viewer_.setSize (width, height);
     viewer_.setBackgroundColor (1.0, 1.0, 1.0);
     viewer_.setShowFPS (false);
+    constexpr double point_size = 3.0; // [pixel]
     viewer_.addPointCloud<pcl::PointXYZRGB> (pcl::make_shared<ColoredCloud>());
     viewer_.setPointCloudRenderingProperties (
-        pcl::visualization::PCL_VISUALIZER_POINT_SIZE, 3.0, "cloud");
+        pcl::visualization::PCL_VISUALIZER_POINT_SIZE, point_size, "cloud");
     draw();
     resetCamera();
   }
@@ -151,7 +155,7 @@ public:
   void
   run ()
   {
-    constexpr float before_others = 1.0f;
+    constexpr float before_others = 1.0f; // priority; that of PCLVisualizer is 0
     viewer_.createInteractor();
     for (const auto event : {vtkCommand::KeyPressEvent, vtkCommand::CharEvent})
       window_.GetInteractor()->AddObserver (event, this, &Window::onKey, before_others);
@@ -166,8 +170,9 @@ public:
     viewer_.spin();
   }
 
+  /** \brief Writes the first view as a PNG. */
   void
-  savePicture ()
+  saveScreenshot ()
   {
     window_.Render();
     vtkNew<vtkWindowToImageFilter> image;
@@ -194,8 +199,9 @@ private:
     vtkRenderWindowInteractor& interactor = *window_.GetInteractor();
     const char key = interactor.GetKeyCode();
     ViewState next = options_.state;
-    is_own_key_ = interactor.GetControlKey() == 0 && interactor.GetAltKey() == 0 &&
-                  (key == 'r' || pressKey (key, next));
+    const bool has_modifier =
+        interactor.GetControlKey() != 0 || interactor.GetAltKey() != 0;
+    is_own_key_ = !has_modifier && (key == 'r' || pressKey (key, next));
     if (key == 'r' && is_own_key_)
       resetCamera();
     if (is_own_key_)
@@ -220,6 +226,7 @@ private:
     window_.Render();
   }
 
+  /** \brief Colors the points, and writes the text, for the current state. */
   void
   draw ()
   {
@@ -231,7 +238,9 @@ private:
     }
     viewer_.updatePointCloud (ColoredCloud::ConstPtr (points));
     viewer_.removeAllShapes();
-    viewer_.addText (statusText (found_, options_.state, shift_), 12, 12, 15, 0, 0, 0);
+    constexpr int margin = 12, letter_height = 15; // [pixel]
+    const std::string text = statusText (found_, options_.state, shift_);
+    viewer_.addText (text, margin, margin, letter_height, 0.0, 0.0, 0.0); // black
   }
 
   /** \brief Sets the camera to the view of \ref chooseView, as in pictures. */
@@ -246,9 +255,9 @@ private:
     const Eigen::Vector3d down = view.axes.row (1).cast<double>();
     const Eigen::Vector3d ahead = view.axes.row (2).cast<double>();
     const double depth = ahead.dot (centroid.head<3>() - eye);
-    // The mouse turns the cloud around this place.
+    // The mouse turns the cloud around this position.
     const Eigen::Vector3d target = eye + (depth > 0.0 ? depth : 1.0) * ahead;
-    const double angle = 2.0 * std::atan (0.5 * height / view.focal);
+    const double vertical_angle = 2.0 * std::atan (0.5 * height / view.focal);
     vtkRenderer& renderer = *viewer_.getRendererCollection()->GetFirstRenderer();
     vtkCamera& camera = *renderer.GetActiveCamera();
     camera.SetPosition (eye.data());
@@ -256,20 +265,26 @@ private:
     camera.SetViewUp (-down.x(), -down.y(), -down.z());
     camera.SetWindowCenter (1.0 - 2.0 * view.center.x() / width,
                             2.0 * view.center.y() / height - 1.0);
-    camera.SetViewAngle (pcl::rad2deg (angle));
+    camera.SetViewAngle (pcl::rad2deg (vertical_angle));
     renderer.ResetCameraClippingRange();
   }
 
   /** \brief Options, with the state that is shown now. */
   ViewOptions options_;
+  /** \brief Origin of the frame of the planes in the frame of the file. */
   Eigen::Vector3d shift_;
+  /** \brief Indices of the points with coordinates, in the order of the shown points.
+   */
   pcl::Indices finite_;
   FoundPlanes found_;
   pcl::visualization::PCLVisualizer viewer_;
   vtkRenderWindow& window_;
+  /** \brief Whether the key that was pressed last is one of the viewer. */
   bool is_own_key_ = false;
 };
 
+/** \brief Writes the page of --view.
+ * \param[in] sensor its position, if it is known */
 void
 savePage (const ViewOptions& options,
           const ShiftedCloud& shifted,
@@ -288,20 +303,12 @@ savePage (const ViewOptions& options,
     ids.push_back (static_cast<std::uint32_t> (ids.size() + 1));
   }
   const std::string title = std::filesystem::path (options.input).filename().string();
-  savePlanePage (options.page,
-                 {title,
-                  shifted,
-                  planes,
-                  planeObjects (planes,
-                                extents,
-                                planeKinds (planes,
-                                            extents,
-                                            found.detected.up.cast<double>(),
-                                            options.meter,
-                                            sensor),
-                                ids,
-                                found.detected.up),
-                  found.detected.up});
+  const Eigen::Vector3f& up = found.detected.up;
+  const std::vector<PlaneKind> kinds =
+      planeKinds (planes, extents, up.cast<double>(), options.meter, sensor);
+  savePlanePage (
+      options.page,
+      {title, shifted, planes, planeObjects (planes, extents, kinds, ids, up), up});
 }
 
 void
@@ -324,7 +331,7 @@ view (const ViewOptions& options)
   cloud.reset();
   checkDisplay();
   Window window (options, shifted, std::move (finite));
-  options.screenshot.empty() ? window.run() : window.savePicture();
+  options.screenshot.empty() ? window.run() : window.saveScreenshot();
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "header_reader.h"
+#include "file_reader.h"
 
 #include <pcl/PCLPointField.h>
 #include <pcl/types.h>
@@ -19,8 +19,8 @@ namespace {
 std::string
 printable (const std::string& text)
 {
-  constexpr std::size_t longest = 200;
-  std::string shown = text.substr (0, longest);
+  constexpr std::size_t max_length = 200;
+  std::string shown = text.substr (0, max_length);
   for (char& c : shown)
     c = std::isprint (static_cast<unsigned char> (c)) != 0 ? c : '?';
   return shown;
@@ -41,20 +41,21 @@ void
 splitWords (std::string_view line, char separator, std::vector<std::string_view>& words)
 {
   words.clear();
-  const bool is_between_blanks = separator == ' ';
-  const std::string_view ends =
-      is_between_blanks ? blanks : std::string_view (&separator, 1);
+  const bool are_between_blanks = separator == ' ';
+  const std::string_view separators =
+      are_between_blanks ? blanks : std::string_view (&separator, 1);
   for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min (line.find_first_of (ends, begin), line.size());
+    const std::size_t end =
+        std::min (line.find_first_of (separators, begin), line.size());
     const std::string_view word = trimmed (line.substr (begin, end - begin));
-    if (!word.empty() || !is_between_blanks)
+    if (!word.empty() || !are_between_blanks)
       words.push_back (word);
     begin = end + 1;
   }
 }
 
 std::vector<std::size_t>
-HeaderReader::joinLines (std::size_t count)
+FileReader::joinNextLines (std::size_t count)
 {
   constexpr std::size_t max_lines = 8;
   const std::string first = line_;
@@ -64,33 +65,33 @@ HeaderReader::joinLines (std::size_t count)
   while (words_.size() < count && lengths.back() > 0 && lengths.size() < max_lines &&
          readLine (next)) {
     const std::size_t before = words_.size();
-    takeNumbers (line_ + ' ' + next, ' ');
+    setLine (line_ + ' ' + next, ' ');
     lengths.push_back (words_.size() - before);
   }
   if (words_.size() == count && lengths.back() > 0)
     return lengths;
-  takeNumbers (first, ' ');
+  setLine (first, ' ');
   lines_ = number_of_first; // the line that an error names
   return {words_.size()};
 }
 
 void
-HeaderReader::nextLines (const std::vector<std::size_t>& lengths)
+FileReader::nextJoinedLines (const std::vector<std::size_t>& lengths)
 {
-  std::string lines;
+  std::string joined;
   for (const std::size_t length : lengths) {
     nextNumbers();
-    expectNumbers (length);
-    lines += line_ + ' ';
+    expectWordCount (length);
+    joined += line_ + ' ';
   }
-  takeNumbers (lines, ' ');
+  setLine (joined, ' ');
 }
 
-HeaderReader::HeaderReader (const std::string& file, std::string format)
+FileReader::FileReader (const std::string& file, std::string format)
 : file_ (file), format_ (std::move (format)), stream_ (file, std::ios::binary)
 {
   stream_.seekg (0, std::ios::end);
-  file_size_ = position();
+  file_size_ = offset();
   stream_.seekg (0);
   if (!stream_)
     throw WorkError (file_, "cannot be read; check its permissions");
@@ -99,13 +100,13 @@ HeaderReader::HeaderReader (const std::string& file, std::string format)
 }
 
 Words
-HeaderReader::nextLine (const std::string& last)
+FileReader::nextHeaderLine (const std::string& last)
 {
-  constexpr std::uint64_t longest_header = 1U << 20U;
+  constexpr std::uint64_t max_header_size = 1U << 20U; // 1 MiB, as the message says
   ++lines_;
   line_.clear();
   char c = '\0';
-  for (std::uint64_t i = position(); i < longest_header && stream_.get (c); ++i) {
+  for (std::uint64_t i = offset(); i < max_header_size && stream_.get (c); ++i) {
     if (c == '\n')
       break;
     line_ += c;
@@ -121,19 +122,19 @@ HeaderReader::nextLine (const std::string& last)
 }
 
 std::uint64_t
-HeaderReader::count (const std::string& what, const std::string& text) const
+FileReader::parseCount (const std::string& what, const std::string& text) const
 {
-  constexpr std::uint64_t most = std::numeric_limits<pcl::index_t>::max();
+  constexpr std::uint64_t max_count = std::numeric_limits<pcl::index_t>::max();
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars (text.data(), end, value);
-  if (error != std::errc() || rest != end || value > most)
+  if (error != std::errc() || rest != end || value > max_count)
     fail (what + " " + text + " is out of range");
   return value;
 }
 
 void
-HeaderReader::fail (const std::string& reason) const
+FileReader::fail (const std::string& reason) const
 {
   throw WorkError (file_,
                    "is no valid " + format_ + " file: " + printable (reason) +
@@ -141,7 +142,7 @@ HeaderReader::fail (const std::string& reason) const
 }
 
 void
-HeaderReader::failAtLine (const std::string& reason) const
+FileReader::failAtLine (const std::string& reason) const
 {
   throw WorkError (file_,
                    "is damaged: line " + std::to_string (lines_) + " " +
@@ -149,25 +150,25 @@ HeaderReader::failAtLine (const std::string& reason) const
 }
 
 void
-HeaderReader::readNumber (std::size_t word, const NumberType& type, void* bytes) const
+FileReader::readNumber (std::size_t i, const NumberType& type, void* bytes) const
 {
-  const std::string_view text = words_[word];
+  const std::string_view text = words_[i];
   if (!type.parse (text.empty() ? "nan" : text, bytes))
     failAtWord (std::string (text));
 }
 
 void
-HeaderReader::failAtWord (const std::string& word) const
+FileReader::failAtWord (const std::string& word) const
 {
   const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
-  double number = 0.0;
-  std::string with_points = word;
-  std::replace (with_points.begin(), with_points.end(), ',', '.');
+  std::string with_decimal_points = word;
+  std::replace (with_decimal_points.begin(), with_decimal_points.end(), ',', '.');
   std::vector<std::string_view> parts;
-  splitWords (with_points, ' ', parts);
+  splitWords (with_decimal_points, ' ', parts);
   const bool are_numbers =
       std::all_of (parts.begin(), parts.end(), [&] (std::string_view part) {
-        return type.parse (part, &number);
+        double ignored = 0.0;
+        return type.parse (part, &ignored);
       });
   std::string problem = "which is no number";
   if (are_numbers && parts.size() > 1)
@@ -179,23 +180,24 @@ HeaderReader::failAtWord (const std::string& word) const
 }
 
 double
-HeaderReader::number (std::size_t word) const
+FileReader::number (std::size_t i) const
 {
   double number = 0.0;
-  readNumber (word, numberType (pcl::PCLPointField::FLOAT64), &number);
+  readNumber (i, numberType (pcl::PCLPointField::FLOAT64), &number);
   return number;
 }
 
 bool
-HeaderReader::isNumber (std::size_t word) const
+FileReader::isNumber (std::size_t i) const
 {
-  double number = 0.0;
-  const std::string_view text = words_[word];
-  return text.empty() || numberType (pcl::PCLPointField::FLOAT64).parse (text, &number);
+  double ignored = 0.0;
+  const std::string_view text = words_[i];
+  return text.empty() ||
+         numberType (pcl::PCLPointField::FLOAT64).parse (text, &ignored);
 }
 
 void
-HeaderReader::expectNumbers (std::size_t count,
+FileReader::expectWordCount (std::size_t count,
                              const std::vector<bool>& may_be_words) const
 {
   if (words_.size() == count)
@@ -208,7 +210,7 @@ HeaderReader::expectNumbers (std::size_t count,
 }
 
 void
-HeaderReader::checkColumns() const
+FileReader::checkColumnCount() const
 {
   const std::size_t count = words_.size();
   if (count < 3)
@@ -219,7 +221,7 @@ HeaderReader::checkColumns() const
 }
 
 bool
-HeaderReader::nextWords()
+FileReader::nextWords()
 {
   while (readLine (line_)) {
     line_.resize (std::min (line_.find ('#'), line_.size()));
@@ -231,19 +233,19 @@ HeaderReader::nextWords()
 }
 
 void
-HeaderReader::skipMark()
+FileReader::skipByteOrderMark()
 {
   std::string mark (std::min<std::uint64_t> (3, file_size_), '\0');
   read (mark.data(), mark.size());
-  const std::string start = mark.substr (0, 2);
-  if (start == "\xff\xfe" || start == "\xfe\xff")
+  const std::string utf16_mark = mark.substr (0, 2);
+  if (utf16_mark == "\xff\xfe" || utf16_mark == "\xfe\xff")
     fail ("it is UTF-16, not UTF-8");
-  if (mark != "\xef\xbb\xbf")
+  if (mark != "\xef\xbb\xbf") // that of UTF-8
     goTo (0);
 }
 
 void
-HeaderReader::expectEnd()
+FileReader::expectEnd()
 {
   while (readLine (line_))
     if (line_.find_first_not_of (blanks) != std::string::npos)

@@ -25,34 +25,16 @@ splitWords (std::string_view line,
             char separator,
             std::vector<std::string_view>& words);
 
-/** \brief Reads the parts of a cloud file for the readers of all formats: lines of a
- * header, bytes, and lines of numbers. It also words their error messages.
+/** \brief Reads the parts of a file for the readers of all formats: lines of a header,
+ * bytes, and lines of numbers. It also words their error messages. Offsets are from the
+ * beginning of the file, in bytes.
  *
  * It refuses a word in place of a number; PCL's readers make a point at zero, or one
  * without coordinates, of it. */
-class HeaderReader {
+class FileReader {
 public:
   /** \param[in] format e.g. "PCD", for error messages */
-  HeaderReader (const std::string& file, std::string format);
-
-  /** \brief Returns the words of the next line of the header.
-   * \param[in] last name of the line that should end the header, for the message
-   * \throws WorkError if the file or its first MiB ends before this line does */
-  Words
-  nextLine (const std::string& last);
-
-  std::uint64_t
-  position ()
-  {
-    return static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
-  }
-
-  void
-  goTo (std::uint64_t position)
-  {
-    stream_.clear();
-    stream_.seekg (static_cast<std::streamoff> (position));
-  }
+  FileReader (const std::string& file, std::string format);
 
   std::uint64_t
   fileSize () const
@@ -60,6 +42,28 @@ public:
     return file_size_;
   }
 
+  /** \brief Returns the offset of the next byte to read. */
+  std::uint64_t
+  offset ()
+  {
+    return static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
+  }
+
+  void
+  goTo (std::uint64_t offset)
+  {
+    stream_.clear();
+    stream_.seekg (static_cast<std::streamoff> (offset));
+  }
+
+  /** \brief Returns the number of bytes from \ref offset to the end of the file. */
+  std::uint64_t
+  bytesLeft ()
+  {
+    return file_size_ - offset();
+  }
+
+  /** \throws WorkError if the file ends before */
   void
   read (void* bytes, std::size_t count)
   {
@@ -67,24 +71,38 @@ public:
       failTruncated();
   }
 
-  /** \brief Reads an object without padding at a byte of the file. */
-  template <typename What>
-  What
-  at (std::uint64_t place)
+  /** \brief Reads an object without padding at an offset. */
+  template <typename Object>
+  Object
+  readAt (std::uint64_t offset)
   {
-    What what;
-    goTo (place);
-    read (&what, sizeof (what));
-    return what;
+    Object object;
+    goTo (offset);
+    read (&object, sizeof (object));
+    return object;
   }
 
-  /** \return false at the end of the file */
+  /** \brief Returns the words of the next line of a header.
+   * \param[in] last keyword of the line that should end the header, for the message
+   * \throws WorkError if the file or its first MiB ends before this line does */
+  Words
+  nextHeaderLine (const std::string& last);
+
+  /** \brief Skips the byte order mark of UTF-8 at the beginning of a text.
+   * \throws WorkError if the text is UTF-16 */
+  void
+  skipByteOrderMark ();
+
+  /** \brief Reads the next line into \p line; the current line stays as it is.
+   * \return false at the end of the file */
   bool
   readLine (std::string& line)
   {
     ++lines_;
     return static_cast<bool> (std::getline (stream_, line));
   }
+
+  // The current line, divided into words: these functions set it.
 
   /** \brief Reads the next line and splits it at blanks.
    * \return false if the line is empty
@@ -98,27 +116,42 @@ public:
     return !line_.empty() && line_ != "\r"; // lines may end with CR LF
   }
 
+  /** \brief Reads the next line that has a word, without its comment, which begins with
+   * #.
+   * \return false at the end of the file */
+  bool
+  nextWords ();
+
   /** \brief Appends the following lines to the current one if it then has exactly
    * \p count words; else leaves it unchanged. RealSense's viewer writes the position of
    * a vertex in one line, its normal and its color in the next.
    * \return the number of words of each joined line; one element if nothing was joined
    */
   std::vector<std::size_t>
-  joinLines (std::size_t count);
+  joinNextLines (std::size_t count);
 
   /** \brief Reads as many lines as \p lengths has elements, each with that many words,
    * and joins them.
-   * \param[in] lengths as from \ref joinLines */
+   * \param[in] lengths as from \ref joinNextLines */
   void
-  nextLines (const std::vector<std::size_t>& lengths);
+  nextJoinedLines (const std::vector<std::size_t>& lengths);
 
-  /** \brief Makes \p line the current line of numbers; see \ref splitWords. */
+  /** \brief Makes \p line the current line; see \ref splitWords. */
   void
-  takeNumbers (std::string line, char separator)
+  setLine (std::string line, char separator)
   {
     line_ = std::move (line);
     splitWords (line_, separator, words_);
   }
+
+  /** \brief Removes the first word of the current line. */
+  void
+  dropFirstWord ()
+  {
+    words_.erase (words_.begin());
+  }
+
+  // These functions read the current line. Words are counted from 0.
 
   std::size_t
   wordCount () const
@@ -126,18 +159,24 @@ public:
     return words_.size();
   }
 
-  /** \brief Writes the number of a word of the line into \p bytes; an empty word counts
-   * as nan.
-   * \param[in] word index in the line, from 0
+  const std::string_view&
+  word (std::size_t i) const
+  {
+    return words_[i];
+  }
+
+  /** \brief Whether word \p i is empty or a number. */
+  bool
+  isNumber (std::size_t i) const;
+
+  /** \brief Writes the number of word \p i into \p bytes; an empty word counts as nan.
    * \throws WorkError if it is no number or too large for double precision */
   void
-  readNumber (std::size_t word, const NumberType& type, void* bytes) const;
+  readNumber (std::size_t i, const NumberType& type, void* bytes) const;
 
+  /** \brief Returns the number of word \p i as \ref readNumber does. */
   double
-  number (std::size_t word) const;
-
-  bool
-  isNumber (std::size_t word) const;
+  number (std::size_t i) const;
 
   /** \brief Checks that the line has \p count words. It does not check whether they are
    * numbers; \ref readNumber does.
@@ -146,47 +185,24 @@ public:
    * that should be a number but is not; if there is no such word, it says how many
    * words there are. */
   void
-  expectNumbers (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
+  expectWordCount (std::size_t count, const std::vector<bool>& may_be_words = {}) const;
 
   /** \throws WorkError unless the line has 3 to \ref max_columns words */
   void
-  checkColumns () const;
+  checkColumnCount () const;
 
   /** \throws WorkError if anything but blanks follows in the file */
   void
   expectEnd ();
 
-  const std::string_view&
-  word (std::size_t i) const
-  {
-    return words_[i];
-  }
-
-  /** \brief Removes the first word of the line. */
-  void
-  dropWord ()
-  {
-    words_.erase (words_.begin());
-  }
-
-  /** \brief Skips the byte order mark of UTF-8 at the beginning of a text.
-   * \throws WorkError if the text is UTF-16 */
-  void
-  skipMark ();
-
-  /** \brief Reads the next line of a text that has a word, without its comment, which
-   * begins with #.
-   * \return false at the end of the file */
-  bool
-  nextWords ();
-
   /** \brief Returns a count, such as a number of points, that a header has as text.
    * \param[in] what the count, for the message
    * \throws WorkError if \p text is no whole number, or more than PCL's indices can
-   * tell apart */
+   * number */
   std::uint64_t
-  count (const std::string& what, const std::string& text) const;
+  parseCount (const std::string& what, const std::string& text) const;
 
+  /** \brief Throws a WorkError: the file is no valid file of its format. */
   [[noreturn]] void
   fail (const std::string& reason) const;
 
@@ -213,10 +229,14 @@ private:
   [[noreturn]] void
   failAtWord (const std::string& word) const;
 
-  std::string file_, format_, line_;
+  std::string file_, format_;
+  /** \brief The current line, and its words. */
+  std::string line_;
   std::vector<std::string_view> words_;
   std::ifstream stream_;
-  std::uint64_t file_size_ = 0, lines_ = 0;
+  std::uint64_t file_size_ = 0;
+  /** \brief Number of lines read so far. */
+  std::uint64_t lines_ = 0;
 };
 
 } // namespace pcl_ops::apps

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outline_edges.h"
+
+#include <boost/polygon/voronoi.hpp>
+
+#include "exact_moments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief Number of a square along u and v; a square is as wide as a cell. */
+using Square = std::array<std::int64_t, 2>;
+using Diagram = boost::polygon::voronoi_diagram<double>;
+using Vertex = Diagram::vertex_type;
+
+/** \brief A point projected along a coordinate axis. */
+struct Site {
+  Square square{};
+  /** \brief Coordinates along the two other axes [unit of the lattice]. */
+  std::int64_t u = 0, v = 0;
+  OutlinePoint point;
+
+  friend bool
+  operator<(const Site& a, const Site& b)
+  {
+    return std::tie (a.square, a.u, a.v, a.point.position) <
+           std::tie (b.square, b.u, b.v, b.point.position);
+  }
+};
+
+/** \brief Projects points along the coordinate axis nearest to the normal, so that all
+ * tiles get the same sites. Returns the sites without duplicates, sorted by squares.
+ *
+ * The axis follows from weighted components of the normal. Without weights the axes of
+ * a roof of 45 degrees, or of a wall between two axes, could differ between tiles. */
+std::vector<Site>
+sitesOf (const std::vector<OutlinePoint>& points,
+         const Eigen::Vector3d& normal,
+         double cell_edge)
+{
+  const Eigen::Vector3d weights (1.3, 1.0, 1.8);
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().cwiseProduct (weights).maxCoeff (&axis);
+  Eigen::Index u = (axis + 1) % 3;
+  Eigen::Index v = (axis + 2) % 3;
+  if (normal[axis] < 0.0)
+    std::swap (u, v);
+  const auto square_of = [cell_edge] (std::int64_t along) {
+    return static_cast<std::int64_t> (std::floor (double (along) / cell_edge));
+  };
+  std::vector<Site> sites;
+  sites.reserve (points.size());
+  for (const OutlinePoint& point : points) {
+    const std::int64_t along_u = point.position[u];
+    const std::int64_t along_v = point.position[v];
+    sites.push_back (
+        {{square_of (along_u), square_of (along_v)}, along_u, along_v, point});
+  }
+  std::sort (sites.begin(), sites.end());
+  const auto is_same = [] (const Site& a, const Site& b) {
+    return a.u == b.u && a.v == b.v;
+  };
+  sites.erase (std::unique (sites.begin(), sites.end(), is_same), sites.end());
+  return sites;
+}
+
+/** \brief What is known of the sites in a square that has any. */
+struct SquareState {
+  /** \brief Whether it has sites in the tile, and sites in its halo. */
+  bool has_own = false, has_halo = false;
+  /** \brief Whether its sites are not thinned: an edge of the outline may be in it, or
+   * a triangle that another tile has, too. */
+  bool keeps_all = false;
+};
+
+using OccupiedSquares = std::map<Square, SquareState>;
+
+/** \param[in] sites sorted by squares */
+OccupiedSquares
+squaresOf (const std::vector<Site>& sites)
+{
+  OccupiedSquares squares;
+  for (const Site& site : sites) {
+    SquareState& state = squares.try_emplace (squares.end(), site.square)->second;
+    if (site.point.is_own)
+      state.has_own = true;
+    else
+      state.has_halo = true;
+  }
+  return squares;
+}
+
+/** \brief Calls visit (SquareState*) for all squares up to \p reach squares away along
+ * u and v, with nullptr for a square without sites. */
+template <typename Visit>
+void
+forSquaresAround (const Square& square,
+                  std::int64_t reach,
+                  OccupiedSquares& squares,
+                  Visit&& visit)
+{
+  for (std::int64_t du = -reach; du <= reach; ++du)
+    for (std::int64_t dv = -reach; dv <= reach; ++dv) {
+      const auto found = squares.find ({square[0] + du, square[1] + dv});
+      visit (found == squares.end() ? nullptr : &found->second);
+    }
+}
+
+/** \brief Sets SquareState::keeps_all of squares at the rim of the plane, and of those
+ * near a border of tiles. There both tiles must have the same triangles, although a
+ * site may be on the plane in one tile only: it must not change which other sites are
+ * kept. */
+void
+markUnthinned (OccupiedSquares& squares)
+{
+  // The circumcircle of a triangle of a dense plane is at most three cells wide
+  // (maxCircumradius). Sparser planes have hardly a square to thin.
+  constexpr std::int64_t reach_of_triangles = 4;
+  for (auto& [square, state] : squares) {
+    bool is_at_rim = false;
+    bool is_at_border = state.has_own && state.has_halo;
+    const auto compare = [&, has_own = state.has_own] (const SquareState* next) {
+      is_at_rim = is_at_rim || next == nullptr;
+      is_at_border = is_at_border || (next != nullptr && next->has_own != has_own);
+    };
+    forSquaresAround (square, 1, squares, compare);
+    state.keeps_all = state.keeps_all || is_at_rim;
+    if (is_at_border)
+      forSquaresAround (square, reach_of_triangles, squares, [] (SquareState* near) {
+        if (near != nullptr)
+          near->keeps_all = true;
+      });
+  }
+}
+
+/** \brief Returns all sites of squares that are not thinned, and the first site of each
+ * other square.
+ * \param[in] sites sorted by squares
+ * \param[in,out] squares get SquareState::keeps_all */
+std::vector<Site>
+thinned (const std::vector<Site>& sites, OccupiedSquares& squares)
+{
+  markUnthinned (squares);
+  std::vector<Site> kept;
+  auto square = squares.begin();
+  for (const Site& site : sites) {
+    const bool is_first = kept.empty() || kept.back().square != site.square;
+    while (square->first != site.square)
+      ++square;
+    if (is_first || square->second.keeps_all)
+      kept.push_back (site);
+  }
+  return kept;
+}
+
+/** \brief Returns the largest circumradius of a triangle [edges of a cell]: at any
+ * density its circle has about a hundred sites. It changes in steps, so that tiles
+ * mostly use the same one. */
+double
+maxCircumradius (std::size_t sites, std::size_t squares)
+{
+  const double sites_per_square = double (sites) / double (squares);
+  constexpr double dense = 8.0;
+  constexpr double sparse = 2.0;
+  return sites_per_square >= dense ? 1.5 : sites_per_square >= sparse ? 3.0 : 6.0;
+}
+
+/** \brief Whether the outline encloses the Delaunay triangle of a Voronoi vertex, and
+ * the triangle belongs to this tile: its circumradius is at most \p max_radius, and its
+ * first site is the tile's own. Sites on one circle are one polygon instead of several
+ * triangles.
+ * \param[in] max_radius [unit of the lattice] */
+bool
+isKept (const Vertex& vertex, const std::vector<Site>& sites, double max_radius)
+{
+  const Site* first = nullptr;
+  const Diagram::edge_type* edge = vertex.incident_edge();
+  do {
+    const Site& site = sites[edge->cell()->source_index()];
+    if (first == nullptr || std::tie (site.u, site.v) < std::tie (first->u, first->v))
+      first = &site;
+    edge = edge->rot_next();
+  }
+  while (edge != vertex.incident_edge());
+  // The vertex is the circumcenter, relative to the first of all sites.
+  const double du = vertex.x() - double (first->u - sites.front().u);
+  const double dv = vertex.y() - double (first->v - sites.front().v);
+  return first->point.is_own && du * du + dv * dv <= max_radius * max_radius;
+}
+
+} // namespace
+
+double
+outlineUnit (double cell_edge)
+{
+  constexpr double by_moments_unit = 128.0;
+  return by_moments_unit * momentsUnit (cell_edge);
+}
+
+std::vector<OutlineEdge>
+outlineEdges (const std::vector<OutlinePoint>& points,
+              const Eigen::Vector3d& normal,
+              double cell_edge)
+{
+  if (points.empty())
+    return {};
+  std::vector<Site> sites = sitesOf (points, normal, cell_edge);
+  OccupiedSquares squares = squaresOf (sites);
+  const double max_radius = cell_edge * maxCircumradius (sites.size(), squares.size());
+  sites = thinned (sites, squares);
+  // The diagram has 32-bit coordinates, relative to the first site.
+  const std::int64_t u = sites.front().u;
+  const std::int64_t v = sites.front().v;
+  const auto is_too_far = [u, v] (const Site& site) {
+    constexpr std::int64_t max_coordinate = 1 << 30;
+    return std::abs (site.u - u) > max_coordinate ||
+           std::abs (site.v - v) > max_coordinate;
+  };
+  sites.erase (std::remove_if (sites.begin(), sites.end(), is_too_far), sites.end());
+  boost::polygon::voronoi_builder<std::int32_t> builder;
+  for (const Site& site : sites)
+    builder.insert_point (site.u - u, site.v - v);
+  Diagram diagram;
+  builder.construct (&diagram);
+  constexpr std::size_t kept = 1;
+  for (const Vertex& vertex : diagram.vertices())
+    vertex.color (isKept (vertex, sites, max_radius) ? kept : 0);
+  std::vector<OutlineEdge> edges;
+  for (const Diagram::edge_type& edge : diagram.edges()) {
+    const Vertex* begin = edge.vertex0();
+    const Vertex* end = edge.vertex1();
+    const bool is_inside = begin != nullptr && begin->color() == kept;
+    if (!is_inside || (end != nullptr && end->color() == kept))
+      continue;
+    // This Voronoi edge crosses an edge of the outline, which goes from the site on its
+    // right to the site on its left.
+    edges.push_back ({sites[edge.twin()->cell()->source_index()].point.position,
+                      sites[edge.cell()->source_index()].point.position});
+  }
+  return edges;
+}
+
+} // namespace pcl_ops::apps
