@@ -8,7 +8,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '==> %s\n' "$*"; }
 
-# What is said of a script at its head, to whoever asks any of them for it.
+# --help prints the comment at the head of the calling script.
 if [[ "${1-}" == --help || "${1-}" == -h ]]; then
   sed -n '5,/^[^#]/s/^# \?//p' "$0" | sed '/^shellcheck /d'
   exit 0
@@ -19,9 +19,10 @@ fail() {
   exit 1
 }
 
-silence=${PCL_OPS_SILENCE:-20} # seconds after which a line says what goes on
+progress_interval=${PCL_OPS_SILENCE:-20} # from one line of progress to the next [s]
 
-# progress_of LOG: how far a build, an installation or tests are by their output, in a line.
+# progress_of LOG: prints in a line how far a build, an installation or tests are, by their
+# output.
 progress_of() {
   LC_ALL=C awk '
     function megabytes(number, unit) {
@@ -49,61 +50,62 @@ progress_of() {
     }' "$1" 2>/dev/null || true
 }
 
-# tell_of LOG WHILE: lines that say how far a command is that writes the log, and says nothing
-# itself; with WHILE silent only as long as the log does not grow, as others see it, too.
-tell_of() {
-  local log=$1 while=$2 size=-1 now waiting
-  # Reads of what nobody writes: a sleep would outlive this one, and hold its output open.
-  exec {waiting}<> <(:)
+# print_progress LOG always|if_silent: prints a line of progress at each interval until the
+# script ends; with if_silent only if the log has not grown since the last one.
+print_progress() {
+  local log=$1 when=$2 last_size=-1 size never_written
+  # The read waits until its time is over, as nobody writes. A sleep would be a process of its
+  # own, which could outlive this one and keep its output open.
+  exec {never_written}<> <(:)
   while kill -0 $$ 2>/dev/null; do
-    read -r -t "$silence" -u "$waiting" _ || true
-    now=$(wc -c <"$log")
-    if [ "$while" = always ] || [ "$now" = "$size" ]; then
+    read -r -t "$progress_interval" -u "$never_written" _ || true
+    size=$(wc -c <"$log")
+    if [ "$when" = always ] || [ "$size" = "$last_size" ]; then
       say "  $(progress_of "$log"), goes on"
     fi
-    size=$now
+    last_size=$size
   done
 }
 
-# stop_telling PID: of tell_of in the background.
-stop_telling() {
+# stop_progress PID: ends a print_progress in the background.
+stop_progress() {
   kill "$1" 2>/dev/null || true
   wait "$1" 2>/dev/null || true
 }
 
-# quietly LOG COMMAND...: the command's output goes to the file and is shown if it fails;
-# meanwhile lines say how far it is.
+# quietly LOG COMMAND...: runs a command whose output goes to the log and is shown only if it
+# fails; prints its progress.
 quietly() {
-  local log=$1 status=0 teller
+  local log=$1 status=0 progress_pid
   shift
   mkdir -p "$(dirname "$log")"
   : >"$log"
-  tell_of "$log" always &
-  teller=$!
+  print_progress "$log" always &
+  progress_pid=$!
   "$@" >"$log" 2>&1 </dev/null || status=$?
-  stop_telling "$teller"
+  stop_progress "$progress_pid"
   if [ "$status" -ne 0 ]; then
     tail -n 60 "$log" >&2
     fail "failed: $* (all of its output: $log)"
   fi
 }
 
-# aloud LOG COMMAND...: the command's output is shown, and goes to the file; where there is
-# none for long, lines say how far it is.
+# aloud LOG COMMAND...: runs a command whose output is shown and goes to the log; prints its
+# progress while it prints nothing itself.
 aloud() {
-  local log=$1 status=0 teller
+  local log=$1 status=0 progress_pid
   shift
   mkdir -p "$(dirname "$log")"
   : >"$log"
-  tell_of "$log" silent &
-  teller=$!
+  print_progress "$log" if_silent &
+  progress_pid=$!
   "$@" </dev/null 2>&1 | tee "$log" || status=$?
-  stop_telling "$teller"
+  stop_progress "$progress_pid"
   return "$status"
 }
 
-# missing_packages PACKAGE...: those that are not installed, and of ?PACKAGE those that this
-# Debian or Ubuntu has.
+# missing_packages PACKAGE...: prints those that are not installed. A ?PACKAGE is optional: it
+# is left out if this Debian or Ubuntu does not have it.
 missing_packages() {
   local package name
   for package in "$@"; do
@@ -115,7 +117,7 @@ missing_packages() {
   done
 }
 
-# install_packages PACKAGE...: the missing_packages.
+# install_packages PACKAGE...: installs the missing_packages.
 install_packages() {
   local missing=() as_root=()
   if ! command -v apt-get >/dev/null; then
@@ -134,7 +136,8 @@ install_packages() {
   as_root+=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get --quiet --yes)
   quietly "$root/build/apt-update.log" "${as_root[@]}" update
   mapfile -t missing < <(missing_packages "$@") # more names are known now
-  # Names what it would fetch, and installs nothing; --assume-no would give way to --yes.
+  # --print-uris prints what would be fetched and installs nothing; --assume-no would not, as
+  # --yes overrides it.
   quietly "$root/build/apt-size.log" "${as_root[@]}" --print-uris install --no-install-recommends "${missing[@]}"
   say "installing ${missing[*]}"
   sed -n 's/.* \([0-9]*\) newly installed.*/==>   packages: \1/p; s/^Need to get \(.*\) of archives.*/==>   to fetch: \1/p' \
@@ -142,24 +145,24 @@ install_packages() {
   quietly "$root/build/apt-install.log" "${as_root[@]}" install --no-install-recommends "${missing[@]}"
 }
 
-# What pcl_ops_segment and pcl_ops_simulate need; the rest of the project needs PCL.
+# Packages that pcl_ops_segment and pcl_ops_simulate need without PCL.
 # shellcheck disable=SC2034
 build_packages_without_pcl=(g++ cmake make libeigen3-dev libboost-dev nlohmann-json3-dev
   libpng-dev '?liblaszip-dev')
-# What every other build needs.
+# Packages that every other build needs.
 # shellcheck disable=SC2034
 build_packages=(g++ cmake make libpcl-dev nlohmann-json3-dev libpng-dev libsqlite3-dev
   '?liblaszip-dev')
-# What the Python module needs besides; where one is missing it is left out.
+# Packages that the Python module needs, too; without them the build leaves it out.
 # shellcheck disable=SC2034
 python_packages=(python3-dev python3-numpy pybind11-dev)
 
-# Those that everything has to compile with, of which a distribution has some.
+# Compilers that have to build everything; a distribution has some of them.
 # shellcheck disable=SC2034
 all_compilers=(g++-12 g++-13 g++-14 clang-14 clang-15 clang-16 clang-17 clang-18 clang-19)
 
-# install_newest_compiler: the last of them that there is here and that works with the
-# standard library here; sets newest to its name, or to g++.
+# install_newest_compiler: installs the last of all_compilers that this distribution has and
+# that works with its standard library; sets newest to its name, or to g++ if there is none.
 install_newest_compiler() {
   local i
   for ((i = ${#all_compilers[@]} - 1; i >= 0; --i)); do
@@ -172,14 +175,15 @@ install_newest_compiler() {
   newest=g++
 }
 
-# How many compilers fit, at 1.5 GB each.
+# jobs: prints how many compilers can run at once: one per core that fits into the memory.
 jobs() {
-  awk -v cores="$(nproc)" '/^MemAvailable/ { fit = int($2 / 1500000) }
+  awk -v cores="$(nproc)" -v kilobytes_per_job=1500000 '
+    /^MemAvailable/ { fit = int($2 / kilobytes_per_job) }
     END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo 2>/dev/null || nproc
 }
 
-# configure FOLDER OPTION...: a build below build/ with these CMake options. Built once,
-# sources compile in half the time many at once.
+# configure FOLDER OPTION...: configures build/FOLDER with these CMake options, as a unity
+# build: for a build that is made once it takes half the time.
 configure() {
   local folder=$root/build/$1
   shift
@@ -187,14 +191,14 @@ configure() {
   if command -v ccache >/dev/null; then
     set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
-  # It compiles on where make waits for a library.
+  # Ninja compiles sources of a program before its libraries are done, and make does not.
   if [ ! -f "$folder/CMakeCache.txt" ] && command -v ninja >/dev/null; then
     set -- -G Ninja "$@"
   fi
   quietly "$folder/configure.log" cmake -S "$root" -B "$folder" "$@"
 }
 
-# build FOLDER [TARGET...]: everything, or only these targets.
+# build FOLDER [TARGET...]: builds everything in build/FOLDER, or only these targets.
 build() {
   local folder=$root/build/$1
   shift

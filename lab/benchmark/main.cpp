@@ -29,9 +29,10 @@ constexpr const char* program_name = "pcl_ops_benchmark";
 struct Options {
   /** Text for dataSetOf, or a file or folder of clouds. */
   std::string input;
-  std::string json_file, scaling_folder; // empty: not wanted
+  std::string json_file, scaling_folder; // empty: not written
+  /** Numbers of points of the clouds of the series "points", separated by commas. */
   std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
-  std::size_t memory_points = 3'000'000;
+  std::size_t memory_points = 3'000'000; // of the cloud on which memory is measured
   MeasureParameters measures;
 };
 
@@ -75,6 +76,7 @@ readOptions (int argc, const char* const* argv, Options& options)
   return true;
 }
 
+/** Shows on a terminal what is measured now, in place of the text before. */
 void
 notify (const std::string& what)
 {
@@ -95,14 +97,16 @@ compilerAndFlags ()
 #endif
 }
 
+/** Measures the peak memory of the default preset on a cloud. */
 Json
-peakOn (const XyzCloud::ConstPtr& cloud)
+peakMemoryOfDefaultOn (const XyzCloud::ConstPtr& cloud)
 {
   return {{"points", cloud->size()},
           {"cloud_bytes", double (cloud->size() * sizeof (pcl::PointXYZ))},
           {"extra_bytes", peakMemoryOn (cloud, selectConfigurations ("ops").front())}};
 }
 
+/** \param[in] peak result of \ref peakMemoryOfDefaultOn */
 std::string
 peakText (const Json& peak)
 {
@@ -114,14 +118,14 @@ peakText (const Json& peak)
          " MB more at its peak.\n";
 }
 
-/** Measures times and memory of a cloud; also prints the times. */
+/** Measures times and memory on a cloud, prints the times and returns both. */
 Json
 figuresOf (const CloudSource& source, const MeasureParameters& parameters)
 {
   notify ("loading " + source.name);
   const XyzCloud::ConstPtr cloud = source.load().cloud;
   const auto points = double (cloud->size());
-  const auto measures =
+  const std::vector<Measure> measures =
       measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
         notify (source.name + ": " + what);
       });
@@ -136,16 +140,16 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
     times["runs"] = measure.runs;
     Json row{{"measure", measure.name}, {"runs", measure.runs}};
     for (const auto& [stage, duration] : detection_stages) {
-      const double milliseconds = measure.best.*duration;
+      const double milliseconds = measure.shortest.*duration;
       times[std::string (stage) + "_ms"] = milliseconds;
       row[stage] = milliseconds > 0.0 ? decimal (milliseconds, 1) : "";
     }
-    const double whole = measure.best.detection;
-    row["us per point"] = decimal (1e3 * whole / points, 3);
-    row["times ops"] = decimal (whole / of_default->best.detection, 2);
+    const double detection = measure.shortest.detection;
+    row["us per point"] = decimal (1e3 * detection / points, 3);
+    row["times ops"] = decimal (detection / of_default->shortest.detection, 2);
     table.push_back (row);
   }
-  figures["peak_memory"] = peakOn (cloud);
+  figures["peak_memory"] = peakMemoryOfDefaultOn (cloud);
   notify ("");
   const std::string title =
       "Times [ms], " + source.name + ", " + std::to_string (cloud->size()) + " points";
@@ -153,6 +157,8 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
   return figures;
 }
 
+/** \param[in,out] left_out number of clouds without figures
+ * \throw WorkError of the last cloud if all are left out */
 Json
 figuresOfAll (const DataSet& clouds,
               const MeasureParameters& parameters,
@@ -174,8 +180,9 @@ figuresOfAll (const DataSet& clouds,
   return all;
 }
 
+/** Prints how times and memory were measured, and the memory. */
 void
-printMethod (const Json& report)
+printMethodAndMemory (const Json& report)
 {
   const Json& machine = report["machine"];
   std::cout
@@ -198,8 +205,9 @@ printMethod (const Json& report)
               << peakText (figures["peak_memory"]);
 }
 
+/** \param[in] sizes see Options::scaling_points */
 DataSet
-growingScans (const std::string& sizes)
+scansOfSizes (const std::string& sizes)
 {
   try {
     return dataSetOf ("simulated:" + sizes);
@@ -220,7 +228,7 @@ run (int argc, const char* const* argv)
   const bool is_path =
       input.find (':') == std::string::npos || std::filesystem::exists (input);
   const DataSet clouds = dataSetOf (is_path ? "clouds:" + input : input);
-  const DataSet growing = growingScans (options.scaling_points);
+  const DataSet growing = scansOfSizes (options.scaling_points);
   if (!options.json_file.empty())
     checkWritable (options.json_file);
   if (!options.scaling_folder.empty())
@@ -241,9 +249,9 @@ run (int argc, const char* const* argv)
   report["clouds"] = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
   const std::string scan = "simulated:" + std::to_string (options.memory_points);
-  report["peak_memory"] = peakOn (dataSetOf (scan).front().load().cloud);
+  report["peak_memory"] = peakMemoryOfDefaultOn (dataSetOf (scan).front().load().cloud);
   notify ("");
-  printMethod (report);
+  printMethodAndMemory (report);
   if (!options.scaling_folder.empty()) {
     const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
     writeTextFile (file.string(),

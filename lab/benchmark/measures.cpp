@@ -29,8 +29,10 @@ using namespace evaluation;
 
 namespace {
 
-/** \param[in] names of configurations; a peer detector that exceeds the time limit is
- * stopped and reported */
+/** Returns a measure for each configuration that needs no image. A peer detector that
+ * exceeds the time limit is stopped, which is reported, and has the limit as its time.
+ * \param[in] names of configurations and groups, separated by commas
+ * \param[in] runs 0: no measures */
 std::vector<Measure>
 detectorsOn (const XyzCloud::ConstPtr& cloud,
              const std::string& names,
@@ -53,6 +55,7 @@ detectorsOn (const XyzCloud::ConstPtr& cloud,
   return measures;
 }
 
+/** Returns measures of the default and of the paper's preset of OPS. */
 std::vector<Measure>
 presetsOn (const XyzCloud::ConstPtr& cloud,
            const MeasureParameters& parameters,
@@ -67,8 +70,9 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
   return measures;
 }
 
+/** Returns measures that no detector can be faster than: a copy and a search tree. */
 std::vector<Measure>
-leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
+lowerBoundsOn (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 {
   const auto timeOf = [runs] (const char* name, const std::function<void()>& work) {
     return Measure{name, runs, [work] {
@@ -94,13 +98,80 @@ joined (const std::vector<std::vector<Measure>>& lists)
   return all;
 }
 
+/** Returns the measures on one thread of \ref measureScaling. */
 std::vector<Measure>
-allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
+scalingMeasuresOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
 {
-  const auto& [runs, peer_runs, settings] = parameters;
   return joined ({presetsOn (cloud, parameters),
-                  detectorsOn (cloud, "kht", runs, settings),
-                  leastMeasures (cloud, runs)});
+                  detectorsOn (cloud, "kht", parameters.runs, parameters.settings),
+                  lowerBoundsOn (cloud, parameters.runs)});
+}
+
+/** The CSV of \ref measureScaling. */
+class ScalingTable {
+public:
+  explicit ScalingTable (const Notify& notify) : notify_ (notify)
+  {
+    csv_ << "series,x,points,measure,runs,cloud";
+    for (const auto& [stage, duration] : apps::detection_stages)
+      csv_ << ',' << stage << "_ms";
+    csv_ << '\n';
+  }
+
+  /** Runs measures of a cloud and adds a row for each. */
+  void
+  add (const char* series,
+       double x,
+       const std::string& name,
+       const XyzCloud::ConstPtr& cloud,
+       const std::vector<Measure>& measures)
+  {
+    for (const Measure& measure : measureInTurns (measures, notify_)) {
+      csv_ << series << ',' << x << ',' << cloud->size() << ',' << measure.name << ','
+           << measure.runs << ',' << std::quoted (name, '"', '"');
+      for (const auto& [stage, duration] : apps::detection_stages)
+        csv_ << ',' << measure.shortest.*duration;
+      csv_ << '\n';
+    }
+  }
+
+  std::string
+  text () const
+  {
+    return csv_.str();
+  }
+
+private:
+  const Notify& notify_;
+  std::ostringstream csv_;
+};
+
+void
+addThreadsSeries (const DataSet& clouds,
+                  const MeasureParameters& parameters,
+                  ScalingTable& table)
+{
+  constexpr const char* series = "threads";
+  const unsigned most_threads = std::max (2u, std::thread::hardware_concurrency());
+  for (const CloudSource& source : clouds) {
+    const XyzCloud::ConstPtr cloud = source.load().cloud;
+    table.add (series, 1, source.name, cloud, scalingMeasuresOn (cloud, parameters));
+    for (unsigned threads = 2; threads <= most_threads; ++threads)
+      table.add (
+          series, threads, source.name, cloud, presetsOn (cloud, parameters, threads));
+  }
+}
+
+/** Returns a scan of \ref makeBoards. */
+XyzCloud::ConstPtr
+scanOfBoards (unsigned number, std::size_t points, simulation::Seed seed)
+{
+  constexpr double noise_scale = 1.0;
+  const simulation::SimulatedCloud scan =
+      simulation::scanDensely (makeBoards (number), points, noise_scale, seed);
+  const XyzCloud::Ptr boards (new XyzCloud);
+  pcl::copyPointCloud (scan.cloud, *boards);
+  return boards;
 }
 
 /** A number in /proc/self/status [byte]; NaN if there is none. */
@@ -131,14 +202,16 @@ measureInTurns (std::vector<Measure> measures, const Notify& notify)
   for (bool is_done = false; !is_done;) {
     is_done = true;
     for (Measure& measure : measures) {
-      if (measure.runs == measure.max_runs || measure.spent > patience)
+      if (measure.runs == measure.max_runs || measure.total_time > max_repeated_time)
         continue;
       is_done = false;
       notify (measure.name);
       const StageDurations durations = measure.run();
-      measure.spent += durations.detection;
-      if (measure.runs++ == 0 || durations.detection < measure.best.detection)
-        measure.best = durations;
+      measure.total_time += durations.detection;
+      const bool is_first = measure.runs == 0;
+      if (is_first || durations.detection < measure.shortest.detection)
+        measure.shortest = durations;
+      ++measure.runs;
     }
   }
   return measures;
@@ -147,32 +220,33 @@ measureInTurns (std::vector<Measure> measures, const Notify& notify)
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
 {
-  const auto& [runs, peer_runs, settings] = parameters;
   Measure on_two_threads = presetsOn (cloud, parameters, 2).front();
   on_two_threads.name = "ops, two threads";
   constexpr const char* ours = "ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14";
-  return joined ({leastMeasures (cloud, runs),
+  const RunSettings& settings = parameters.settings;
+  return joined ({lowerBoundsOn (cloud, parameters.runs),
                   {on_two_threads},
-                  detectorsOn (cloud, ours, runs, settings),
-                  detectorsOn (cloud, "peers", peer_runs, settings)});
+                  detectorsOn (cloud, ours, parameters.runs, settings),
+                  detectorsOn (cloud, "peers", parameters.peer_runs, settings)});
 }
 
 double
 peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector)
 {
   // A run on a small cloud first makes the pages of the program itself resident.
-  constexpr std::size_t small = 5000;
-  const XyzCloud::Ptr few (new XyzCloud);
-  const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
+  constexpr std::size_t points_of_small_cloud = 5000;
+  const XyzCloud::Ptr small_cloud (new XyzCloud);
+  const std::size_t stride =
+      std::max<std::size_t> (1, cloud->size() / points_of_small_cloud);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
-    few->push_back ((*cloud)[i]);
+    small_cloud->push_back ((*cloud)[i]);
   const auto memory = boost::interprocess::anonymous_shared_memory (sizeof (double));
   double& growth = *static_cast<double*> (memory.get_address());
   growth = std::numeric_limits<double>::quiet_NaN();
   const auto measure = [&] {
-    detector.run (few, {});
+    detector.run (small_cloud, {});
 #ifdef __GLIBC__
-    malloc_trim (0); // reused free memory would not show as growth
+    malloc_trim (0); // free memory that is used again would not show as growth
 #endif
     // "5" resets the peak to the memory that is resident now (proc(5)).
     std::ofstream ("/proc/self/clear_refs") << "5";
@@ -180,8 +254,9 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector)
     detector.run (cloud, {});
     growth = statusBytes ("VmHWM") - before;
   };
+  constexpr unsigned no_time_limit = 0;
   try {
-    runInChild (measure, 0);
+    runInChild (measure, no_time_limit);
   }
   catch (const std::runtime_error&) { // the number stays NaN
   }
@@ -193,9 +268,9 @@ makeBoards (unsigned number)
 {
   using namespace simulation;
   constexpr double spacing = 2.0; // [m]; a board is 1 m wide
-  // Its multiples are spread evenly on the circle [rad].
+  // Multiples of the golden angle are spread evenly on the circle [rad].
   constexpr double golden_angle = 2.399963229728653;
-  constexpr double steepest = 0.5; // [rad]
+  constexpr double largest_tilt = 0.5; // [rad]
   const auto columns = unsigned (std::ceil (std::sqrt (double (number))));
   Body board;
   board.addSurface ({});
@@ -203,7 +278,7 @@ makeBoards (unsigned number)
   for (unsigned i = 0; i < number; ++i)
     scene.add (board,
                at ({spacing * (i % columns), spacing * (i / columns), 0}) *
-                   turnZ (golden_angle * i) * turnX (steepest * i / number));
+                   turnZ (golden_angle * i) * turnX (largest_tilt * i / number));
   return scene;
 }
 
@@ -213,49 +288,31 @@ measureScaling (const DataSet& clouds,
                 const MeasureParameters& parameters,
                 const Notify& notify)
 {
-  std::ostringstream csv;
-  csv << "series,x,points,measure,runs,cloud";
-  for (const auto& stage : apps::detection_stages)
-    csv << ',' << stage.first << "_ms";
-  csv << '\n';
-  std::string name = clouds.front().name;
-  const auto add = [&] (const char* series,
-                        double x,
-                        const XyzCloud::ConstPtr& cloud,
-                        const std::vector<Measure>& measures) {
-    for (const Measure& measure : measureInTurns (measures, notify)) {
-      csv << series << ',' << x << ',' << cloud->size() << ',' << measure.name << ','
-          << measure.runs << ',' << std::quoted (name, '"', '"');
-      for (const auto& stage : apps::detection_stages)
-        csv << ',' << measure.best.*stage.second;
-      csv << '\n';
-    }
-  };
-  const XyzCloud::ConstPtr cloud = clouds.front().load().cloud;
-  const unsigned most = std::max (2u, std::thread::hardware_concurrency());
-  for (const CloudSource& source : clouds) {
-    name = source.name;
-    const XyzCloud::ConstPtr kind = source.load().cloud;
-    add ("threads", 1, kind, allOn (kind, parameters));
-    for (unsigned threads = 2; threads <= most; ++threads)
-      add ("threads", threads, kind, presetsOn (kind, parameters, threads));
-  }
+  ScalingTable table (notify);
+  const XyzCloud::ConstPtr first_cloud = clouds.front().load().cloud;
+  addThreadsSeries (clouds, parameters, table);
+  const std::string& name = clouds.back().name;
   for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
-    add ("sampling_rate", 100.0 * rate, cloud, presetsOn (cloud, parameters, 1, rate));
+    table.add ("sampling_rate",
+               100.0 * rate,
+               name,
+               first_cloud,
+               presetsOn (first_cloud, parameters, 1, rate));
   for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
-    const auto scan = simulation::scanDensely (
-        makeBoards (planes), cloud->size(), 1.0, parameters.settings.seed);
-    const XyzCloud::Ptr boards (new XyzCloud);
-    pcl::copyPointCloud (scan.cloud, *boards);
-    add ("planes", planes, boards, allOn (boards, parameters));
+    const XyzCloud::ConstPtr boards =
+        scanOfBoards (planes, first_cloud->size(), parameters.settings.seed);
+    table.add ("planes", planes, name, boards, scalingMeasuresOn (boards, parameters));
   }
   for (const CloudSource& source : growing) {
-    name = source.name;
-    notify ("simulating " + name);
+    notify ("simulating " + source.name);
     const XyzCloud::ConstPtr scan = source.load().cloud;
-    add ("points", double (scan->size()), scan, allOn (scan, parameters));
+    table.add ("points",
+               double (scan->size()),
+               source.name,
+               scan,
+               scalingMeasuresOn (scan, parameters));
   }
-  return csv.str();
+  return table.text();
 }
 
 } // namespace pcl_ops::benchmark

@@ -16,26 +16,26 @@ using evaluation::XyzCloud;
 std::string
 valueIn (const std::string& file, const std::string& name);
 
+/** Something whose time is measured, and the result of its runs so far. */
 struct Measure {
   std::string name;
   std::size_t max_runs = 1;
   std::function<StageDurations()> run; // [ms]
-  /** Number of runs, their total time [ms], and the durations of the fastest run. */
   std::size_t runs = 0;
-  double spent = 0.0;
-  StageDurations best = {};
+  double total_time = 0.0;      // of all runs [ms]
+  StageDurations shortest = {}; // of the fastest run [ms]
 };
 
 using Notify = std::function<void (const std::string& what)>;
 
 /** Runs each measure once, then each a second time, and so on, so that a slow phase of
- * the machine affects all measures. A measure that has taken more than \ref patience in
- * total is not repeated. */
+ * the machine affects all measures. A measure that has taken more than
+ * \ref max_repeated_time in total is not repeated. */
 std::vector<Measure>
 measureInTurns (std::vector<Measure> measures, const Notify& notify);
 
-/** [ms] */
-constexpr double patience = 20000.0;
+/** Total time of a measure beyond which it is not repeated [ms]. */
+constexpr double max_repeated_time = 20000.0;
 
 struct MeasureParameters {
   std::size_t runs = 5;
@@ -43,9 +43,9 @@ struct MeasureParameters {
   evaluation::RunSettings settings = {};
 };
 
-/** Measures: a copy of the cloud into allocated memory and the construction of
- * pcl::KdTreeFLANN, as lower bounds; the default preset on two threads; configurations
- * of OPS, 3D-KHT and FSPF on one thread; the peer detectors. */
+/** Returns measures that have not run yet: a copy of the cloud into allocated memory
+ * and the construction of pcl::KdTreeFLANN, as lower bounds; the default preset on two
+ * threads; configurations of OPS, 3D-KHT and FSPF on one thread; the peer detectors. */
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters);
 
@@ -60,10 +60,10 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector);
 simulation::Scene
 makeBoards (unsigned number);
 
-/** Returns a CSV of the times of OPS (default and paper preset) in four series, in each
- * of which one quantity x grows: points, threads, sampling_rate [%] or planes. On one
- * thread, all series but sampling_rate also have 3D-KHT and the lower bounds of
- * \ref measuresOf.
+/** Returns a CSV of the times of OPS (default and paper preset) in four series. In each
+ * series the quantity of its name grows, whose values are in the column x: points,
+ * threads, sampling_rate [%] or planes. On one thread, all series but sampling_rate
+ * also have 3D-KHT and the lower bounds of \ref measuresOf.
  * \param[in] clouds for the series threads; the first one also for sampling_rate, and
  * its number of points for the simulated boards of the series planes
  * \param[in] growing for the series points */

@@ -23,25 +23,28 @@ using namespace apps;
 
 namespace {
 
-constexpr double farthest = 0.05; // an edge or corner within this is found [m]
+constexpr double max_distance = 0.05; // of found edges and corners from true ones [m]
 
-/** A length or number, and the part of it that was found. */
+/** A length of edges [m] or a number of corners, and the part of it that agrees with
+ * those that it is compared with. */
 struct Share {
   double part = 0.0, whole = 0.0;
 
+  /** \param[in] distances see \ref distancesAlong */
   void
   add (const PlaneEdge& edge, const std::vector<double>& distances)
   {
-    const auto near = std::count_if (
-        distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
+    const auto near = std::count_if (distances.begin(), distances.end(), [] (double d) {
+      return d <= max_distance;
+    });
     part += edge.length() * double (near) / double (distances.size());
     whole += edge.length();
   }
 };
 
-/** How much of the true edges was found, and how much of the found edges is true. */
+/** How much of what is true was found, and how much of what was found is true. */
 struct EdgeScore {
-  Share walls, found, is_true, corners_found, corners_true;
+  Share wall_edges_found, edges_found, edges_true, corners_found, corners_true;
   /** Distances at each found centimeter of true edges, and of found corners [m]. */
   std::vector<double> edge_errors, corner_errors;
 };
@@ -58,14 +61,16 @@ distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
   std::vector<double> distances (samples, std::numeric_limits<double>::infinity());
   for (const PlaneEdge& other : others) {
     const Vector3d along = other.to - other.from;
-    if (std::abs (direction.dot (along.normalized())) <
-        std::cos (paper_angle_tolerance))
+    const double cosine = std::abs (direction.dot (along.normalized()));
+    if (cosine < std::cos (paper_angle_tolerance))
       continue;
     for (int sample = 0; sample < samples; ++sample) {
-      const double place = (sample + 0.5) / samples;
-      const Vector3d point = edge.from + place * (edge.to - edge.from);
-      const double share = along.dot (point - other.from) / along.squaredNorm();
-      const Vector3d nearest = other.from + std::clamp (share, 0.0, 1.0) * along;
+      const double share = (sample + 0.5) / samples; // of the edge
+      const Vector3d point = edge.from + share * (edge.to - edge.from);
+      const double share_of_other =
+          along.dot (point - other.from) / along.squaredNorm();
+      const Vector3d nearest =
+          other.from + std::clamp (share_of_other, 0.0, 1.0) * along;
       distances[sample] = std::min (distances[sample], (nearest - point).norm());
     }
   }
@@ -88,7 +93,7 @@ addCorners (const std::vector<PlaneCorner>& truth,
         found.begin(), found.end(), [&] (const auto& one, const auto& other) {
           return distance (one) < distance (other);
         });
-    if (nearest == found.end() || distance (*nearest) > farthest)
+    if (nearest == found.end() || distance (*nearest) > max_distance)
       continue;
     score.corner_errors.push_back (distance (*nearest));
     found.erase (nearest); // keeps the order, so that ties are deterministic
@@ -97,6 +102,7 @@ addCorners (const std::vector<PlaneCorner>& truth,
   }
 }
 
+/** Adds what the default preset finds in a cloud to a score. */
 void
 addCloud (const EvaluationCloud& cloud, EdgeScore& score)
 {
@@ -109,20 +115,22 @@ addCloud (const EvaluationCloud& cloud, EdgeScore& score)
   const PlaneEdges truth = findPlaneEdges (*cloud.cloud, true_planes);
   const PlaneEdges found = findPlaneEdges (*cloud.cloud, planes);
   for (const PlaneEdge& edge : truth.edges) {
-    constexpr double wall_length = 1.0; // [m]
-    const std::set<Orientation> sides{true_planes[edge.planes[0]].orientation,
-                                      true_planes[edge.planes[1]].orientation};
+    constexpr double min_wall_length = 1.0; // [m]
+    const std::set<Orientation> orientations{true_planes[edge.planes[0]].orientation,
+                                             true_planes[edge.planes[1]].orientation};
     const std::vector<double> distances = distancesAlong (edge, found.edges);
-    score.found.add (edge, distances);
-    if (edge.length() >= wall_length &&
-        sides == std::set{Orientation::Horizontal, Orientation::Vertical})
-      score.walls.add (edge, distances);
+    score.edges_found.add (edge, distances);
+    const bool is_wall_edge =
+        edge.length() >= min_wall_length &&
+        orientations == std::set{Orientation::Horizontal, Orientation::Vertical};
+    if (is_wall_edge)
+      score.wall_edges_found.add (edge, distances);
     for (const double distance : distances)
-      if (distance <= farthest)
+      if (distance <= max_distance)
         score.edge_errors.push_back (distance);
   }
   for (const PlaneEdge& edge : found.edges)
-    score.is_true.add (edge, distancesAlong (edge, truth.edges));
+    score.edges_true.add (edge, distancesAlong (edge, truth.edges));
   addCorners (truth.corners, found.corners, score);
 }
 
@@ -134,9 +142,9 @@ answerOf (const std::string& data_set, const EdgeScore& score)
   };
   const auto value = [] (const Share& share) { return share.part / share.whole; };
   return {{"data_set", data_set},
-          {"wall_edges_found", value (score.walls)},
-          {"edges_found", value (score.found)},
-          {"edges_true", value (score.is_true)},
+          {"wall_edges_found", value (score.wall_edges_found)},
+          {"edges_found", value (score.edges_found)},
+          {"edges_true", value (score.edges_true)},
           {"median_mm", millimeters (score.edge_errors, 0.5)},
           {"95_%_mm", millimeters (score.edge_errors, 0.95)},
           {"corners_found", value (score.corners_found)},

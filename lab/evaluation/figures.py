@@ -3,6 +3,7 @@
 """The plots of report.py, by matplotlib."""
 import csv
 from collections import defaultdict
+from typing import NamedTuple
 
 import matplotlib
 import numpy as np
@@ -11,19 +12,22 @@ from PIL import Image
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402
 
-# Methods by the names people know, in the order of the pictures.
+# Names of methods in pictures, by their names in pcl_ops_evaluate.
 NAMES = {"ops": "pcl_ops", "ops-3-30": "pcl_ops, paper", "kht": "3D-KHT", "fspf": "FSPF",
          "pcl-sac": "PCL SACSegmentation loop", "pcl-region-growing": "PCL RegionGrowing",
          "pcl-organized": "PCL OrganizedMultiPlane", "cgal-ransac": "CGAL Efficient RANSAC",
          "cgal-region-growing": "CGAL region growing", "open3d": "Open3D segment_plane loop",
          "voxel-octree": "voxel octree (VoxelMap)"}
 OURS = ("ops", "ops-3-30", "kht", "fspf")
+# Methods in strips of pictures, in this order.
 IN_STRIP = ("truth", "ops", "cgal-region-growing", "cgal-ransac", "pcl-region-growing", "pcl-sac")
-MEASURED = "-measured"
-OWN_COLOR = "C2"
+MEASURED = "-measured"  # end of a method's name, where its parameters come from the cloud
+OUR_COLOR, PEER_COLOR, OWN_COLOR = "C3", "C0", "C2"  # own: labels of a user's detector
+COLORS_OF_PNG = 128  # enough for the pictures; a file takes half the bytes
 
 
 def finish(axes, x_label, y_label, file):
+    """Names the axes, saves the plot and closes it."""
     axes.set_xlabel(x_label)
     axes.set_ylabel(y_label)
     axes.grid(True)
@@ -34,16 +38,16 @@ def finish(axes, x_label, y_label, file):
 
 
 def save(figure, file):
-    """As a PNG of 128 colors, which are enough and take half the bytes."""
+    """Saves a figure as a PNG of COLORS_OF_PNG colors and closes it."""
     figure.set_dpi(100)
     figure.canvas.draw()
     pixels = np.asarray(figure.canvas.buffer_rgba())[..., :3]
-    Image.fromarray(pixels).quantize(128, dither=Image.Dither.NONE).save(file, optimize=True)
+    Image.fromarray(pixels).quantize(COLORS_OF_PNG, dither=Image.Dither.NONE).save(file, optimize=True)
     plt.close(figure)
 
 
 def draw_own(axes, accuracies):
-    """Labels of one's own tell no time: a line at the accuracy of each, with its name."""
+    """A line at the accuracy of each of a user's own detectors, whose labels tell no time."""
     for name, accuracy in accuracies.items():
         axes.axhline(accuracy, color=OWN_COLOR, linestyle="--", linewidth=1.2)
         axes.annotate(name, (0, accuracy), xycoords=("axes fraction", "data"), xytext=(4, 3),
@@ -51,6 +55,7 @@ def draw_own(axes, accuracies):
 
 
 def plot_accuracy(name, means, folder):
+    """Accuracies of a data set over the time, and over the sampling rate of OPS."""
     own = {configuration: mean for configuration, mean in means.items()
            if mean["clouds"] and np.isnan(mean["detection_ms"])}
     means = {configuration: mean for configuration, mean in means.items()
@@ -82,7 +87,7 @@ def plot_accuracy(name, means, folder):
 
 
 def styles_of(truths, data_sets):
-    """A color for each data set, and a line for each number of neighbors."""
+    """The color of the data set and the line of the number of neighbors of each truth."""
     names = [name for name, _ in truths]
     neighbors = list(dict.fromkeys(name.rpartition("-k")[2] for name in names))
     return [f"C{data_sets.index(name.partition(',')[0])}o" +
@@ -110,24 +115,30 @@ def plot_true_planes(truths, bounds, of_paper, file):
 
 
 def label_dots(axes, dots):
-    """Names beside their dots, each at the first place around it that is free; a line leads
-    to a name that is not right beside its dot."""
+    """Names beside their dots, each at the first offset from it that is free; a line leads
+    to a name that is above or below its dot.
+
+    dots: (name, position, color) of each
+    """
+    dot_size = 12  # [px]
     renderer = axes.figure.canvas.get_renderer()
-    taken = [matplotlib.transforms.Bbox.from_bounds(x - 6, y - 6, 12, 12)
+    taken = [matplotlib.transforms.Bbox.from_bounds(x - dot_size / 2, y - dot_size / 2,
+                                                    dot_size, dot_size)
              for x, y in axes.transData.transform([dot for _, dot, _ in dots])]
-    places = [(x, y, "left" if x > 0 else "right" if x < 0 else "center")
-              for far in (1, 2, 3, 4) for x, y in ((8, -4), (-8, -4), (0, 9 * far), (0, -17 * far),
-                                                   (8, 7 * far), (-8, 7 * far), (8, -14 * far),
-                                                   (-8, -14 * far))]
+    # Offsets of a name [points], the nearest first, and which of its sides is there.
+    offsets = [(x, y, "left" if x > 0 else "right" if x < 0 else "center")
+               for far in (1, 2, 3, 4)
+               for x, y in ((8, -4), (-8, -4), (0, 9 * far), (0, -17 * far), (8, 7 * far),
+                            (-8, 7 * far), (8, -14 * far), (-8, -14 * far))]
     frame = axes.get_window_extent()
     for name, dot, color in dots:
-        for x, y, side in places:
+        for x, y, side in offsets:
             label = axes.annotate(name, dot, xytext=(x, y), textcoords="offset points", ha=side,
                                   fontsize=12, color=color)
             box = label.get_window_extent(renderer)
             fits = (frame.x0 < box.x0 and box.x1 < frame.x1 and frame.y0 < box.y0 and
                     not box.count_overlaps(taken))
-            if fits or (x, y, side) == places[-1]:
+            if fits or (x, y, side) == offsets[-1]:
                 break
             label.remove()
         if name and abs(y) > 9:
@@ -147,16 +158,16 @@ def panels_of(data_sets):
 
 
 def dots_of(rows, data_sets):
-    """Time and F-score of each method that has all of the data sets: means over these, of the
-    time the geometric one."""
-    lines = defaultdict(list)
+    """Time and F-score of each method that has all of the data sets: the geometric mean of
+    the times and the mean of the scores."""
+    rows_of_method = defaultdict(list)
     for row in rows:
         if row["data_set"] in data_sets and row["values"] != "own":
-            lines[row["method"]].append(row)
+            rows_of_method[row["method"]].append(row)
     return {method: (np.exp(np.mean([np.log(float(row["seconds_per_million_points"]))
                                      for row in of_method])),
                      np.mean([float(row["f_score"]) for row in of_method]))
-            for method, of_method in lines.items() if len(of_method) == len(data_sets)}
+            for method, of_method in rows_of_method.items() if len(of_method) == len(data_sets)}
 
 
 def plot_comparison(rows, folder):
@@ -170,7 +181,7 @@ def plot_comparison(rows, folder):
     best = max(float(row["f_score"]) for row in rows
                if any(row["data_set"] in names for names in panels_by_title.values()))
     count = len(panels_by_title)
-    labels_of = {}
+    labels_of_axes = {}
     figure, panels = plt.subplots(count, 1, sharex=True, squeeze=False,
                                   figsize=(8.3, 3.7 * count), layout="constrained")
     for axes, (title, data_sets) in zip(panels[:, 0], panels_by_title.items()):
@@ -182,15 +193,15 @@ def plot_comparison(rows, folder):
         axes.xaxis.set_major_formatter("{x:g}")
         axes.margins(x=0.15)
         axes.grid(True, alpha=0.3)
-        labels = labels_of[axes] = []
+        labels = labels_of_axes[axes] = []
         for method, dot in dots.items():
-            usual = method.removesuffix(MEASURED)
-            color = "C3" if usual in OURS else "C0"
+            tutorial = method.removesuffix(MEASURED)  # the method with values of its tutorial
+            color = OUR_COLOR if tutorial in OURS else PEER_COLOR
             axes.scatter(*dot, s=45, edgecolors=color,
-                         facecolors="none" if usual != method else color)
-            if usual != method and usual in dots:
-                axes.plot(*zip(dots[usual], dot), color=color, linewidth=0.7, alpha=0.5)
-            labels.append(("" if usual != method else NAMES.get(method, method), dot, color))
+                         facecolors="none" if tutorial != method else color)
+            if tutorial != method and tutorial in dots:
+                axes.plot(*zip(dots[tutorial], dot), color=color, linewidth=0.7, alpha=0.5)
+            labels.append(("" if tutorial != method else NAMES.get(method, method), dot, color))
         draw_own(axes, {row["method"]: float(row["f_score"]) for row in rows
                         if row["data_set"] in data_sets and row["values"] == "own"})
     panels[-1][0].set_xlabel("processor time per million points [s]", fontsize=13)
@@ -203,7 +214,7 @@ def plot_comparison(rows, folder):
     panels[0][0].legend(handles=marks, fontsize=12, loc="upper right")
     figure.canvas.draw()
     figure.set_layout_engine("none")
-    for axes, labels in labels_of.items():
+    for axes, labels in labels_of_axes.items():
         label_dots(axes, labels)
     save(figure, folder / "figure.png")
 
@@ -212,9 +223,10 @@ CHANGES = ("moved", "turned", "thinned", "jittered", "rounded")  # columns of st
 
 
 def plot_steadiness(rows, folder):
-    """How right and how steady each method is: its number, and the share of points that stay on
-    their plane in the worst tenth of clouds, as a dot at the mean of all changes and a line from
-    the worst of these to the best. Of two settings the one with the higher number."""
+    """How right and how steady each method is: over its number (scripts/accuracy), the share of
+    points that stay on their plane in the worst tenth of clouds, as a dot at the mean of all
+    changes and a line from the worst to the best change. Of two settings of a method, the one
+    with the higher number."""
     best = {row["detector"].removesuffix(MEASURED): row
             for row in sorted(rows, key=lambda row: float(row["number"]))}
     figure, axes = plt.subplots(figsize=(8.3, 4.2), layout="constrained")
@@ -228,7 +240,7 @@ def plot_steadiness(rows, folder):
     for method, row in best.items():
         shares = [float(row[f"{change}_tenth"]) for change in CHANGES]
         dot = (float(row["number"]), np.mean(shares))
-        color = "C3" if method in OURS else "C0"
+        color = OUR_COLOR if method in OURS else PEER_COLOR
         axes.plot((dot[0], dot[0]), (min(shares), max(shares)), color=color, linewidth=1)
         axes.scatter(*dot, s=45, color=color)
         labels.append((NAMES.get(method, method), dot, color))
@@ -239,7 +251,8 @@ def plot_steadiness(rows, folder):
 
 
 def labeled_points(file):
-    """Points, labels and the sensor's position and axes of a PCD of pcl_ops_evaluate."""
+    """Points, labels and the sensor's position and axes of a PCD of pcl_ops_evaluate. The
+    columns of the axes are those of the sensor in the frame of the points."""
     header, _, data = file.read_bytes().partition(b"DATA binary\n")
     pose = next(line for line in header.decode().splitlines() if line.startswith("VIEWPOINT"))
     origin, (w, x, y, z) = np.split(np.array(pose.split()[1:], dtype=float), [3])
@@ -251,8 +264,8 @@ def labeled_points(file):
 
 
 def colors_like(truth, labels):
-    """A color for each label: that of the true plane with most of its points, the largest
-    such part first; what is left has the colors behind those of the truth."""
+    """The number of a color for each point: that of the true plane with most points of its
+    label, the largest common part first; other labels have numbers behind those of the truth."""
     colors = np.zeros(labels.max() + 1, dtype=int)
     pairs, counts = np.unique(np.stack([labels, truth]), axis=1, return_counts=True)
     used = {0}
@@ -276,38 +289,54 @@ def corner_camera(points):
     return eye, np.stack([right, np.cross(forward, right), forward], axis=1)
 
 
+class View(NamedTuple):
+    """Points in a picture: which are shown, and of these the position in it and the depth."""
+
+    shown: np.ndarray  # a bool for each point
+    columns: np.ndarray  # to the right, in any unit
+    rows: np.ndarray  # downwards, in the same unit
+    depths: np.ndarray  # away from the eye [m]
+
+
 def seen_by(points, eye, axes, nearest=0.0, reach=np.inf):
-    """Which points are in front of a camera, where in its image, and how far away."""
+    """The view of a camera.
+
+    nearest: nearer points are not shown [m]
+    reach: tangent of half the angle of view
+    """
     columns, rows, depth = ((points - eye) @ axes).T
     shown = (depth > nearest) & (np.maximum(abs(columns), abs(rows)) < reach * depth)
     depth = depth[shown]
-    return shown, columns[shown] / depth, rows[shown] / depth, depth
+    return View(shown, columns[shown] / depth, rows[shown] / depth, depth)
 
 
 def from_above(points, center):
-    """The surroundings of a center [m], at a slant: which points, where, and how far away."""
-    far = np.hypot(*(points - center).T[:2])
-    radius = max(30, np.sort(far)[min(20000, far.size) - 1])
-    shown = far < radius
+    """The view of the surroundings of a center from above, at a slant: turned by 37 degrees
+    about z, then looking down by 30 degrees. All within 30 m, and at least 20,000 points."""
+    distances = np.hypot(*(points - center).T[:2])
+    radius = max(30, np.sort(distances)[min(20000, distances.size) - 1])
+    shown = distances < radius
     x, y, z = (points[shown] - center).T
-    turned, depth = 0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x
-    return shown, turned, -0.5 * depth - 0.87 * z, 0.87 * depth - 0.5 * z
+    across, along = 0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x
+    return View(shown, across, -0.5 * along - 0.87 * z, 0.87 * along - 0.5 * z)
 
 
 def view_of(points, origin, axes):
-    """What a depth camera saw, a room from its corner, and what is wide from above."""
+    """What a depth camera saw as that camera, a room from its corner, other clouds from above."""
     low, high = points.min(axis=0), points.max(axis=0)
     by_camera = seen_by(points, origin, axes, reach=2)
-    if by_camera[0].all():
+    if by_camera.shown.all():
         return by_camera
     if max(high - low) < 20:  # [m]
         return seen_by(points, *corner_camera(points), 0.25 * np.hypot(*(high - low)[:2]), 1.2)
-    inside = (low + 0.1 * (high - low) < origin) & (origin < high - 0.1 * (high - low))
+    margin = 0.1 * (high - low)
+    inside = (low + margin < origin) & (origin < high - margin)
     return from_above(points, origin if inside[:2].all() else (low + high) / 2)
 
 
 def drawn(columns, rows, depth, colors, width):
-    """Squares that close the gaps between their points, the nearest in front."""
+    """The image [pixels] of points as squares that close the gaps between them, the nearest in
+    front. A square has an edge of 2 to 4 pixels, by the number of points in a cell of 8 x 8."""
     scale = np.ptp(columns) / (width - 5)
     column = ((columns - columns.min()) / scale).astype(int)
     row = ((rows - rows.min()) / scale).astype(int)
@@ -324,13 +353,16 @@ def drawn(columns, rows, depth, colors, width):
 
 
 def picture_of(points, colors, origin, axes, width=424):
-    """Points in the colors of their planes; gray are those of none."""
+    """The image of points in the colors of their planes; those on no plane are gray.
+
+    colors: the number of a color for each point; 0: on no plane
+    """
     palette = np.array([color for name in ("tab20", "tab20b", "tab20c", "Set1", "Dark2")
                         for color in plt.get_cmap(name).colors if np.ptp(color) > 0.15])
-    shown, columns, rows, depth = view_of(points, origin, axes)
-    colors = colors[shown]
+    view = view_of(points, origin, axes)
+    colors = colors[view.shown]
     shades = np.where(colors[:, None] > 0, palette[(colors - 1) % len(palette)], 0.75)
-    return drawn(columns, rows, depth, shades, width)
+    return drawn(view.columns, view.rows, view.depths, shades, width)
 
 
 def own_names(folder):
@@ -369,20 +401,22 @@ def panels_of_strip(truth, own, scores):
 
 
 def plot_strips(_, folder):
-    """Of each cloud in labels/ (pcl_ops_evaluate run --labels): every method's planes."""
+    """A picture for each cloud in labels/ (pcl_ops_evaluate run --labels), with the planes of
+    every method. The first parameter is not used: other plots get rows of a table there."""
     own, scores = own_names(folder), scores_of(folder)
     for truth in sorted((folder / "labels").rglob("truth.pcd")):
         true_labels = labeled_points(truth)[1].astype(int)
         shown = {}
         for title, file in panels_of_strip(truth, own, scores).items():
-            points, labels, *view = labeled_points(file)
-            shown[title] = picture_of(points, colors_like(true_labels, labels.astype(int)), *view)
-        rows, height = (len(shown) + 2) // 3, len(next(iter(shown.values()))) / 100
-        title_height = 0.75
+            points, labels, *sensor = labeled_points(file)
+            shown[title] = picture_of(points, colors_like(true_labels, labels.astype(int)), *sensor)
+        rows = (len(shown) + 2) // 3
+        height, title_height = len(next(iter(shown.values()))) / 100, 0.75  # [inch]
+        row_height = height + title_height
         figure, panels = plt.subplots(rows, 3, squeeze=False,
-                                      figsize=(12.8, (height + title_height) * rows),
+                                      figsize=(12.8, row_height * rows),
                                       gridspec_kw={"left": 0, "right": 1, "bottom": 0,
-                                                   "top": 1 - title_height / (height + title_height) / rows,
+                                                   "top": 1 - title_height / row_height / rows,
                                                    "wspace": 0.01, "hspace": title_height / height})
         for axes in panels.flat:
             axes.axis("off")
@@ -402,7 +436,7 @@ def plot_throughput(rows, folder):
         if row["measure"] not in shown:
             continue
         name = shown[row["measure"]]
-        speed = float(row["points"]) / float(row["detection_ms"]) / 1e3
+        speed = float(row["points"]) / float(row["detection_ms"]) / 1e3  # [million points / s]
         if row["series"] == "points":
             growing[name].append((float(row["points"]), speed))
         elif row["series"] == "threads":
@@ -410,10 +444,10 @@ def plot_throughput(rows, folder):
             speeds[name + threads * (name == "pcl_ops")][row["cloud"]] = speed
     ours_first = sorted(speeds.items(), key=lambda speed: (shown["ops"] not in speed[0], speed[0]))
     for number, (name, of_clouds) in enumerate(ours_first):
-        places = np.arange(len(of_clouds)) + 0.2 * number
-        bars = kinds.bar(places, of_clouds.values(), width=0.19, label=name)
+        positions = np.arange(len(of_clouds)) + 0.2 * number
+        bars = kinds.bar(positions, of_clouds.values(), width=0.19, label=name)
         kinds.bar_label(bars, fmt="%.3g", fontsize=9)
-        kinds.set_xticks(places - 0.1 * number, of_clouds)
+        kinds.set_xticks(positions - 0.1 * number, of_clouds)
     for name, dots in growing.items():
         sizes.plot(*zip(*dots), marker="o", label=name)
     sizes.set(xscale="log", xlabel="points")
@@ -426,6 +460,7 @@ def plot_throughput(rows, folder):
 
 
 def plot_scaling(rows, folder):
+    """The throughput, and the time over what grows in each series."""
     plot_throughput(rows, folder)
     for series in dict.fromkeys(row["series"] for row in rows if row["series"] != "threads"):
         per_point = series == "points"

@@ -15,11 +15,11 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     for scan in map(pathlib.Path, sys.argv[2:]):
-        points = np.fromfile(scan, "<f4").reshape(-1, 4)
+        points = np.fromfile(scan, "<f4").reshape(-1, 4)  # x, y, z, reflectance
         cloud = np.zeros(len(points), dtype=[("xyz", "<f4", 3), ("label", "<u4")])
         cloud["xyz"] = points[:, :3]
         labels = scan.parents[1] / "labels" / f"{scan.stem}.label"
-        # The class is in the lower 16 bits, the instance in the others.
+        # The class is in the lower 16 bits, the instance in the upper ones.
         cloud["label"] = np.fromfile(labels, "<u4") & 0xFFFF
         (folder / f"{scan.stem}.pcd").write_bytes(
             ("VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"

@@ -25,11 +25,11 @@ using namespace pcl_ops::evaluation;
 Eigen::Vector3f
 parseShift (const std::string& text)
 {
-  constexpr double most = 1e6; // beyond, single precision is too coarse
+  constexpr double largest = 1e6; // beyond, single precision is too coarse [m]
   return Eigen::Vector3f (
       parseNumbers<float, 3> ("--shift",
                               text,
-                              from (-most).upTo (most),
+                              from (-largest).upTo (largest),
                               "'" + text +
                                   "' is not x,y,z; give three lengths, as 0.3,0.1,0.2")
           .data());
@@ -37,7 +37,7 @@ parseShift (const std::string& text)
 
 /** Options of a run from which \ref readOptions completes the plan. */
 struct RunOptions {
-  std::string folder;
+  std::string folder; // of the results
   std::vector<std::string> data_sets;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::string detectors;
@@ -113,7 +113,7 @@ addClouds (const DataSet& all,
 std::vector<Configuration>
 configurationsOf (const RunOptions& options)
 {
-  const char* const by_default = options.own_labels.empty() ? "all" : "none";
+  const std::string by_default = options.own_labels.empty() ? "all" : "none";
   std::vector<Configuration> configurations =
       selectConfigurations (options.detectors.empty() ? by_default : options.detectors);
   std::set<std::string> names;
@@ -160,7 +160,8 @@ runDetectorsCommand (int argc, const char* const* argv)
     return ExitCode::done;
   if (std::filesystem::is_directory (plan.file))
     throw WorkError (plan.file, "is a folder; remove it or give another OUTPUT");
-  const auto summary = evaluate (plan, std::cerr, isatty (STDERR_FILENO) == 1);
+  const EvaluationSummary summary =
+      evaluate (plan, std::cerr, isatty (STDERR_FILENO) == 1);
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
             << summary.failed_runs << " runs failed, " << summary.stopped_runs

@@ -24,8 +24,8 @@ try:
 except ImportError:
     figures = None
 
-TRUE_PLANES = 25.38  # of the paper, per cloud
-# The beginnings of the names of data sets that the paper's figures stand beside.
+TRUE_PLANES_OF_PAPER = 25.38  # per cloud
+# The beginnings of the names of data sets beside whose numbers those of the paper stand.
 OF_PAPER = ("sunrgbd", "rooms", "streets", "simulated")
 STAGES = ("search", "normals", "extraction", "assignment", "merging", "detection")
 
@@ -43,26 +43,30 @@ PAPER = {row["configuration"]: {"table": row["table"], **{
          for row in rows_of(pathlib.Path(__file__).with_name("paper.csv"))}
 
 
+KEY_COLUMNS = 5  # data set, cloud, truth, configuration, seed; numbers are behind them
+
+
 def latest(rows):
-    """Of rows on the same labels, as one's own have one for each run, the last."""
-    return list({tuple(list(row.values())[:5]): row for row in rows}.values())
+    """The last of rows with the same key: a user's own labels get a row for each run."""
+    return list({tuple(list(row.values())[:KEY_COLUMNS]): row for row in rows}.values())
 
 
 def means_of(rows):
-    """The mean of each column of numbers over the clouds, by configuration."""
+    """The mean of each column of numbers over the clouds, by configuration; and the numbers of
+    clouds with a result and of stopped runs."""
     by_configuration = defaultdict(list)
     for row in rows:
         by_configuration[row["configuration"]].append(row)
-    numbers = list(rows[0])[5:]  # behind data set, cloud, truth, configuration, seed
+    numbers = list(rows[0])[KEY_COLUMNS:]
     means = {}
-    for configuration, rows_of in by_configuration.items():
-        finished = [row for row in rows_of if row["result_planes"] != "nan"]  # and not stopped
+    for configuration, all_rows in by_configuration.items():
+        finished = [row for row in all_rows if row["result_planes"] != "nan"]  # and not stopped
         count = len(finished)
         means[configuration] = {
             name: sum(float(row[name]) for row in finished) / count if count else math.nan
             for name in numbers}
         means[configuration]["clouds"] = count
-        means[configuration]["stopped"] = len(rows_of) - count
+        means[configuration]["stopped"] = len(all_rows) - count
     return means
 
 
@@ -81,6 +85,7 @@ def table(title, header, rows):
     return "\n".join(lines) + "\n\n"
 
 
+# Columns of results.csv by their titles in tables.
 METRICS = {"class. %": "classification_accuracy", "segm. %": "segmentation_accuracy",
            "all points %": "segmentation_accuracy_all", "F 0.5": "f_score",
            "F 0.75": "f_score_75", "precision": "precision", "recall": "recall",
@@ -93,6 +98,7 @@ METRICS = {"class. %": "classification_accuracy", "segm. %": "segmentation_accur
 
 
 def metrics_table(name, means):
+    """All metrics of each configuration; shares whose title has a % are percentages."""
     rows = [[configuration, str(mean["clouds"]), str(mean["stopped"])] +
             [text(100 * mean[column], 2) if "%" in title else text(mean[column], 3)
              for title, column in METRICS.items()] + [text(mean["detection_ms"] / 1e3, 4)]
@@ -105,6 +111,7 @@ def is_of_paper(data_set):
 
 
 def paper_tables(name, means):
+    """The tables of the paper: each of our numbers with that of the paper behind it."""
     tables, best = defaultdict(list), []
     for configuration, paper in PAPER.items():
         if configuration not in means:
@@ -130,6 +137,7 @@ def paper_tables(name, means):
 
 def planes_table(name, means, has_paper):
     """Numbers of planes, ours and those of the paper unless it has none like these."""
+    # Title, column, and whether it is a column of the paper.
     columns = [("before merging", "planes_before_merging", False),
                ("paper", "planes_before_merging", True), ("found", "result_planes", False),
                ("paper", "planes", True), ("truth", "truth_planes", False)]
@@ -137,12 +145,13 @@ def planes_table(name, means, has_paper):
     rows = [[configuration] + [text((PAPER.get(configuration, {}) if is_paper else mean)
                                     .get(column, math.nan), 2) for _, column, is_paper in columns]
             for configuration, mean in means.items()]
-    title = f"Planes per cloud (the paper's truth: {TRUE_PLANES})" if has_paper else \
+    title = f"Planes per cloud (the paper's truth: {TRUE_PLANES_OF_PAPER})" if has_paper else \
         "Planes per cloud"
     return table(f"{title}: {name}", ["configuration"] + [title for title, *_ in columns], rows)
 
 
 def other_tables(name, means):
+    """True planes that were found by their size, and times of the stages."""
     report, stages = "", []
     for configuration, mean in means.items():
         stages.append([configuration] + [text(mean[stage + "_ms"] / 1e3, 4) for stage in STAGES] +
@@ -161,6 +170,7 @@ def other_tables(name, means):
                           ["configuration", *STAGES[:-1], "total", "us per point"], stages)
 
 
+# Columns of results.csv in comparison.csv.
 SUMMARY = ("classification_accuracy", "segmentation_accuracy", "f_score", "f_score_75")
 
 
@@ -184,20 +194,20 @@ def write_comparison(means_of_sets, folder):
     lines = listed.read_text(encoding="utf-8").splitlines() if listed.is_file() else []
     versions = {line.split()[0]: line.partition(", ")[2] for line in lines}
     with open(folder / "comparison.csv", "w", newline="", encoding="utf-8") as stream:
-        table = csv.writer(stream, lineterminator="\n")
-        table.writerow(("data_set", "method", "version", "values", "clouds", "stopped", *SUMMARY,
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(("data_set", "method", "version", "values", "clouds", "stopped", *SUMMARY,
                         "seconds_per_million_points"))
         for data_set, means in means_of_sets.items():
             for method, mean in means.items():
                 has_time = mean["clouds"] > 0 and not is_own(mean)
                 seconds = 1e3 * mean["detection_ms"] / mean["points"] if has_time else ""
-                table.writerow([data_set, method, versions.get(method, ""), values_of(method, mean),
+                writer.writerow([data_set, method, versions.get(method, ""), values_of(method, mean),
                                 mean["clouds"], mean["stopped"]] +
                                ["" if math.isnan(mean[column]) else round(mean[column], 4)
                                 for column in SUMMARY] + [seconds and f"{seconds:.3g}"])
 
 
-SMALLEST = (200, 500, 1000, 3000, 10000)  # bounds of the classes of true planes [points]
+SMALLEST = (200, 500, 1000, 3000, 10000)  # bounds of size classes of true planes [points]
 
 
 def true_planes_of(means):
@@ -209,12 +219,15 @@ def true_planes_of(means):
 
 
 def truth_table(truths):
+    """Numbers of true planes of each truth; see true_planes_of."""
     rows = [[name, *(text(count, 1) for count in counts)] for name, counts in truths.items()]
-    return table(f"True planes per cloud by the points of the smallest (the paper: {TRUE_PLANES})",
+    return table("True planes per cloud by the points of the smallest "
+                 f"(the paper: {TRUE_PLANES_OF_PAPER})",
                  ["truth", "all", *(f"{bound} and more" for bound in SMALLEST)], rows)
 
 
 def report_results(all_rows, folder):
+    """Writes and prints report.md, and writes comparison.csv and the plots of accuracies."""
     groups = defaultdict(list)
     for row in latest(all_rows):
         groups[row["data_set"], row["truth"]].append(row)
@@ -234,7 +247,7 @@ def report_results(all_rows, folder):
             figures.plot_accuracy(name, means, plots)
     report += truth_table(truths)
     if figures and truths:
-        figures.plot_true_planes(truths, SMALLEST, TRUE_PLANES, folder / "truth.png")
+        figures.plot_true_planes(truths, SMALLEST, TRUE_PLANES_OF_PAPER, folder / "truth.png")
     write_comparison(means_of_sets, folder)
     (folder / "report.md").write_text(report, encoding="utf-8")
     print(report, end="")

@@ -12,6 +12,7 @@ constexpr double edge_of_lot = 45.0; // [m]
 /** The roof of lot i has the surfaces first_roof + 2 i and first_roof + 2 i + 1. */
 constexpr SurfaceId ground = 1, first_roof = 2;
 
+/** Draws a house of common lengths and heights [m]. */
 House
 drawHouse (const Vector2d& middle, const Relief& relief, Random& random)
 {
@@ -37,62 +38,70 @@ roofPlane (const House& house, int side)
                        house.pose().linear() * normal.normalized());
 }
 
-struct SurfaceAt {
+struct SeenSurface {
   double height = 0.0; // [m]
   SurfaceId surface = no_surface;
 };
 
-/** Returns height and surface seen from above at a place of a lot, without noise. */
-SurfaceAt
-lookDown (const Airborne& site, std::size_t lot, const Vector2d& place, Random& random)
+/** Returns what is seen from above at a position on a lot, without noise: a leaf of a
+ * wood, a roof or the ground. */
+SeenSurface
+lookDown (const AirborneSite& site,
+          std::size_t lot,
+          const Vector2d& position,
+          Random& random)
 {
   constexpr double share_of_leaves = 0.7;
+  constexpr double lowest_leaf = 2.0;
+  constexpr double highest_leaf = 16.0; // above the ground [m]
   const bool is_flat = !(site.relief.amplitude > 0.0);
-  const double height = site.relief.height (place.x(), place.y());
-  const SurfaceAt bare{height, is_flat ? ground : unknown_surface};
+  const double height = site.relief.height (position.x(), position.y());
+  const SeenSurface bare{height, is_flat ? ground : unknown_surface};
   if (!site.houses[lot])
     return random.chance (share_of_leaves)
-               ? SurfaceAt{height + random.between (2, 16), no_surface}
+               ? SeenSurface{height + random.between (lowest_leaf, highest_leaf),
+                             no_surface}
                : bare;
   const House& house = *site.houses[lot];
-  const Vector2d from_center = place - house.center.head<2>();
+  const Vector2d from_center = position - house.center.head<2>();
   const Vector2d local = Eigen::Rotation2Dd (-house.yaw) * from_center;
   const double half_width = 0.5 * house.width;
-  const double aside = std::abs (local.y());
-  if (aside >= half_width || std::abs (local.x()) >= 0.5 * house.length)
+  const double from_ridge = std::abs (local.y());
+  if (from_ridge >= half_width || std::abs (local.x()) >= 0.5 * house.length)
     return bare;
-  const double rise = (house.ridge - house.eaves) / half_width;
+  const double slope = (house.ridge - house.eaves) / half_width;
   const SurfaceId side = local.y() > 0.0 ? 0 : 1;
-  return {house.center.z() + house.ridge - rise * aside,
+  return {house.center.z() + house.ridge - slope * from_ridge,
           first_roof + 2 * SurfaceId (lot) + side};
 }
 
 } // namespace
 
 double
-Airborne::width() const
+AirborneSite::width() const
 {
   return lots * edge_of_lot;
 }
 
-Airborne
+AirborneSite
 makeAirborne (Seed seed)
 {
   constexpr double chance_of_flat = 0.25;
   constexpr double chance_of_wood = 0.3;
   constexpr double max_points = 600'000;
   Random random = randomFor (Purpose::Airborne, seed);
-  Airborne site;
-  site.lots = int (std::lround (drawLogUniform (100, 1000, random) / edge_of_lot));
-  const double densest = max_points / (site.width() * site.width());
-  site.density = std::min (drawLogUniform (0.4, 4, random), densest);
+  AirborneSite site;
+  const double wanted_width = drawLogUniform (100, 1000, random); // [m]
+  site.lots = int (std::lround (wanted_width / edge_of_lot));
+  const double max_density = max_points / (site.width() * site.width());
+  site.density = std::min (drawLogUniform (0.4, 4, random), max_density);
   const bool is_flat = random.chance (chance_of_flat);
-  const double amplitude = random.between (1, 8);
-  const double length = random.between (150, 250);
-  site.relief = drawRelief (is_flat ? 0.0 : amplitude, length, random);
+  const double amplitude = random.between (1, 8);       // [m]
+  const double wave_length = random.between (150, 250); // [m]
+  site.relief = drawRelief (is_flat ? 0.0 : amplitude, wave_length, random);
   for (int row = 0; row < site.lots; ++row)
     for (int column = 0; column < site.lots; ++column) {
-      const Vector2d middle (column + 0.5, row + 0.5);
+      const Vector2d middle (column + 0.5, row + 0.5); // [lots]
       site.houses.emplace_back();
       if (!random.chance (chance_of_wood))
         site.houses.back() = drawHouse (edge_of_lot * middle, site.relief, random);
@@ -101,7 +110,7 @@ makeAirborne (Seed seed)
 }
 
 SimulatedCloud
-scanAirborne (const Airborne& site, std::size_t points, double noise, Seed seed)
+scanAirborne (const AirborneSite& site, std::size_t points, double noise, Seed seed)
 {
   std::vector<Plane> planes{planeThrough (Vector3d::Zero(), Vector3d::UnitZ())};
   for (const std::optional<House>& house : site.houses)
@@ -115,7 +124,7 @@ scanAirborne (const Airborne& site, std::size_t points, double noise, Seed seed)
     const double y = site.width() * random.unit();
     const auto lot = std::size_t (y / edge_of_lot) * std::size_t (site.lots) +
                      std::size_t (x / edge_of_lot);
-    const SurfaceAt seen = lookDown (site, lot, {x, y}, random);
+    const SeenSurface seen = lookDown (site, lot, {x, y}, random);
     const double error = noise * airborne_sigma * random.gaussian();
     cloud.push_back (pointAt ({x, y, seen.height + error}, seen.surface));
   }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "relief.h"
-#include "scenes.h"
+#include "survey.h"
+
+#include <optional>
 
 namespace pcl_ops::simulation {
 
@@ -13,27 +15,29 @@ constexpr double airborne_sigma = 0.05;
 /** A side of a roof with fewer points gets label 0. */
 constexpr std::size_t min_points_of_roof = 20;
 
-/** A square of lots on hilly or flat ground, seen from above, so that walls have no
- * points. Its corner is the origin; z is up. */
-struct Airborne {
+/** A square of lots on hilly or flat ground, which is seen from above, so that walls
+ * have no points. Its corner is the origin; z is up. */
+struct AirborneSite {
   Relief relief = {};
   int lots = 4;         // number along each side
   double density = 0.6; // [points / m^2]
   /** The house on each lot, row by row; none: the lot has a wood. */
   std::vector<std::optional<House>> houses = {};
 
+  /** \return edge of the site [m] */
   double
   width () const;
 };
 
 /** Makes a site about 100 m to 1 km wide, flat or with hills of 1 to 8 m amplitude. It
  * has 0.4 to 4 points per square meter, but at most 600,000 points. */
-Airborne
+AirborneSite
 makeAirborne (Seed seed);
 
 /** Scans the site from above with equal density, in random order. Sides of roofs and
- * flat ground are planes; points on hilly ground are ignored. */
+ * flat ground are planes; points on hilly ground are ignored.
+ * \param[in] noise factor on \ref airborne_sigma */
 SimulatedCloud
-scanAirborne (const Airborne& site, std::size_t points, double noise, Seed seed);
+scanAirborne (const AirborneSite& site, std::size_t points, double noise, Seed seed);
 
 } // namespace pcl_ops::simulation

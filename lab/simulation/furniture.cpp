@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scenes.h"
+#include "furniture.h"
 
-#include <utility>
+#include <iterator>
 
 namespace pcl_ops::simulation {
 
 namespace {
 
-/** \param[in] foot middle of the lower face [m] */
+// Lengths and heights are in meters. Their ranges are those of common furniture.
+
+/** Adds a box without its lower face.
+ * \param[in] foot middle of the lower face */
 void
 addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
 {
@@ -16,73 +19,99 @@ addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
   body.addBox (at (center), size, HiddenFace::Bottom);
 }
 
+/** Makes a plate on four round legs.
+ * \param[in] size of the whole, with the legs
+ * \param[in] thickness of the plate */
 Body
-slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
+plateOnLegs (const Vector3d& size, double thickness, double leg_radius)
 {
-  Body slab{size.head<2>()};
+  Body body{size.head<2>()};
   const double height = size.z() - thickness;
   const double inset = 3.0 * leg_radius;
-  slab.addBox (at ({0, 0, size.z() - 0.5 * thickness}),
+  body.addBox (at ({0, 0, size.z() - 0.5 * thickness}),
                {size.x(), size.y(), thickness});
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5})
-      slab.addPole (
+      body.addPole (
           {x * (size.x() - inset), y * (size.y() - inset), 0}, height, leg_radius);
-  return slab;
+  return body;
 }
 
-/** Adds a row of books from \p start along x. */
+/** Adds a row of books from \p start along x, until it is \p width wide. */
 void
 addBooks (Body& body, const Vector3d& start, double width, Random& random)
 {
-  for (double x = 0.0; x < width;) {
+  for (double end = 0.0; end < width;) {
     const Vector3d size = random.inBox ({0.02, 0.14, 0.18}, {0.045, 0.2, 0.26});
-    x += size.x();
-    addStandingBox (body, {start.x() + x - 0.5 * size.x(), start.y(), start.z()}, size);
+    end += size.x();
+    const double middle = start.x() + end - 0.5 * size.x();
+    addStandingBox (body, {middle, start.y(), start.z()}, size);
   }
 }
 
+/** Draws a table with a mug and a ball on it. */
 Body
 drawTable (Random& random)
 {
   const Vector3d size = random.inBox ({0.8, 0.6, 0.42}, {1.8, 0.95, 0.78});
-  Body table = slabOnLegs (size, 0.035, 0.03);
+  Body table = plateOnLegs (size, 0.035, 0.03);
   const Vector3d mug (random.between (-0.3, 0.3), 0.1, size.z());
   table.addPole (mug, 0.1, 0.04);
   table.addSphere (mug + Vector3d (0.2, -0.2, 0.08), 0.08);
   return table;
 }
 
-/** Draws a desk with a monitor, an open laptop, books and a mug. */
+/** Adds a tilted monitor on a stand.
+ * \param[in] foot middle of the lower end of the stand */
+void
+addMonitor (Body& desk, const Vector3d& foot, Random& random)
+{
+  constexpr double stand_height = 0.2;
+  constexpr double behind_screen = 0.05; // from the stand to the screen
+  constexpr double below_screen = 0.1;
+  const Vector3d size (random.between (0.45, 0.7), 0.04, 0.36);
+  desk.addPole (foot, stand_height, 0.03);
+  desk.addPole (foot, 0.015, 0.12); // the base of the stand
+  const double tilt = random.angle (0, 12);
+  const double yaw = random.angle (-25, 25);
+  desk.addBox (at ({foot.x(),
+                    foot.y() + behind_screen,
+                    foot.z() + below_screen + 0.5 * size.z()}) *
+                   turnZ (yaw) * turnX (tilt),
+               size);
+}
+
+/** Adds an open laptop.
+ * \param[in] position middle of its hinge, on the desk */
+void
+addLaptop (Body& desk, const Vector3d& position, Random& random)
+{
+  const Vector3d keyboard (0.34, 0.24, 0.018);
+  const Vector3d lid (0.34, 0.008, 0.24);
+  const Isometry3d hinge = at (position) * turnZ (random.angle (-30, 30));
+  const Isometry3d open = hinge * turnX (random.angle (5, 35));
+  desk.addBox (hinge * at ({0, 0.5 * keyboard.y(), 0.5 * keyboard.z()}),
+               keyboard,
+               HiddenFace::Bottom);
+  desk.addBox (open * at ({0, 0, 0.5 * lid.z()}), lid);
+}
+
+/** Draws a desk with drawers, a monitor, an open laptop, books and a mug. */
 Body
 drawDesk (Random& random)
 {
   const Vector3d size = random.inBox ({1.2, 0.65, 0.7}, {1.8, 0.85, 0.76});
   const double x = size.x();
   const double top = size.z();
-  const double drawers = 0.42;
-  Body desk = slabOnLegs (size, 0.03, 0.03);
+  const double drawers = 0.42; // width of the box of drawers
+  Body desk = plateOnLegs (size, 0.03, 0.03);
   addStandingBox (
       desk, {0.5 * (x - drawers) - 0.03, 0, 0}, {drawers, size.y() - 0.1, top - 0.1});
-  const Vector3d monitor (random.between (0.45, 0.7), 0.04, 0.36);
-  const Vector3d stand (-0.2 * x, -0.15, top);
-  desk.addPole (stand, 0.2, 0.03);
-  desk.addPole (stand, 0.015, 0.12);
-  const double tilt = random.angle (0, 12);
-  const double yaw = random.angle (-25, 25);
-  desk.addBox (at ({-0.2 * x, -0.15 + 0.05, top + 0.1 + 0.5 * monitor.z()}) *
-                   turnZ (yaw) * turnX (tilt),
-               monitor);
-  const Vector3d keyboard (0.34, 0.24, 0.018);
-  const Vector3d lid (0.34, 0.008, 0.24);
-  const Isometry3d hinge = at ({0.25 * x, -0.05, top}) * turnZ (random.angle (-30, 30));
-  const Isometry3d open = hinge * turnX (random.angle (5, 35));
-  desk.addBox (hinge * at ({0, 0.5 * keyboard.y(), 0.5 * keyboard.z()}),
-               keyboard,
-               HiddenFace::Bottom);
-  desk.addBox (open * at ({0, 0, 0.5 * lid.z()}), lid);
+  addMonitor (desk, {-0.2 * x, -0.15, top}, random);
+  addLaptop (desk, {0.25 * x, -0.05, top}, random);
   addBooks (desk, {0.02 * x, -0.2, top}, 0.12, random);
-  desk.addPole ({-0.4 * x, 0.15, top}, 0.1, 0.04);
+  const Vector3d mug (-0.4 * x, 0.15, top);
+  desk.addPole (mug, 0.1, 0.04);
   return desk;
 }
 
@@ -155,7 +184,7 @@ Body
 drawChair (Random& random)
 {
   const Vector3d size = random.inBox ({0.4, 0.4, 0.42}, {0.5, 0.5, 0.48});
-  Body chair = slabOnLegs (size, 0.04, 0.018);
+  Body chair = plateOnLegs (size, 0.04, 0.018);
   const Vector3d back (0, -0.5 * size.y(), size.z() + 0.22);
   chair.addBox (at (back) * turnX (random.angle (3, 15)), {size.x(), 0.03, 0.42});
   return chair;
@@ -191,20 +220,22 @@ drawTiltedPanel (Random& random)
   return panel;
 }
 
-/** Range of thicknesses of boards and posts [m]. */
+/** Range of thicknesses of boards and posts. */
 constexpr double thinnest = 0.02, thickest = 0.06;
 
-/** No two faces are coplanar: posts on one side stand farther in than posts on the
- * other side, and each board is smaller than the board below.
- * \param[in] size of the lowest board [m]
- * \param[in] pitch from board to board [m] */
+/** Makes boards above each other on four posts. No two faces are coplanar: posts on one
+ * side stand farther in than posts on the other side, and each board is smaller than
+ * the board below.
+ * \param[in] size of the lowest board along x and y; the loop makes it that of the
+ * highest one
+ * \param[in] pitch height from board to board */
 Body
 boardsOnPosts (
     int boards, double pitch, Vector2d size, double thickness, Random& random)
 {
-  // Offset between parallel faces [m], visible through the noise of a depth camera.
+  // Offset between parallel faces, visible through the noise of a depth camera.
   constexpr double offset_of_faces = 0.02;
-  constexpr double overhang = 0.03; // from the rim of the board to the posts [m]
+  constexpr double overhang = 0.03; // from the edge of the highest board to the posts
   Body piece{size};
   piece.narrowest_surface = 0.0;
   for (int i = 1; i <= boards; ++i) {
@@ -214,7 +245,7 @@ boardsOnPosts (
       size -= Vector2d::Constant (2.0 * offset_of_faces);
   }
   const double height = boards * pitch - thickness;
-  const double width = random.between (thinnest, thickest);
+  const double width = random.between (thinnest, thickest); // of the posts
   const double step = width + offset_of_faces;
   const double inset = overhang + 0.5 * width;
   for (const double side_x : {-1.0, 1.0})
@@ -228,8 +259,9 @@ boardsOnPosts (
   return piece;
 }
 
+/** Draws one board on posts whose size is between two sizes. */
 Body
-drawBoardOfSize (const Vector3d& smallest, const Vector3d& largest, Random& random)
+drawBoardBetween (const Vector3d& smallest, const Vector3d& largest, Random& random)
 {
   const Vector3d size = random.inBox (smallest, largest);
   return boardsOnPosts (
@@ -297,7 +329,7 @@ drawAtWall (Random& random)
 {
   constexpr DrawFurniture* draw[] = {
       drawDesk, drawCupboard, drawShelf, drawBed, drawSofa, drawLeaningBoard};
-  return draw[random.below (6)](random);
+  return draw[random.below (std::uint32_t (std::size (draw)))](random);
 }
 
 Body
@@ -305,19 +337,19 @@ drawAnywhere (Random& random)
 {
   constexpr DrawFurniture* draw[] = {
       drawTable, drawChair, drawCartons, drawTiltedPanel, drawRoundClutter};
-  return draw[random.below (5)](random);
+  return draw[random.below (std::uint32_t (std::size (draw)))](random);
 }
 
 Body
 drawBoardTable (Random& random)
 {
-  return drawBoardOfSize ({0.7, 0.5, 0.6}, {1.4, 0.8, 0.8}, random);
+  return drawBoardBetween ({0.7, 0.5, 0.6}, {1.4, 0.8, 0.8}, random);
 }
 
 Body
 drawBoardBench (Random& random)
 {
-  return drawBoardOfSize ({0.8, 0.38, 0.4}, {1.4, 0.45, 0.5}, random);
+  return drawBoardBetween ({0.8, 0.38, 0.4}, {1.4, 0.45, 0.5}, random);
 }
 
 Body

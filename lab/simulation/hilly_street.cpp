@@ -14,16 +14,18 @@ constexpr double nearest_reading = 2.0; // [m]
 constexpr double no_hit = std::numeric_limits<double>::infinity();
 
 /** Adds the front and one side of a house. They begin below the ground, so that a slope
- * leaves no gap. */
+ * leaves no gap.
+ * \param[in] x of the end of the front [m]
+ * \param[in] side of the street: 1 at y > 0, -1 at y < 0 */
 void
-addWall (HillyStreet& street, double x, double side, Random& random)
+addHouse (HillyStreet& street, double x, double side, Random& random)
 {
-  constexpr double depth = 9.0;
-  constexpr double above = 6.0;
-  constexpr double below = 1.0; // [m]
+  constexpr double depth = 9.0; // [m]
+  constexpr double above = 6.0; // height of the walls above the ground [m]
+  constexpr double below = 1.0; // and below it [m]
   const double length = random.between (12, 20);
   const double y = side * random.between (11, 15);
-  const double foot = street.ground (x + 0.5 * length, y);
+  const double foot = street.groundHeight (x + 0.5 * length, y);
   const double middle = foot + 0.5 * (above - below);
   const Vector3d up (0, 0, above + below);
   Body house;
@@ -41,7 +43,7 @@ drawBush (const HillyStreet& street, Random& random)
   const double side = random.chance (0.5) ? 1.0 : -1.0;
   const double y = side * random.between (6, 60);
   bush.radius = random.between (0.6, 3.0);
-  bush.center = {x, y, street.ground (x, y) + random.between (0.3, 4.0)};
+  bush.center = {x, y, street.groundHeight (x, y) + random.between (0.3, 4.0)};
   return bush;
 }
 
@@ -51,15 +53,15 @@ distanceToGround (const HillyStreet& street, const Vector3d& ray)
 {
   constexpr int steps = 500;
   const double growth = std::pow (street.lidar.farthest / nearest_reading, 1.0 / steps);
-  const auto heightAt = [&] (double distance) {
-    const Vector3d place = distance * ray;
-    return place.z() - street.ground (place.x(), place.y());
+  const auto heightAboveGround = [&] (double distance) {
+    const Vector3d position = distance * ray;
+    return position.z() - street.groundHeight (position.x(), position.y());
   };
   double distance = nearest_reading;
-  double height = heightAt (distance);
+  double height = heightAboveGround (distance);
   for (int step = 0; step < steps; ++step) {
     const double next = growth * distance;
-    const double next_height = heightAt (next);
+    const double next_height = heightAboveGround (next);
     if (height > 0.0 && next_height <= 0.0)
       return distance + (next - distance) * height / (height - next_height);
     distance = next;
@@ -74,19 +76,22 @@ double
 distanceToBush (const Bush& bush, const Vector3d& ray, Random& random)
 {
   constexpr double chance_of_leaf = 0.6;
+  // Distance to the point of the ray nearest to the center, and the square of half the
+  // chord of the ball on the ray: r^2 + middle^2 - |center|^2.
   const double middle = ray.dot (bush.center);
-  const double rest =
+  const double squared_half_chord =
       bush.radius * bush.radius + middle * middle - bush.center.squaredNorm();
-  if (!(middle > 0.0 && rest > 0.0))
+  if (!(middle > 0.0 && squared_half_chord > 0.0))
     return no_hit;
-  const double distance = middle + std::sqrt (rest) * random.between (-1, 1);
+  const double distance =
+      middle + std::sqrt (squared_half_chord) * random.between (-1, 1);
   return random.chance (chance_of_leaf) ? distance : no_hit;
 }
 
 } // namespace
 
 double
-HillyStreet::ground (double x, double y) const
+HillyStreet::groundHeight (double x, double y) const
 {
   return relief.height (x, y) - relief.height (0, 0) - sensor_height;
 }
@@ -94,18 +99,18 @@ HillyStreet::ground (double x, double y) const
 HillyStreet
 makeHillyStreet (Seed seed)
 {
-  constexpr double distance_of_walls = 26.0; // [m]
-  constexpr double chance_of_wall = 0.65;
+  constexpr double distance_of_houses = 26.0; // along the street [m]
+  constexpr double chance_of_house = 0.65;
   Random random = randomFor (Purpose::HillyStreet, seed);
   HillyStreet street;
-  const double amplitude = random.between (0.5, 2);
-  const double length = random.between (70, 110);
-  street.relief = drawRelief (amplitude, length, random);
+  const double amplitude = random.between (0.5, 2);    // [m]
+  const double wave_length = random.between (70, 110); // [m]
+  street.relief = drawRelief (amplitude, wave_length, random);
   street.lidar.steps = int (drawLogUniform (370, 1800, random));
   for (const double side : {-1.0, 1.0})
-    for (double x = -half_length; x < half_length; x += distance_of_walls)
-      if (random.chance (chance_of_wall))
-        addWall (street, x, side, random);
+    for (double x = -half_length; x < half_length; x += distance_of_houses)
+      if (random.chance (chance_of_house))
+        addHouse (street, x, side, random);
   const auto bushes = std::size_t (random.between (300, 700));
   while (street.bushes.size() < bushes)
     street.bushes.push_back (drawBush (street, random));
@@ -120,13 +125,13 @@ scanHillyStreet (const HillyStreet& street, double noise, Seed seed, bool organi
   Random leaves = randomFor (Purpose::Bushes, seed);
   const auto cast = [&] (const Vector3d& ray) {
     Hit nearest{distanceToGround (street, ray), unknown_surface};
-    const auto meet = [&nearest] (const Hit& hit) {
+    const auto replaceIfNearer = [&nearest] (const Hit& hit) {
       if (hit.distance > nearest_reading && hit.distance < nearest.distance)
         nearest = hit;
     };
-    meet (castRay (walls, eye, ray));
+    replaceIfNearer (castRay (walls, eye, ray));
     for (const Bush& bush : street.bushes)
-      meet ({distanceToBush (bush, ray, leaves), no_surface});
+      replaceIfNearer ({distanceToBush (bush, ray, leaves), no_surface});
     return nearest;
   };
   const Scan scan = scanAround (cast, street.lidar, noise, seed);

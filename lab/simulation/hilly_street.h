@@ -21,16 +21,18 @@ struct HillyStreet {
   std::vector<Bush> bushes = {};
   Lidar lidar = lidarOf ("lidar-64-level");
 
-  /** \return height of the ground in the lidar's frame [m] */
+  /** \return z of the ground in the lidar's frame [m] */
   double
-  ground (double x, double y) const;
+  groundHeight (double x, double y) const;
 };
 
 /** Makes a street whose lidar has 370 to 1,800 azimuth steps. */
 HillyStreet
 makeHillyStreet (Seed seed);
 
-/** Walls are planes, points on bushes have label 0, the ground is ignored. */
+/** Walls are planes, points on bushes have label 0, the ground is ignored.
+ * \param[in] noise factor on \ref lidar_sigma
+ * \param[in] organized see \ref toSurfaceCloud */
 SimulatedCloud
 scanHillyStreet (const HillyStreet& street, double noise, Seed seed, bool organized);
 

@@ -26,13 +26,13 @@ namespace fs = std::filesystem;
 constexpr const char* program_name = "pcl_ops_simulate";
 
 /** Scenes whose output is a folder of files. */
-const std::set<std::string> scenes_of_files = {"town", "walk", "drive"};
+const std::set<std::string> scenes_with_folder = {"town", "walk", "drive"};
 
 struct SimulationOptions {
-  std::string output;
+  std::string output; // file or folder
   Simulation simulation;
-  double tiles = 4;
-  std::uint32_t frames = 50;
+  double tiles = 4;          // of a town
+  std::uint32_t frames = 50; // of a walk or a drive
   std::string profile = "correlated";
   PoseErrors pose_errors;
   bool quiet = false;
@@ -50,8 +50,8 @@ struct SimulationOptions {
   }
 };
 
-/** A point takes 32 bytes, and 16 more while it is written; those of a town are never
- * all in memory. */
+/** Limits for the memory: a point takes 32 bytes, and 16 more while it is written; the
+ * points of a town are never all in memory. */
 constexpr double max_points = 1e7, max_points_of_town = 1e12;
 
 void
@@ -134,7 +134,7 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.add ("quiet", options.quiet).help ("print nothing");
 }
 
-/** Refuses options of cameras and rays for scenes without them. */
+/** \throw UsageError for options of cameras and rays with a scene that has none */
 void
 checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
 {
@@ -142,17 +142,19 @@ checkSensorOptions (const CommandLine& line, const SimulationOptions& options)
   const bool has_camera = is_room || options.isOfAny ({"table", "room-kinect"});
   const bool has_rays =
       has_camera || options.isOfAny ({"street", "drive", "street-hills"});
-  const auto allow = [&line] (const char* option, bool scene_has_it) {
+  // No such option goes with --points, which scans without a sensor.
+  const auto checkOption = [&line] (const char* option, bool scene_has_it) {
     line.forbidTogether ("points", option);
     if (!scene_has_it)
       line.forbidTogether ("scene", option);
   };
-  allow ("width", has_camera);
-  allow ("height", has_camera);
-  allow ("profile", is_room);
-  allow ("organized", has_rays);
+  checkOption ("width", has_camera);
+  checkOption ("height", has_camera);
+  checkOption ("profile", is_room);
+  checkOption ("organized", has_rays);
 }
 
+/** \throw UsageError for options that contradict the scene */
 void
 checkOptions (const CommandLine& line, const SimulationOptions& options)
 {
@@ -166,8 +168,8 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
         if (is_wrong && line.isGiven (option))
           throw UsageError ("--" + option, problem);
       };
-  for (const char* of_way : {"frames", "pose-error", "drift"})
-    refuse (of_way,
+  for (const char* option : {"frames", "pose-error", "drift"})
+    refuse (option,
             !options.isOfAny ({"walk", "drive"}),
             "is about --scene walk and drive; leave it out");
   refuse ("sensor", !has_lidar, "is about --scene street and drive; leave it out");
@@ -184,20 +186,24 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   refuse ("points",
           !is_town && simulation.points.value_or (1) > max_points,
           "is more than 10000000, which only --scene town takes; give fewer");
-  if (!options.isOfAny (scenes_of_files) && extensionOf (options.output) != ".pcd")
+  if (!options.isOfAny (scenes_with_folder) && extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
   checkSensorOptions (line, options);
 }
 
-/** \param[in] fix advice to the user if the memory is too small for a file
- * \param[in] save writes a file and returns its number of points
+/** Writes files into the output folder and shows the progress.
+ * \param[in] noun what a file is, for the progress
+ * \param[in] advice to the user if the memory is too small for a file
+ * \param[in] nameOf returns the name of a file by its number
+ * \param[in] save writes a file, or none if it has no points, and returns its number of
+ * points
  * \return the summary to print */
 template <typename NameOf, typename Save>
 std::string
 writeFiles (const SimulationOptions& options,
             std::size_t count,
             const char* noun,
-            const char* fix,
+            const char* advice,
             const NameOf& nameOf,
             const Save& save)
 {
@@ -211,7 +217,7 @@ writeFiles (const SimulationOptions& options,
   for (std::size_t i = 0; i < count; ++i) {
     const std::string file = options.inFolder (nameOf (i));
     stopIfInterrupted();
-    points += inMemory (file, fix, [&] { return save (i, file); });
+    points += inMemory (file, advice, [&] { return save (i, file); });
     files += fs::exists (file);
     progress.step();
   }
@@ -219,7 +225,8 @@ writeFiles (const SimulationOptions& options,
          std::to_string (files) + " files\n";
 }
 
-/** Tiles without points have no file. */
+/** Writes a .las file for each tile that has points.
+ * \return the summary to print */
 std::string
 writeTown (const SimulationOptions& options)
 {
@@ -238,7 +245,7 @@ writeTown (const SimulationOptions& options)
     for (const TownPoint& point : surveyTile (town, column, row, simulation.noise)) {
       LasPoint& record = points.emplace_back();
       record.label = point.label;
-      const Eigen::Vector3d local = (point.position - town.corner) / millimeter;
+      const Eigen::Vector3d local = (point.position - town.corner) / millimeter; // [mm]
       for (int axis = 0; axis < 3; ++axis)
         record.raw[axis] = std::int32_t (std::lround (local[axis]));
     }
@@ -250,28 +257,30 @@ writeTown (const SimulationOptions& options)
   return writeFiles (options, tiles, "tiles", "give more --tiles", nameOf, save);
 }
 
+/** Writes the frames of a walk or a drive, and the measured poses.
+ * \return the summary to print */
 std::string
-writeWay (const SimulationOptions& options)
+writeFrames (const SimulationOptions& options)
 {
-  constexpr const char* fix = "give a smaller image or another --sensor";
+  constexpr const char* advice = "give a smaller image or another --sensor";
   const Simulation& simulation = options.simulation;
-  const SensorView way = viewOf (simulation, options.frames);
+  const SensorView view = viewOf (simulation, options.frames);
   const auto nameOf = [] (std::size_t i) {
     return str (boost::format ("frame_%03u.pcd") % i);
   };
   const auto save = [&] (std::size_t i, const std::string& file) {
     const auto cloud = toSurfaceCloud (
-        way.scan (i), Eigen::Isometry3d::Identity(), simulation.organized);
+        view.scan (i), Eigen::Isometry3d::Identity(), simulation.organized);
     saveLabeledPcd (file, cloud);
     return cloud.size();
   };
   const std::string summary =
-      writeFiles (options, options.frames, "frames", fix, nameOf, save);
+      writeFiles (options, options.frames, "frames", advice, nameOf, save);
   // Old frames of a longer walk would be taken for frames of this one.
   for (std::size_t i = options.frames; fs::remove (options.inFolder (nameOf (i)));)
     ++i;
   savePoses (options.inFolder ("poses.txt"),
-             measured (way.poses, options.pose_errors, simulation.seed));
+             measuredPoses (view.poses, options.pose_errors, simulation.seed));
   return summary;
 }
 
@@ -280,8 +289,9 @@ runFiles (const SimulationOptions& options)
 {
   noteInterruptions();
   try {
-    const std::string summary =
-        options.simulation.scene == "town" ? writeTown (options) : writeWay (options);
+    const std::string summary = options.simulation.scene == "town"
+                                    ? writeTown (options)
+                                    : writeFrames (options);
     if (!options.quiet)
       std::cout << summary;
   }
@@ -327,7 +337,10 @@ run (int argc, const char* const* argv)
     return ExitCode::done;
   checkOptions (line, options);
   options.simulation.has_raw_depth = options.profile == "raw";
-  options.isOfAny (scenes_of_files) ? runFiles (options) : runCloud (options);
+  if (options.isOfAny (scenes_with_folder))
+    runFiles (options);
+  else
+    runCloud (options);
   return ExitCode::done;
 }
 

@@ -10,27 +10,30 @@ double
 missingShare (Seed seed)
 {
   constexpr double shares[] = {0.01, 0.03, 0.05, 0.1, 0.2, 0.4, 0.5};
-  return shares[(std::size_t (seed) + std::size (shares) - 1) % std::size (shares)];
+  // Seed 1 has the first share. The size is added so that seed 0 has the last one.
+  const std::size_t number = std::size_t (seed) + std::size (shares) - 1;
+  return shares[number % std::size (shares)];
 }
 
 void
 zeroReadings (Scan& scan, double share, Seed seed)
 {
   Random random = randomFor (Purpose::Missing, seed);
-  std::size_t readings = 0;
+  std::size_t readings_left = 0;
   for (const Vector3d& point : scan.points)
-    readings += std::isfinite (point.x());
-  double wanted = std::round (share * double (readings));
+    readings_left += std::isfinite (point.x());
+  double zeros_left = std::round (share * double (readings_left));
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     if (!std::isfinite (scan.points[i].x()))
       continue;
-    // Chooses exactly the wanted number (selection sampling: Knuth 1969, algorithm S).
-    if (random.unit() * double (readings) < wanted) {
+    // Selection sampling chooses exactly the wanted number (Knuth, The Art of Computer
+    // Programming 2, algorithm S).
+    if (random.unit() * double (readings_left) < zeros_left) {
       scan.points[i] = Vector3d::Zero();
       scan.surfaces[i] = no_surface;
-      wanted -= 1.0;
+      zeros_left -= 1.0;
     }
-    --readings;
+    --readings_left;
   }
 }
 

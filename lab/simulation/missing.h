@@ -6,12 +6,13 @@
 
 namespace pcl_ops::simulation {
 
-/** Returns 1, 3, 5, 10, 20, 40 and 50 % for seeds 1 to 7; later seeds repeat them. */
+/** Returns 0.01, 0.03, 0.05, 0.1, 0.2, 0.4 and 0.5 for the seeds 1 to 7; later seeds
+ * repeat them. */
 double
 missingShare (Seed seed);
 
 /** Moves a share of the readings, rounded to a whole number, to the sensor's origin and
- * gives them no_surface. Some drivers write pixels without a reading this way. */
+ * gives them no_surface. Some drivers write missing readings this way. */
 void
 zeroReadings (Scan& scan, double share, Seed seed);
 

@@ -12,24 +12,26 @@ namespace {
 Shapes
 sidesOfRoom ()
 {
-  const Vector3d size (6, 5, 3); // [m]
+  const Vector3d size (6, 5, 3);         // [m]
+  const Vector3d middle (0.5, 0.5, 0.1); // [m]
   Body room;
-  room.addBox (at ({0.5, 0.5, 0.1}), size);
+  room.addBox (at (middle), size);
   return room.shapes;
 }
 
-/** The waves of a side; at returns how far the side bulges at a point [m]. */
 struct Waves {
-  double amplitude, along, across; // [m], phases [rad]
+  double amplitude;        // [m]
+  double phase_u, phase_v; // along the edges of the side [rad]
 
+  /** \return how far the side bulges along its normal at a point [m] */
   double
-  at (const Shape& side, const Vector3d& point) const
+  bulgeAt (const Shape& side, const Vector3d& point) const
   {
-    constexpr double length = 3.0;
-    constexpr double width = 1.4 * length; // [m]
+    constexpr double length_u = 3.0;            // [m]
+    constexpr double length_v = 1.4 * length_u; // [m]
     const Vector3d local = point - side.center;
-    return amplitude * std::sin (2.0 * pi * local.dot (side.u) / length + along) *
-           std::cos (2.0 * pi * local.dot (side.v) / width + across);
+    return amplitude * std::sin (2.0 * pi * local.dot (side.u) / length_u + phase_u) *
+           std::cos (2.0 * pi * local.dot (side.v) / length_v + phase_v);
   }
 };
 
@@ -40,7 +42,8 @@ drawPlaster (Seed seed)
 {
   constexpr std::size_t sizes[] = {
       20'000, 50'000, 100'000, 200'000, 500'000, 1'000'000, 2'000'000};
-  const std::size_t number = (std::size_t (seed) + std::size (sizes) - 1);
+  // Seed 1 has the first size. The count is added so that seed 0 has the last one.
+  const std::size_t number = std::size_t (seed) + std::size (sizes) - 1;
   Random random = randomFor (Purpose::Plaster, seed);
   return {random.between (0.002, 0.015), sizes[number % std::size (sizes)]};
 }
@@ -54,15 +57,16 @@ scanPlaster (const Plaster& plaster, double noise, Seed seed)
   std::vector<Waves> waves;
   for (const Shape& side : sides) {
     planes.push_back (side.plane());
-    const double along = random.angle (0, 360);
-    waves.push_back ({noise * plaster.amplitude, along, random.angle (0, 360)});
+    const double phase_u = random.angle (0, 360);
+    const double phase_v = random.angle (0, 360);
+    waves.push_back ({noise * plaster.amplitude, phase_u, phase_v});
   }
   LabeledCloud cloud =
       drawPoints (sides, plaster.points, noise * plaster_sigma, random);
   for (pcl::PointXYZL& point : cloud) {
     const Shape& side = sides[point.label - 1];
     const Vector3d flat = point.getVector3fMap().cast<double>();
-    const double bulge = waves[point.label - 1].at (side, flat);
+    const double bulge = waves[point.label - 1].bulgeAt (side, flat);
     point.getVector3fMap() = (flat + bulge * side.normal()).cast<float>();
   }
   return labeledBySize (std::move (cloud), planes);

@@ -11,75 +11,92 @@ namespace {
 
 using Eigen::AlignedBox2d;
 
-/** Draws a wall, with a window niche or a door set back in it by the given chance. */
+/** Draws a wall and, with the given chance, a window or a door that is set back in it.
+ */
 Body
 drawWall (const WallRange& wall, double chance_of_opening, Random& random)
 {
   constexpr double threshold_height = 0.02; // of a door [m]
+  constexpr double beside = 0.2;            // least wall on each side [m]
   Body body;
   if (chance_of_opening <= 0.0 || !random.chance (chance_of_opening)) {
-    body.addSurface (wall.at (0.0));
+    body.addSurface (wall.rectangleAt (0.0));
     return body;
   }
-  const bool door = random.chance (0.4);
-  const double width = door ? 0.9 : random.between (0.9, 1.7);
-  const double reach = 0.5 * (wall.right - wall.left - width) - 0.2;
+  // Common lengths and heights of doors and windows [m].
+  const bool is_door = random.chance (0.4);
+  const double width = is_door ? 0.9 : random.between (0.9, 1.7);
+  const double reach = 0.5 * (wall.right - wall.left - width) - beside;
   const double middle = random.between (-reach, reach);
-  const double bottom = door ? threshold_height : random.between (0.8, 1.0);
-  const double top = door ? 2.05 : random.between (1.9, 2.2);
-  const double depth = door ? random.between (0.07, 0.15) : random.between (0.12, 0.3);
+  const double bottom = is_door ? threshold_height : random.between (0.8, 1.0);
+  const double top = is_door ? 2.05 : random.between (1.9, 2.2);
+  const double depth =
+      is_door ? random.between (0.07, 0.15) : random.between (0.12, 0.3);
   body.addWallAround (
       wall, {middle - 0.5 * width, middle + 0.5 * width, bottom, top}, depth);
   return body;
 }
 
+/** What is drawn of a room without furniture. */
+struct RoomKind {
+  Vector3d smallest, largest; // length, width and height [m]
+  int walls = 4;              // number of walls; 2: beside a corner
+  bool has_ceiling = false;
+  double chance_of_opening = 0.0; // chance of a window or a door in each wall
+};
+
 /** Draws a room, then places pieces one by one where the floor is still free. */
 struct Furnisher {
   Random random;
-  int walls; // how many of the four walls the room has, from wall 0 on
+  RoomKind kind;
   Site room = {};
-  std::vector<AlignedBox2d> occupied = {}; // floor below the pieces
+  /** The floor below the pieces, in the frame of the room. */
+  std::vector<AlignedBox2d> occupied = {};
 
-  /** \param[in] smallest, largest length, width and height [m] */
   void
-  build (const Vector3d& smallest,
-         const Vector3d& largest,
-         bool has_ceiling,
-         double chance_of_opening)
+  drawShell ()
   {
     for (int axis = 0; axis < 3; ++axis)
-      room.size[axis] = random.between (smallest[axis], largest[axis]);
+      room.size[axis] = random.between (kind.smallest[axis], kind.largest[axis]);
     room.yaw = random.angle (0, 90);
     Body shell;
     const Vector3d length (room.size.x(), 0, 0);
     const Vector3d width (0, room.size.y(), 0);
     shell.addSurface (makeRectangle ({0, 0, 0}, length, width));
-    if (has_ceiling)
+    if (kind.has_ceiling)
       shell.addSurface (makeRectangle ({0, 0, room.size.z()}, length, width));
-    for (int wall = 0; wall < walls; ++wall) {
-      const double half = 0.5 * room.size[wall % 2];
+    for (int wall = 0; wall < kind.walls; ++wall) {
+      const double half = 0.5 * lengthOfWall (wall);
       shell.addPart (
-          drawWall ({-half, half, 0.0, room.size.z()}, chance_of_opening, random),
+          drawWall ({-half, half, 0.0, room.size.z()}, kind.chance_of_opening, random),
           poseAtWall (wall, 0.0, 0.0));
     }
     room.scene.add (shell, turnZ (room.yaw));
   }
 
-  /** \param[in] along distance from the middle of the wall along it [m]
+  /** Walls 0 and 2 are along the length of the room, 1 and 3 along its width. */
+  double
+  lengthOfWall (int wall) const
+  {
+    return room.size[wall % 2];
+  }
+
+  /** Returns a pose at a wall whose y axis looks into the room.
+   * \param[in] along distance from the middle of the wall along it [m]
    * \param[in] gap distance from the wall's plane [m] */
   Isometry3d
   poseAtWall (int wall, double along, double gap) const
   {
-    const double to_wall = 0.5 * room.size[(wall + 1) % 2];
-    return turnZ (0.5 * pi * wall) * at ({along, gap - to_wall, 0});
+    const double middle_to_wall = 0.5 * lengthOfWall (wall + 1);
+    return turnZ (0.5 * pi * wall) * at ({along, gap - middle_to_wall, 0});
   }
 
   void
   placeAtWall (const Body& piece)
   {
     place (piece, [&] {
-      const int wall = int (random.below (std::uint32_t (walls)));
-      const double reach = 0.5 * (room.size[wall % 2] - piece.footprint.x());
+      const int wall = int (random.below (std::uint32_t (kind.walls)));
+      const double reach = 0.5 * (lengthOfWall (wall) - piece.footprint.x());
       const double along = random.between (-reach, reach);
       const double gap = random.between (0.005, 0.05);
       return poseAtWall (wall, along, gap + 0.5 * piece.footprint.y());
@@ -96,6 +113,7 @@ struct Furnisher {
     });
   }
 
+  /** Leaves the piece out if some drawn poses are all on occupied floor. */
   template <typename DrawPose>
   void
   place (const Body& piece, const DrawPose& drawPose)
@@ -111,7 +129,7 @@ struct Furnisher {
   }
 
   /** Marks the floor that a piece covers as occupied.
-   * \return false if it is not free or not inside the room */
+   * \return false if the floor is not free or not inside the room */
   bool
   occupy (const Vector2d& footprint, const Isometry3d& pose)
   {
@@ -145,18 +163,20 @@ upright (const Vector3d& eye, const Vector3d& level)
   return pose;
 }
 
-using Way = std::function<Isometry3d (double share)>;
+/** The camera pose on a path at a share of its length, from 0 to 1. */
+using CameraPath = std::function<Isometry3d (double share)>;
 
-Way
-drawWayAround (const Site& room, Random& random)
+/** Draws the path of a person who walks around the middle of a room. */
+CameraPath
+drawPathAround (const Site& room, Random& random)
 {
   constexpr double steps = 16.0;
-  constexpr double rise = 0.03; // rise [m]
-  constexpr double sway = 2.0 * pi / 180.0;
+  constexpr double rise = 0.03;             // amplitude over each step [m]
+  constexpr double sway = 2.0 * pi / 180.0; // amplitude of the roll [rad]
   const double start = random.between (0.0, whole_turn);
   const double turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
-  const double radius = random.between (0.35, 0.6); // of the way to the walls
-  const double height = random.between (1.4, 1.8);
+  const double radius = random.between (0.35, 0.6); // [distance to the walls]
+  const double height = random.between (1.4, 1.8);  // [m]
   const double pitch = random.angle (8, 18);
   return [=, &room] (double share) -> Isometry3d {
     const double angle = start + share * turn;
@@ -171,36 +191,41 @@ drawWayAround (const Site& room, Random& random)
 }
 
 Poses
-posesOn (const Way& way, std::size_t frames)
+posesOn (const CameraPath& path, std::size_t frames)
 {
   Poses poses;
   for (std::size_t i = 0; i < frames; ++i)
-    poses.push_back (way (frames == 1 ? 0.0 : double (i) / double (frames - 1)));
+    poses.push_back (path (frames == 1 ? 0.0 : double (i) / double (frames - 1)));
   return poses;
 }
 
-/** Draws some ways and chooses the one whose worst view shows the most surfaces, the
- * first among equals. \return poses of the frames on it */
-Poses
-drawBest (const Site& room,
-          int ways,
-          std::size_t views,
-          std::size_t frames,
-          const std::function<Way()>& draw)
+/** How many paths are drawn, and on how many views of each surfaces are counted. */
+struct PathSearch {
+  int paths;
+  std::size_t views;
+};
+
+/** Draws some paths and chooses the one whose worst view shows the most surfaces, the
+ * first among equals. */
+CameraPath
+drawBestPath (const Site& room,
+              const PathSearch& search,
+              const std::function<CameraPath()>& draw)
 {
-  Way best;
-  int most = -1;
-  for (int i = 0; i < ways; ++i) {
-    const Way way = draw();
-    int fewest = std::numeric_limits<int>::max();
-    for (const Isometry3d& pose : posesOn (way, views))
-      fewest = std::min (fewest, countVisibleSurfaces (room.scene, pose));
-    if (fewest > most) {
-      best = way;
-      most = fewest;
+  CameraPath best;
+  int most_surfaces = -1;
+  for (int i = 0; i < search.paths; ++i) {
+    const CameraPath path = draw();
+    int fewest_surfaces = std::numeric_limits<int>::max();
+    for (const Isometry3d& pose : posesOn (path, search.views))
+      fewest_surfaces =
+          std::min (fewest_surfaces, countVisibleSurfaces (room.scene, pose));
+    if (fewest_surfaces > most_surfaces) {
+      best = path;
+      most_surfaces = fewest_surfaces;
     }
   }
-  return posesOn (best, frames);
+  return best;
 }
 
 } // namespace
@@ -208,17 +233,23 @@ drawBest (const Site& room,
 Site
 makeRoom (Seed seed)
 {
-  // Floor area per two further pieces, one at a wall and one anywhere [m^2].
-  constexpr double floor_of_piece = 8.0;
-  Furnisher furnisher{randomFor (Purpose::Room, seed), 4};
+  // Two pieces, one at a wall and one anywhere, are drawn three times, and once more
+  // for each part of the floor of this area [m^2].
+  constexpr double area_per_pair = 8.0;
+  constexpr double pairs_in_any_room = 3.0;
+  RoomKind kind{{3.5, 3.0, 2.4}, {8.0, 6.0, 3.0}};
+  kind.walls = 4;
+  kind.has_ceiling = true;
+  kind.chance_of_opening = 0.6;
+  Furnisher furnisher{randomFor (Purpose::Room, seed), kind};
   Random& random = furnisher.random;
-  furnisher.build ({3.5, 3.0, 2.4}, {8.0, 6.0, 3.0}, true, 0.6);
+  furnisher.drawShell();
   furnisher.placeAtWall (drawLeaningBoard (random));
   furnisher.placeAnywhere (drawRamp (random));
   furnisher.placeAnywhere (drawRoundClutter (random));
   const Vector3d& size = furnisher.room.size;
-  const int rounds = int (3.0 + size.x() * size.y() / floor_of_piece);
-  for (int i = 0; i < rounds; ++i) {
+  const int pairs = int (pairs_in_any_room + size.x() * size.y() / area_per_pair);
+  for (int i = 0; i < pairs; ++i) {
     furnisher.placeAtWall (drawAtWall (random));
     furnisher.placeAnywhere (drawAnywhere (random));
   }
@@ -228,8 +259,10 @@ makeRoom (Seed seed)
 Site
 makeFurnishedCorner (Seed seed)
 {
-  Furnisher furnisher{randomFor (Purpose::Corner, seed), 2};
-  furnisher.build ({3.0, 3.0, 2.4}, {4.0, 4.0, 3.0}, false, 0.0);
+  RoomKind kind{{3.0, 3.0, 2.4}, {4.0, 4.0, 3.0}};
+  kind.walls = 2;
+  Furnisher furnisher{randomFor (Purpose::Corner, seed), kind};
+  furnisher.drawShell();
   for (const auto draw : {drawBoardRack, drawBoardTable, drawBoardBench})
     furnisher.placeAtWall (draw (furnisher.random));
   for (const auto draw : {drawBoardTable, drawBoardBench})
@@ -240,17 +273,18 @@ makeFurnishedCorner (Seed seed)
 int
 countVisibleSurfaces (const Scene& scene, const Isometry3d& pose)
 {
-  constexpr int pixels_of_surface = 5;
-  constexpr double closest_object = 0.7; // along the camera's axis [m]
-  const DepthImage glance = castDepthImage (scene, {48, 36}, pose);
-  if (glance.depth.minCoeff() < closest_object)
+  constexpr int min_pixels_of_surface = 5;
+  constexpr double nearest_shape = 0.7; // along the camera's axis [m]
+  const DepthCamera coarse_camera{48, 36};
+  const DepthImage image = castDepthImage (scene, coarse_camera, pose);
+  if (image.depth.minCoeff() < nearest_shape)
     return 0;
   std::map<SurfaceId, int> pixels;
-  for (const SurfaceId surface : glance.surface)
+  for (const SurfaceId surface : image.surface)
     ++pixels[surface];
   int visible = 0;
   for (const auto& [surface, count] : pixels)
-    visible += surface != no_surface && count >= pixels_of_surface;
+    visible += surface != no_surface && count >= min_pixels_of_surface;
   return visible;
 }
 
@@ -258,8 +292,9 @@ Isometry3d
 drawCameraPose (const Site& room, Seed seed)
 {
   Random random = randomFor (Purpose::CameraPose, seed);
-  const auto draw = [&] () -> Way {
+  const auto drawPose = [&] () -> CameraPath {
     constexpr double wall_distance = 0.4; // [m]
+    // Factors on x and y; z is a height [m].
     Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
     reach.z() = 1.0;
     // The camera looks from anywhere across the room's middle, somewhat downwards.
@@ -273,14 +308,15 @@ drawCameraPose (const Site& room, Seed seed)
     const Isometry3d pose = turnZ (room.yaw) * level * turnX (pitch) * turnZ (roll);
     return [pose] (double) { return pose; };
   };
-  return drawBest (room, 32, 1, 1, draw).front();
+  return drawBestPath (room, {32, 1}, drawPose) (0.0);
 }
 
 Poses
 drawWalk (const Site& room, std::size_t frames, Seed seed)
 {
   Random random = randomFor (Purpose::Walk, seed);
-  return drawBest (room, 8, 12, frames, [&] { return drawWayAround (room, random); });
+  const auto drawPath = [&] { return drawPathAround (room, random); };
+  return posesOn (drawBestPath (room, {8, 12}, drawPath), frames);
 }
 
 } // namespace pcl_ops::simulation

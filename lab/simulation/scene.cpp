@@ -12,10 +12,11 @@ using Kind = Shape::Kind;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** The intersector of Eigen::BVIntersect that finds the nearest shape on a ray. */
+/** Finds the nearest shape on a ray. Eigen::BVIntersect calls intersectVolume and
+ * intersectObject. */
 struct RayCast {
   const Vector3d &origin, &direction;
-  Hit closest = {};
+  Hit nearest = {};
 
   double
   distanceToRectangle (const Shape& rectangle) const
@@ -29,10 +30,10 @@ struct RayCast {
     return is_inside ? distance : infinite;
   }
 
-  /** For a sphere or a cylinder: a closed cylinder is the part of an infinite cylinder
-   * between two planes. */
+  /** A cylinder is closed: it is the part of an infinite cylinder between two planes.
+   */
   double
-  distanceToRound (const Shape& shape) const
+  distanceToSphereOrCylinder (const Shape& shape) const
   {
     const bool is_sphere = shape.kind == Kind::Sphere;
     const Vector3d axis = is_sphere ? Vector3d::Zero() : shape.u;
@@ -41,7 +42,7 @@ struct RayCast {
     const double center_along = to_center.dot (axis);
     const Vector3d across = direction - along * axis;
     const Vector3d center_across = to_center - center_along * axis;
-    // The roots of a x^2 - 2 b x + c = 0.
+    // The ray is on the surface at the roots x of a x^2 - 2 b x + c = 0.
     const double a = across.squaredNorm();
     const double b = across.dot (center_across);
     const double c = center_across.squaredNorm() - shape.half_v * shape.half_v;
@@ -67,22 +68,24 @@ struct RayCast {
     constexpr double margin = 1e-6; // more than all rounding, also of flat boxes [m]
     const Eigen::Array3d low = (box.min() - origin).array() - margin;
     const Eigen::Array3d high = (box.max() - origin).array() + margin;
-    const Eigen::Array3d one = low / direction.array();
-    const Eigen::Array3d other = high / direction.array();
-    const double enter = one.min (other).maxCoeff();
-    const double leave = one.max (other).minCoeff();
-    return enter <= leave && leave >= 0.0 && enter <= closest.distance;
+    // Distances along the ray to the low and the high sides, one per axis.
+    const Eigen::Array3d to_low = low / direction.array();
+    const Eigen::Array3d to_high = high / direction.array();
+    const double enter = to_low.min (to_high).maxCoeff();
+    const double leave = to_low.max (to_high).minCoeff();
+    return enter <= leave && leave >= 0.0 && enter <= nearest.distance;
   }
 
   /** \return false, so that the search goes on to nearer shapes */
   bool
   intersectObject (const Shape& shape)
   {
-    constexpr double smallest_distance = 1e-9; // closer hits are the ray's own start
-    const double distance = shape.kind == Kind::Rectangle ? distanceToRectangle (shape)
-                                                          : distanceToRound (shape);
-    if (distance > smallest_distance && distance < closest.distance)
-      closest = {distance, shape.surface};
+    constexpr double smallest_distance = 1e-9; // nearer hits are the ray's own start
+    const double distance = shape.kind == Kind::Rectangle
+                                ? distanceToRectangle (shape)
+                                : distanceToSphereOrCylinder (shape);
+    if (distance > smallest_distance && distance < nearest.distance)
+      nearest = {distance, shape.surface};
     return false;
   }
 };
@@ -92,12 +95,12 @@ struct RayCast {
 Eigen::AlignedBox3d
 bounding_box (const Shape& shape)
 {
-  Vector3d reach = Vector3d::Constant (shape.half_v);
+  Vector3d half_extent = Vector3d::Constant (shape.half_v);
   if (shape.kind == Kind::Rectangle)
-    reach = shape.half_v * shape.v.cwiseAbs();
+    half_extent = shape.half_v * shape.v.cwiseAbs();
   if (shape.kind != Kind::Sphere)
-    reach += shape.half_u * shape.u.cwiseAbs();
-  return {shape.center - reach, shape.center + reach};
+    half_extent += shape.half_u * shape.u.cwiseAbs();
+  return {shape.center - half_extent, shape.center + half_extent};
 }
 
 Shape
@@ -125,8 +128,10 @@ Body::addBox (const Isometry3d& pose, const Vector3d& size, HiddenFace hidden)
   const Eigen::Matrix3d edges = size.asDiagonal();
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-0.5, 0.5}) {
-      const auto hides = side < 0.0 ? HiddenFace::Bottom : HiddenFace::BottomAndTop;
-      if (axis == 2 && hidden >= hides)
+      const bool is_bottom = axis == 2 && side < 0.0;
+      const bool is_top = axis == 2 && side > 0.0;
+      if ((is_bottom && hidden != HiddenFace::None) ||
+          (is_top && hidden == HiddenFace::BottomAndTop))
         continue;
       const int u = (axis + 1) % 3;
       const int v = (axis + 2) % 3;
@@ -147,10 +152,10 @@ Body::addWallAround (const WallRange& wall, const WallRange& hole, double depth)
         WallRange{hole.left, hole.right, wall.bottom, hole.bottom}}) {
     if (range.left >= range.right || range.bottom >= range.top)
       continue;
-    shapes.push_back (range.at (0.0));
+    shapes.push_back (range.rectangleAt (0.0));
     shapes.back().surface = surface;
   }
-  const Shape back = hole.at (-depth);
+  const Shape back = hole.rectangleAt (-depth);
   const Vector3d middle (back.center.x(), -0.5 * depth, back.center.z());
   const Vector3d inwards = depth * Vector3d::UnitY();
   addSurface (back);
@@ -179,7 +184,7 @@ Body::addPart (const Body& part, const Isometry3d& pose)
 void
 Body::joinCoplanar()
 {
-  constexpr double rounding = 1e-9;
+  constexpr double rounding = 1e-9; // of unit vectors, and of positions [m]
   for (Shape& shape : shapes) {
     const auto isCoplanar = [&shape] (const Shape& other) {
       return other.surface != no_surface &&
@@ -216,7 +221,7 @@ castRay (const ShapeTree& shapes, const Vector3d& origin, const Vector3d& direct
 {
   RayCast cast{origin, direction};
   Eigen::BVIntersect (shapes, cast);
-  return cast.closest;
+  return cast.nearest;
 }
 
 } // namespace pcl_ops::simulation

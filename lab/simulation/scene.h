@@ -71,13 +71,14 @@ drawLogUniform (double lowest, double highest, Random& random)
   return lowest * std::pow (highest / lowest, random.unit());
 }
 
+/** A shift of the origin to a position [m]. */
 inline Isometry3d
-at (const Vector3d& place)
+at (const Vector3d& position)
 {
-  return Isometry3d (Eigen::Translation3d (place));
+  return Isometry3d (Eigen::Translation3d (position));
 }
 
-/** A turn about the axis x (0), y (1) or z (2) by an angle [rad]. */
+/** A rotation about the axis x (0), y (1) or z (2) by an angle [rad]. */
 template <int axis>
 Isometry3d
 turn (double angle)
@@ -90,28 +91,34 @@ constexpr auto turnX = turn<0>, turnY = turn<1>, turnZ = turn<2>;
 /** Transforms from the sensor's frame to the scene's frame, one per scan. */
 using Poses = std::vector<Isometry3d>;
 
-/** Numbers surfaces from 1; rectangles of one flat surface have the same number. */
+/** Number of a flat surface, from 1 on; rectangles of one surface have the same. */
 using SurfaceId = std::uint32_t;
 
-/** Number of shapes that are no plane: round shapes, and too narrow rectangles. */
+/** Number of shapes that are on no true plane: round shapes and too narrow rectangles.
+ */
 constexpr SurfaceId no_surface = 0;
 
-/** A rectangle seen from both sides, a sphere, a cylinder along u, a dome (the top of a
- * sphere), a cone without its base, or a torus; the last three have an upright axis.
+/** A rectangle that is seen from both sides, or a round shape. A dome is the top of a
+ * sphere; a cone has no base. Domes, cones and tori have an upright axis.
  * \ref castRay and \ref scanDensely support only the first three kinds. */
 struct Shape {
   enum class Kind { Rectangle, Sphere, Cylinder, Dome, Cone, Torus };
   Kind kind = Kind::Rectangle;
   /** Center; of a dome the center of its sphere, of a cone the apex [m]. */
   Vector3d center = Vector3d::Zero();
+  /** Unit vectors along the edges of a rectangle; u is the axis of a cylinder. */
   Vector3d u = Vector3d::UnitX(), v = Vector3d::UnitY();
-  /** Half the edges of a rectangle [m]. Of round shapes, half_v is the radius (of a
-   * cone's base, of a torus's ring); half_u is the height of a dome or a cone, and half
-   * the height of a cylinder or a torus. */
+  /** Lengths [m]:
+   * - rectangle: half_u and half_v are half the edges
+   * - sphere: half_v is the radius
+   * - cylinder: half_u is half the length, half_v the radius
+   * - dome: half_u is the height, half_v the radius of the sphere
+   * - cone: half_u is the height, half_v the radius of the base
+   * - torus: half_u is the radius of the tube, half_v the radius of the ring */
   double half_u = 0.5, half_v = 0.5;
   SurfaceId surface = no_surface;
   /** A cylinder, cone or torus about an upright axis may exist only in part: over this
-   * share of a turn, centered on the direction +y from its axis. */
+   * share of a whole turn, centered on the direction +y from its axis. */
   double share = 1.0;
 
   Vector3d
@@ -130,18 +137,34 @@ struct Shape {
   double
   area () const
   {
-    return share * (kind == Kind::Rectangle  ? 4.0 * half_u * half_v
-                    : kind == Kind::Sphere   ? 4.0 * pi * half_v * half_v
-                    : kind == Kind::Cylinder ? 4.0 * pi * half_v * half_u
-                    : kind == Kind::Dome     ? 2.0 * pi * half_v * half_u
-                    : kind == Kind::Cone     ? pi * half_v * std::hypot (half_v, half_u)
-                                             : 4.0 * pi * pi * half_v * half_u);
+    return share * areaOfWholeTurn();
+  }
+
+private:
+  double
+  areaOfWholeTurn () const
+  {
+    switch (kind) {
+    case Kind::Rectangle:
+      return 4.0 * half_u * half_v;
+    case Kind::Sphere:
+      return 4.0 * pi * half_v * half_v;
+    case Kind::Cylinder:
+      return 4.0 * pi * half_v * half_u;
+    case Kind::Dome:
+      return 2.0 * pi * half_v * half_u;
+    case Kind::Cone:
+      return pi * half_v * std::hypot (half_v, half_u);
+    case Kind::Torus:
+      break;
+    }
+    return 4.0 * pi * pi * half_v * half_u;
   }
 };
 
 using Shapes = std::vector<Shape>;
 
-/** Eigen::KdBVH calls a function of this name. */
+/** Eigen::KdBVH looks for a function of this name. */
 Eigen::AlignedBox3d
 bounding_box (const Shape& shape);
 
@@ -154,7 +177,7 @@ struct WallRange {
   double left, right, bottom, top;
 
   Shape
-  at (double y) const
+  rectangleAt (double y) const
   {
     return makeRectangle ({0.5 * (left + right), y, 0.5 * (bottom + top)},
                           (right - left) * Vector3d::UnitX(),
@@ -167,11 +190,12 @@ enum class HiddenFace { None, Bottom, BottomAndTop };
 
 /** A piece of furniture or the shell of a room, with its surfaces numbered from 1. */
 struct Body {
-  /** Extent of furniture on the floor along x and y [m]. */
+  /** Extent on the floor along x and y, for furniture [m]. */
   Vector2d footprint = Vector2d::Zero();
   Shapes shapes = {};
   SurfaceId surface_count = 0;
-  /** A narrower rectangle gets no_surface [m]; by default the edges of boards. */
+  /** A narrower rectangle gets no_surface [m]. The default leaves out the edges of
+   * boards. */
   double narrowest_surface = 0.05;
 
   /** Adds a rectangle as a new surface, or with no_surface if it is too narrow. */
@@ -195,10 +219,13 @@ struct Body {
 
   /** \param[in] axis of length 1 */
   void
-  addCylinder (const Vector3d& center, const Vector3d& axis, double half, double radius)
+  addCylinder (const Vector3d& center,
+               const Vector3d& axis,
+               double half_length,
+               double radius)
   {
     shapes.push_back (
-        {Shape::Kind::Cylinder, center, axis, Vector3d::Zero(), half, radius});
+        {Shape::Kind::Cylinder, center, axis, Vector3d::Zero(), half_length, radius});
   }
 
   /** Adds an upright cylinder whose lower end has the center \p foot. */
@@ -246,7 +273,8 @@ struct Scene {
 std::vector<Plane>
 surfacePlanes (const Scene& scene);
 
-/** The nearest hit of a ray is at origin + distance * direction; infinite: no hit. */
+/** The nearest hit of a ray is at origin + distance * direction, where the direction
+ * may have any length. An infinite distance is no hit. */
 struct Hit {
   double distance = std::numeric_limits<double>::infinity();
   SurfaceId surface = no_surface;

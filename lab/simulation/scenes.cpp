@@ -30,10 +30,11 @@ noiseOf (const Simulation& simulation)
   return noise;
 }
 
+/** Returns the number of points of a simulation, or the default of its scene. */
 std::size_t
-pointsOr (double usual, const Simulation& simulation)
+pointsOr (double scene_default, const Simulation& simulation)
 {
-  return std::size_t (simulation.points.value_or (usual));
+  return std::size_t (simulation.points.value_or (scene_default));
 }
 
 SimulatedCloud
@@ -57,7 +58,7 @@ simulateRoundShapes (const Simulation& simulation)
 SimulatedCloud
 simulateAirborne (const Simulation& simulation)
 {
-  const Airborne site = makeAirborne (simulation.seed);
+  const AirborneSite site = makeAirborne (simulation.seed);
   const double points = site.density * site.width() * site.width();
   return scanAirborne (
       site, pointsOr (points, simulation), simulation.noise, simulation.seed);
@@ -115,10 +116,11 @@ planesSeenFrom (const Isometry3d& pose, Scene scene)
   return surfacePlanes (scene);
 }
 
-/** Simulates a room in the frame of the camera, as drivers give it. So steps of depth
- * are steps of z; in the scene "missing", missing readings are at the origin. */
+/** Simulates a room in the frame of the camera, as drivers of cameras give it: steps of
+ * depth are steps of z, and in the scene "missing", missing readings are at the origin.
+ */
 SimulatedCloud
-simulateImage (const Simulation& simulation)
+simulateInCameraFrame (const Simulation& simulation)
 {
   const SensorView view = viewOf (simulation);
   Scan scan = view.scan (0);
@@ -131,32 +133,35 @@ simulateImage (const Simulation& simulation)
   return image;
 }
 
-/** Scenes with their own function; \ref viewOf alone does not make their clouds. */
+/** Scenes whose clouds \ref viewOf alone does not make. */
 constexpr struct {
   const char* scene;
   SimulatedCloud (*simulate) (const Simulation&);
-} scenes_of_their_own[] = {{"survey", simulateSurvey},
-                           {"shapes", simulateRoundShapes},
-                           {"airborne", simulateAirborne},
-                           {"street-hills", simulateHillyStreet},
-                           {"table", simulateTable},
-                           {"plaster", simulatePlaster},
-                           {"slabs", simulateSlabs},
-                           {"missing", simulateImage},
-                           {"room-kinect", simulateImage}};
+} scenes_with_own_function[] = {{"survey", simulateSurvey},
+                                {"shapes", simulateRoundShapes},
+                                {"airborne", simulateAirborne},
+                                {"street-hills", simulateHillyStreet},
+                                {"table", simulateTable},
+                                {"plaster", simulatePlaster},
+                                {"slabs", simulateSlabs},
+                                {"missing", simulateInCameraFrame},
+                                {"room-kinect", simulateInCameraFrame}};
 
+/** \param[in] size root mean square of the rotation [degree] and of the shift [cm] */
 Isometry3d
-drawError (Random& random, double size)
+drawPoseError (Random& random, double size)
 {
-  const double of_each_axis = size / std::sqrt (3.0);
+  constexpr double degree = pi / 180.0;
+  constexpr double centimeter = 0.01;
+  const double sigma_of_each_axis = size / std::sqrt (3.0);
   const auto draw = [&] (double unit) {
     Vector3d drawn;
     for (double& number : drawn)
-      number = unit * of_each_axis * random.gaussian();
+      number = unit * sigma_of_each_axis * random.gaussian();
     return drawn;
   };
-  const Vector3d rotation = draw (pi / 180.0);
-  Isometry3d error = at (draw (0.01));
+  const Vector3d rotation = draw (degree);
+  Isometry3d error = at (draw (centimeter));
   if (rotation.norm() > 0.0)
     error.rotate (Eigen::AngleAxisd (rotation.norm(), rotation.normalized()));
   return error;
@@ -186,9 +191,9 @@ viewOf (const Simulation& simulation, std::size_t frames)
 SimulatedCloud
 simulate (const Simulation& simulation)
 {
-  for (const auto& [scene, simulateIt] : scenes_of_their_own)
+  for (const auto& [scene, simulateScene] : scenes_with_own_function)
     if (simulation.scene == scene)
-      return simulateIt (simulation);
+      return simulateScene (simulation);
   if (simulation.points)
     return scanDensely (siteOf (simulation).scene,
                         std::size_t (*simulation.points),
@@ -201,7 +206,7 @@ simulate (const Simulation& simulation)
 }
 
 Poses
-measured (const Poses& poses, const PoseErrors& errors, Seed seed)
+measuredPoses (const Poses& poses, const PoseErrors& errors, Seed seed)
 {
   Random random = randomFor (Purpose::PoseError, seed);
   Poses result;
@@ -209,8 +214,8 @@ measured (const Poses& poses, const PoseErrors& errors, Seed seed)
   for (std::size_t i = 0; i < poses.size(); ++i) {
     drifting = i == 0 ? poses[0]
                       : drifting * poses[i - 1].inverse() * poses[i] *
-                            drawError (random, errors.drift);
-    result.push_back (drifting * drawError (random, errors.each));
+                            drawPoseError (random, errors.drift);
+    result.push_back (drifting * drawPoseError (random, errors.each));
   }
   return result;
 }

@@ -24,17 +24,18 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
   Field field (camera.height + 2 * radius, camera.width + 2 * radius);
   std::generate_n (field.data(), field.size(), [&] { return random.gaussian(); });
   std::vector<double> kernel;
-  double energy = 0.0;
+  double sum_of_squares = 0.0; // variance after filtering of white noise
   for (int i = -radius; i <= radius; ++i) {
     kernel.push_back (std::exp (-0.5 * i * i / (noise.smoothing * noise.smoothing)));
-    energy += kernel.back() * kernel.back();
+    sum_of_squares += kernel.back() * kernel.back();
   }
+  // Two transpositions filter rows and columns, and restore their order.
   for (int axis = 0; axis < 2; ++axis) {
-    const Field turned = field.transpose();
-    field = Field::Zero (turned.rows() - 2 * radius, turned.cols());
+    const Field transposed = field.transpose();
+    field = Field::Zero (transposed.rows() - 2 * radius, transposed.cols());
     for (int i = 0; i <= 2 * radius; ++i)
-      field += kernel[std::size_t (i)] / std::sqrt (energy) *
-               turned.middleRows (i, field.rows());
+      field += kernel[std::size_t (i)] / std::sqrt (sum_of_squares) *
+               transposed.middleRows (i, field.rows());
   }
   return field;
 }
@@ -63,9 +64,10 @@ depthBeyondEdge (const Field& depths, Eigen::Index row, Eigen::Index column)
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
-  constexpr double flying_fraction = 0.3;
-  constexpr double lost_fraction = 0.2;
+  constexpr double flying_share = 0.3;
+  constexpr double lost_share = 0.2;
   const Field exact = image.depth;
+  // Noise below that of a Kinect makes flying and lost pixels rarer.
   const double strength = std::min (1.0, noise.scale);
   for (Eigen::Index row = 0; row < exact.rows(); ++row)
     for (Eigen::Index column = 0; column < exact.cols(); ++column) {
@@ -73,12 +75,12 @@ disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
       if (!other)
         continue;
       double& depth = image.depth (row, column);
-      const double chance = random.unit() / strength;
-      if (chance < flying_fraction) {
+      const double drawn = random.unit() / strength;
+      if (drawn < flying_share) {
         depth += random.between (0.1, 0.9) * (*other - depth);
         image.surface[std::size_t (row * exact.cols() + column)] = no_surface;
       }
-      else if (chance < flying_fraction + lost_fraction)
+      else if (drawn < flying_share + lost_share)
         depth = no_reading;
     }
 }
@@ -104,7 +106,7 @@ disturbDepths (DepthImage& image,
     // Nguyen, Izadi & Lovell, "Modeling Kinect Sensor Noise for Improved 3D
     // Reconstruction and Tracking", 3DIMPVT 2012, for surfaces seen at up to 60
     // degrees.
-    const double sigma = 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
+    const double sigma = 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4); // [m]
     depth += noise.scale * sigma * field (i);
     if (quantization > 0.0 && depth > 0.0)
       depth = quantization / std::round (quantization / depth);
@@ -133,12 +135,13 @@ rosetteRay (const Lidar& lidar, std::size_t ray)
   const double time = double (ray) / rays_a_second;
   const double first = 2.0 * pi * turns_of_first * time;
   const double second = 2.0 * pi * turns_of_second * time;
-  const double bent = 0.25 * (lidar.highest - lidar.lowest) * pi / 180.0;
+  // The largest deflection is half of the field of view; each prism has half of it.
+  const double bent = 0.25 * (lidar.highest - lidar.lowest) * pi / 180.0; // [rad]
   const double left = bent * (std::cos (first) + std::cos (second));
   const double up = bent * (std::sin (first) + std::sin (second));
   const double angle = std::hypot (left, up);
-  const double sine = angle > 0.0 ? std::sin (angle) / angle : 1.0;
-  return {std::cos (angle), sine * left, sine * up};
+  const double sine_ratio = angle > 0.0 ? std::sin (angle) / angle : 1.0;
+  return {std::cos (angle), sine_ratio * left, sine_ratio * up};
 }
 
 } // namespace
@@ -149,7 +152,9 @@ castDepthImage (const Scene& scene,
                 const Isometry3d& pose,
                 const Jitter& jitter)
 {
-  constexpr double largest_slope = 0.1;
+  // Largest difference between the depths on the pixel's own and on the jittered ray,
+  // relative to the depth; in grazing views it is larger.
+  constexpr double max_change = 0.1;
   DepthImage image{Field (camera.height, camera.width), {}};
   const std::vector<Plane> planes = surfacePlanes (scene);
   const ShapeTree shapes = treeOf (scene);
@@ -166,11 +171,10 @@ castDepthImage (const Scene& scene,
       double& depth = image.depth (row, column) = hit.distance;
       if (hit.surface == no_surface)
         continue;
-      // Depth where the pixel's own ray meets the plane, unless the view is grazing.
       const Plane& plane = planes[hit.surface - 1];
-      const double own = -plane.distance (eye) / plane.normal.dot (ray);
-      if (std::abs (own - depth) < largest_slope * depth)
-        depth = own;
+      const double depth_on_own_ray = -plane.distance (eye) / plane.normal.dot (ray);
+      if (std::abs (depth_on_own_ray - depth) < max_change * depth)
+        depth = depth_on_own_ray;
     }
   return image;
 }
@@ -197,10 +201,10 @@ double
 drawQuantization (Seed seed)
 {
   constexpr double depth = 5.0;
-  constexpr double finest = 0.065;
-  constexpr double coarsest = 0.08; // [m]
+  constexpr double finest_step = 0.065;
+  constexpr double coarsest_step = 0.08; // [m]
   Random random = randomFor (Purpose::Quantization, seed);
-  return depth * depth / random.between (finest, coarsest);
+  return depth * depth / random.between (finest_step, coarsest_step);
 }
 
 Scan
@@ -221,21 +225,22 @@ toScan (DepthImage image, const DepthCamera& camera)
 double
 Lidar::elevation (int beam) const
 {
-  const auto spread = [] (double from, double to, int number, int beams_of_it) {
-    const double share = double (number) / (beams_of_it - 1);
+  const auto spread = [] (double from, double to, int number, int count) {
+    const double share = double (number) / (count - 1);
     return from + share * (to - from);
   };
   if (!is_dense_at_level)
     return spread (highest, lowest, beam, beams);
+  // Equal spacing within each of four ranges, as of a Hesai Pandar64.
   constexpr struct {
     double highest, lowest; // [degree]
     int beams;
   } ranges[] = {{15.0, 3.0, 2}, {2.0, -6.0, 49}, {-6.5, -13.0, 7}, {-14.0, -25.0, 6}};
-  int number = beam;
+  int number_in_range = beam;
   for (const auto& range : ranges) {
-    if (number < range.beams)
-      return spread (range.highest, range.lowest, number, range.beams);
-    number -= range.beams;
+    if (number_in_range < range.beams)
+      return spread (range.highest, range.lowest, number_in_range, range.beams);
+    number_in_range -= range.beams;
   }
   return lowest;
 }

@@ -10,35 +10,36 @@
 
 namespace pcl_ops::simulation {
 
-/** Focal length of a Kinect's depth image of 640 columns [px]. */
-constexpr double kinect_focal_length = 525.0;
+/** Columns of a Kinect's depth image, and its focal length [px]. */
+constexpr double kinect_columns = 640.0, kinect_focal_length = 525.0;
 
 /** A pinhole camera with the axes x right, y down, z forward. */
 struct DepthCamera {
-  int width = 640, height = 480;
+  int width = 640, height = 480; // of the image [px]
 
-  /** \return direction of a pixel's ray in the camera's frame, scaled to z = 1 */
+  /** \return direction of a pixel's ray in the camera's frame, scaled to z = 1, so that
+   * a distance along it is a depth */
   Vector3d
   ray (double column, double row) const
   {
-    // Scaled with the width: the field of view is always a Kinect's [px].
-    const double focal_length = kinect_focal_length * width / 640.0;
+    // Scaled with the width, so that the field of view is always a Kinect's [px].
+    const double focal_length = kinect_focal_length * width / kinect_columns;
     return {(column - 0.5 * (width - 1)) / focal_length,
             (row - 0.5 * (height - 1)) / focal_length,
             1.0};
   }
 };
 
-/** A number for each pixel. */
+/** A number for each pixel, by row and column. */
 using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct DepthImage {
-  Field depth; // along the camera's z axis [m]; infinite: no hit
-  std::vector<SurfaceId> surface;
+  Field depth;                    // along the camera's z axis [m]; infinite: no hit
+  std::vector<SurfaceId> surface; // of each pixel, row by row
 };
 
-/** Offsets in columns and rows [px] of the ray by which a pixel finds its surface;
- * empty: no offsets. They fray depth edges. The depth is still that of the found
+/** Offsets in columns and in rows from a pixel to the ray that finds its surface [px];
+ * empty: no offsets. They make depth edges ragged. The depth is still that of the found
  * surface on the pixel's own ray, except for \ref no_surface and grazing views. */
 using Jitter = std::array<Field, 2>;
 
@@ -91,7 +92,7 @@ constexpr double lidar_sigma = 0.02;
  * beam follows a rosette, whose gaps the next scans fill. */
 struct Lidar {
   const char* name;
-  int beams, steps;       // beams cast at once, and casts per scan
+  int beams, steps;       // number of beams cast at once, and of casts per scan
   double highest, lowest; // elevations of the outer beams or rosette edge [degree]
   double farthest;        // readings beyond are lost [m]
   /** True: most beams are within 6 degrees of horizontal. False: equal spacing. */
@@ -127,7 +128,8 @@ using CastRay = std::function<Hit (const Vector3d& ray)>;
 /** Simulates a scan; rays without a hit in range have NaN points.
  * \param[in] noise factor on \ref lidar_sigma
  * \param[in] seed of the noise
- * \param[in] number of the scan: a rosette goes on where the last scan ended */
+ * \param[in] number of the scan, from 0 on: a rosette continues where the scan before
+ * ended */
 Scan
 scanAround (const CastRay& cast,
             const Lidar& lidar,

@@ -10,8 +10,9 @@ namespace {
 
 using Kind = Shape::Kind;
 
-/** Ranges of sizes [m]; heights of domes follow from their radii. large_height of a
- * cone is a multiple of its radius, of a torus one of the smallest large radius. */
+/** Ranges of \ref Shape::half_v (radii) and \ref Shape::half_u (heights) [m]. Heights
+ * of domes follow from their radii. Of cones, large_height is a multiple of the radius;
+ * of tori, it is a multiple of the smallest large radius. */
 constexpr struct ShapeSizes {
   Kind kind;
   struct {
@@ -28,8 +29,19 @@ makeRound (
     Kind kind, const Vector3d& center, double radius, double height, double share = 1.0)
 {
   const Vector3d up = Vector3d::UnitZ();
-  const Vector3d none = Vector3d::Zero();
-  return {kind, center, up, none, height, radius, no_surface, share};
+  const Vector3d unused = Vector3d::Zero();
+  return {kind, center, up, unused, height, radius, no_surface, share};
+}
+
+/** Number of kinds of shapes; each row along x has one of each. */
+constexpr int count_in_row = 4;
+
+/** \return x of a shape in a row centered at x = 0 [m]
+ * \param[in] position in the row, from 0 to 3 */
+double
+xInRow (int position, double distance)
+{
+  return (position - 0.5 * (count_in_row - 1)) * distance;
 }
 
 /** Draws a small shape beside the ground, which begins at y = 0.
@@ -37,53 +49,55 @@ makeRound (
 Shape
 drawSmall (const ShapeSizes& sizes, int position, Random& random)
 {
+  // Distance of shapes in the row, with room for the two largest, and y of the row [m].
   constexpr double distance = 1.8;
-  constexpr double row = -1.2; // room for the two largest [m]
+  constexpr double row = -1.2;
   const auto& [lowest_radius, highest_radius] = sizes.small_radius;
   const auto& [lowest, highest] = sizes.small_height;
   const double radius = random.between (lowest_radius, highest_radius);
   const bool is_sphere = sizes.kind == Kind::Dome;
   const double height = is_sphere ? 2.0 * radius : random.between (lowest, highest);
   const double z = is_sphere ? radius : height;
-  return makeRound (sizes.kind, {(position - 1.5) * distance, row, z}, radius, height);
+  return makeRound (sizes.kind, {xInRow (position, distance), row, z}, radius, height);
 }
 
 /** Draws a part of a large shape, in a row behind the small shapes. */
 Shape
 drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
+  // Distance of shapes in the row, and y of the row [m].
   constexpr double distance = 3.0;
-  constexpr double row = -3.8; // [m]
-  constexpr double smallest = 0.6;
-  constexpr double largest = 5.5; // radii [m]
-  const double x = (position - 1.5) * distance;
-  // The logarithm is uniform.
-  const double radius = smallest * std::pow (largest / smallest, random.unit());
-  const double unit = sizes.kind == Kind::Cone    ? radius
-                      : sizes.kind == Kind::Torus ? smallest
-                                                  : 1.0;
+  constexpr double row = -3.8;
+  constexpr double smallest_radius = 0.6;
+  constexpr double largest_radius = 5.5; // [m]
+  const double x = xInRow (position, distance);
+  const double radius = drawLogUniform (smallest_radius, largest_radius, random);
+  const double height_unit = sizes.kind == Kind::Cone    ? radius
+                             : sizes.kind == Kind::Torus ? smallest_radius
+                                                         : 1.0;
   const bool is_dome = sizes.kind == Kind::Dome;
   const auto& [lowest, highest] = sizes.large_height;
-  double height = is_dome ? 0.0 : unit * random.between (lowest, highest);
+  const double height = is_dome ? 0.0 : height_unit * random.between (lowest, highest);
   // The part is 2 to 2.4 m long, so that it bends by far more than the noise at any
   // radius; for small radii it is about a third of a turn.
   const double length = std::min (random.between (2.0, 2.4), 2.0 * radius);
   const double share = length / (2.0 * pi * radius);
   if (!is_dome)
     return makeRound (sizes.kind, {x, row - radius, height}, radius, height, share);
-  height = radius * (1.0 - std::cos (pi * share));
-  return makeRound (sizes.kind, {x, row, height - radius}, radius, height);
+  const double height_of_dome = radius * (1.0 - std::cos (pi * share));
+  return makeRound (
+      sizes.kind, {x, row, height_of_dome - radius}, radius, height_of_dome);
 }
 
 /** Draws a board on the middle of the ground, with any yaw, leaning back a little. */
 Shape
 drawBoard (const Shape& ground, Random& random)
 {
-  const double turned = random.angle (0, 360);
+  const double yaw = random.angle (0, 360);
   const double tilt = random.angle (70, 90);
-  const Isometry3d pose = turnZ (turned) * turnX (tilt);
+  const Isometry3d pose = turnZ (yaw) * turnX (tilt);
   Shape board;
-  board.half_u = 0.5 * random.between (0.8, 1.6);
+  board.half_u = 0.5 * random.between (0.8, 1.6); // [m]
   board.half_v = 0.5 * random.between (1.2, 2.0);
   board.u = pose.linear().col (0);
   board.v = pose.linear().col (1);
@@ -98,11 +112,11 @@ simulateShapes (std::size_t points, double noise, Seed seed)
 {
   Random random = randomFor (Purpose::Shapes, seed);
   Shapes shapes;
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < count_in_row; ++i)
     shapes.push_back (drawSmall (sizes_of_shapes[i], i, random));
   Shape ground = makeRectangle ({0, 2, 0}, {6, 0, 0}, {0, 4, 0});
   Shape board = drawBoard (ground, random);
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < count_in_row; ++i)
     shapes.push_back (drawLarge (sizes_of_shapes[i], i, random));
   ground.surface = 1;
   board.surface = 2;

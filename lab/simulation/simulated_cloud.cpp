@@ -12,42 +12,52 @@ namespace {
 
 using Kind = Shape::Kind;
 
+/** Draws a horizontal unit vector. */
 Vector3d
-drawAcross (Random& random)
+drawHorizontal (Random& random)
 {
   const double around = random.between (0, 2.0 * pi);
   return {std::cos (around), std::sin (around), 0.0};
 }
 
 SurfacePoint
-drawOnConeOrTorus (const Shape& shape, Random& random)
+drawOnCone (const Shape& cone, Random& random)
 {
-  const double radius = shape.half_v;
-  const double height = shape.half_u;
-  const Vector3d across = drawAcross (random);
+  const double radius = cone.half_v;
+  const double height = cone.half_u;
+  const Vector3d outwards = drawHorizontal (random);
   const Vector3d up = Vector3d::UnitZ();
-  if (shape.kind == Kind::Cone) {
-    // The area between the apex and a height grows with the square of the distance
-    // from the apex.
-    const double down = std::sqrt (random.unit());
-    return {shape.center + down * (radius * across - height * up),
-            (height * across + radius * up).normalized()};
-  }
+  // The area between the apex and a height grows with the square of the distance from
+  // the apex.
+  const double share_from_apex = std::sqrt (random.unit());
+  return {cone.center + share_from_apex * (radius * outwards - height * up),
+          (height * outwards + radius * up).normalized()};
+}
+
+SurfacePoint
+drawOnTorus (const Shape& torus, Random& random)
+{
+  const double ring = torus.half_v;
+  const double tube = torus.half_u; // radii [m]
+  const Vector3d outwards = drawHorizontal (random);
+  const Vector3d up = Vector3d::UnitZ();
   double around_tube = 0.0;
   do // the outer side of the ring is longer than the inner one
     around_tube = random.between (0, 2.0 * pi);
-  while (
-      !random.chance ((radius + height * std::cos (around_tube)) / (radius + height)));
-  const Vector3d normal = std::cos (around_tube) * across + std::sin (around_tube) * up;
-  return {shape.center + radius * across + height * normal, normal};
+  while (!random.chance ((ring + tube * std::cos (around_tube)) / (ring + tube)));
+  const Vector3d normal =
+      std::cos (around_tube) * outwards + std::sin (around_tube) * up;
+  return {torus.center + ring * outwards + tube * normal, normal};
 }
 
-/** Draws a point of the whole shape, as if its share were 1. */
+/** Draws a point of a shape as if its share were 1. */
 SurfacePoint
-drawOfWhole (const Shape& shape, Random& random)
+drawOnWholeTurn (const Shape& shape, Random& random)
 {
-  if (shape.kind == Kind::Cone || shape.kind == Kind::Torus)
-    return drawOnConeOrTorus (shape, random);
+  if (shape.kind == Kind::Cone)
+    return drawOnCone (shape, random);
+  if (shape.kind == Kind::Torus)
+    return drawOnTorus (shape, random);
   if (shape.kind == Kind::Rectangle) {
     const double u = random.between (-1, 1) * shape.half_u;
     const double v = random.between (-1, 1) * shape.half_v;
@@ -64,15 +74,15 @@ drawOfWhole (const Shape& shape, Random& random)
   // Slices of a sphere of equal height have equal area (Archimedes).
   const bool is_dome = shape.kind == Kind::Dome;
   const double z = random.between (is_dome ? 1.0 - shape.half_u / shape.half_v : -1, 1);
-  const double across = std::sqrt (1.0 - z * z);
-  const Vector3d normal = across * drawAcross (random) + z * Vector3d::UnitZ();
+  const double horizontal = std::sqrt (1.0 - z * z);
+  const Vector3d normal = horizontal * drawHorizontal (random) + z * Vector3d::UnitZ();
   return {shape.center + shape.half_v * normal, normal};
 }
 
-/** Sets the label of points of \ref unknown_surface to \ref no_surface.
- * \return a mark per point for these points; empty if there is no such point */
+/** Gives points of \ref unknown_surface the label \ref no_surface.
+ * \return SimulatedCloud::is_ignored for these points */
 std::vector<char>
-takeUnknown (LabeledCloud& cloud)
+replaceUnknownSurface (LabeledCloud& cloud)
 {
   std::vector<char> is_unknown;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -93,7 +103,7 @@ labeledBySize (LabeledCloud cloud,
                std::size_t min_points)
 {
   SimulatedCloud result{std::move (cloud), {}};
-  result.is_ignored = takeUnknown (result.cloud);
+  result.is_ignored = replaceUnknownSurface (result.cloud);
   std::vector<std::size_t> counts (surfaces.size() + 1, 0);
   for (const auto& point : result.cloud)
     ++counts[point.label];
@@ -128,9 +138,10 @@ toSurfaceCloud (const Scan& scan, const Isometry3d& pose, bool organized)
   LabeledCloud cloud;
   cloud.reserve (scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    const std::size_t ray = organized && scan.column_by_column
-                                ? i % scan.columns * scan.rows + i / scan.columns
-                                : i;
+    const std::size_t row = i / scan.columns;
+    const std::size_t column = i % scan.columns;
+    const std::size_t ray =
+        organized && scan.column_by_column ? column * scan.rows + row : i;
     if (std::isfinite (scan.points[ray].x()))
       cloud.push_back (pointAt (pose * scan.points[ray], scan.surfaces[ray]));
     else if (organized)
@@ -149,7 +160,7 @@ toSurfaceCloud (const Scan& scan, const Isometry3d& pose, bool organized)
 SurfacePoint
 drawPoint (const Shape& shape, Random& random)
 {
-  const SurfacePoint whole = drawOfWhole (shape, random);
+  const SurfacePoint whole = drawOnWholeTurn (shape, random);
   if (!(shape.share < 1.0))
     return whole;
   // The angle about the axis is scaled into the existing part of the shape.

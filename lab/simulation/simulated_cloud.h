@@ -21,13 +21,14 @@ struct SimulatedCloud {
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
 };
 
-/** Number of a surface that is no plane, but has parts a detector may call planes. */
+/** Number of a surface that is no plane, but has parts that a detector may rightly call
+ * planes. */
 constexpr SurfaceId unknown_surface = std::numeric_limits<SurfaceId>::max();
 
 /** Points of a surface with fewer points get label 0. */
 constexpr std::size_t min_points_of_plane = 50;
 
-/** Replaces surface numbers by labels that fall with the number of points.
+/** Replaces surface numbers by labels, in the order of falling number of points.
  * \param[in] cloud its labels are surface numbers, 0 for NaN points; points of \ref
  * unknown_surface are ignored and get label 0
  * \param[in] surfaces the plane of surface i at index i - 1
@@ -43,11 +44,12 @@ pointAt (const Vector3d& position, SurfaceId surface);
 /** One reading per ray, in the order in which a sensor casts the rays. */
 struct Scan {
   std::size_t columns = 0, rows = 0;
-  /** Order of rays of a rotating lidar; false: row by row. */
+  /** Whether rays are cast column by column, as by a rotating lidar; false: row by row.
+   */
   bool column_by_column = false;
   /** In the sensor's frame [m]; NaN: no reading. */
   std::vector<Vector3d> points = {};
-  std::vector<SurfaceId> surfaces = {};
+  std::vector<SurfaceId> surfaces = {}; // of each point
 };
 
 /** Returns a cloud whose labels are surface numbers.
@@ -63,11 +65,12 @@ struct SurfacePoint {
   Vector3d position, normal;
 };
 
-/** Draws a point uniformly by area; of a cylinder only from the curved side. */
+/** Draws a point uniformly by area; of a cylinder only on its curved side. */
 SurfacePoint
 drawPoint (const Shape& shape, Random& random);
 
-/** Draws points uniformly by area, one shape after the other; labels are surfaces.
+/** Draws points uniformly by area, one shape after the other; labels are surface
+ * numbers.
  * \param[in] points exact number; the cloud is empty if the shapes have no area
  * \param[in] sigma standard deviation of the points along the normal [m] */
 LabeledCloud
@@ -77,8 +80,9 @@ drawPoints (const Shapes& shapes, std::size_t points, double sigma, Random& rand
 constexpr double laser_sigma = 0.003;
 
 /** Scans all rectangles, spheres and cylinders with equal density, also hidden ones, as
- * in a registered scan from everywhere. The sensor's origin is the middle of the first
- * body, the shell of a room. */
+ * if scans from everywhere were joined. The sensor's origin is the middle of the first
+ * body, which is the shell of a room.
+ * \param[in] noise factor on \ref laser_sigma */
 SimulatedCloud
 scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed);
 

@@ -7,8 +7,8 @@ namespace pcl_ops::simulation {
 namespace {
 
 /** Adds the two large faces of a slab; its narrow faces have no points.
- * \param[in] face one of the two; the other one is shifted along its normal
- * \param[in] thickness by how much [m] */
+ * \param[in] face one of the two
+ * \param[in] thickness from this face to the other one, along its normal [m] */
 void
 addSlab (Body& body, const Shape& face, double thickness)
 {
@@ -23,11 +23,12 @@ addSlab (Body& body, const Shape& face, double thickness)
 Scene
 makeSlabs (Seed seed)
 {
-  // All lengths are in meters. The sensor is at zero.
+  // Lengths and heights [m]; the sensor is at height 0.
   constexpr double thinnest = 0.04;
   constexpr double thickest = 0.15;
   constexpr double floor = -0.9;
-  constexpr double edge = 4.0;
+  constexpr double edge_of_floor = 4.0;
+  constexpr double height_of_back_wall = 2.5;
   Random random = randomFor (Purpose::Slabs, seed);
   Body body;
   // A wall that was seen from both sides.
@@ -46,11 +47,15 @@ makeSlabs (Seed seed)
            makeRectangle (
                {0.6, -0.5, random.between (-0.4, 0.3)}, {width, 0, 0}, {0, depth, 0}),
            thickness_of_board);
-  // The floor and a wall behind, each seen from one side.
-  const double middle = 0.5;
-  body.addSurface (makeRectangle ({middle, middle, floor}, {edge, 0, 0}, {0, edge, 0}));
-  body.addSurface (makeRectangle (
-      {middle, middle - 0.5 * edge, floor + 1.25}, {edge, 0, 0}, {0, 0, 2.5}));
+  // The floor and a wall at its back edge, each seen from one side.
+  const double middle = 0.5; // of the floor, along x and y
+  const Vector3d along_x (edge_of_floor, 0, 0);
+  body.addSurface (
+      makeRectangle ({middle, middle, floor}, along_x, {0, edge_of_floor, 0}));
+  const Vector3d middle_of_wall (
+      middle, middle - 0.5 * edge_of_floor, floor + 0.5 * height_of_back_wall);
+  body.addSurface (
+      makeRectangle (middle_of_wall, along_x, {0, 0, height_of_back_wall}));
   Scene scene;
   scene.add (body, Isometry3d::Identity());
   return scene;

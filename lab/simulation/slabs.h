@@ -9,19 +9,20 @@ namespace pcl_ops::simulation {
 /** Standard deviation of the points of slabs along the normal [m]. */
 constexpr double slabs_sigma = 0.002;
 
-/** A thin wall and a board, 4 to 15 cm thick, seen from both sides, but not at their
- * edges; a floor and a second wall, seen from one side. The two sides of the thin wall
- * are the surfaces 1 and 2, those of the board 3 and 4. The sensor is at zero; z is up.
- */
+/** A thin wall and a board, 4 to 15 cm thick, with points on both sides, but none on
+ * their edges; a floor and a second wall, with points on one side. The two sides of the
+ * thin wall are the surfaces 1 and 2, those of the board 3 and 4. The sensor is at the
+ * origin; z is up. */
 Scene
 makeSlabs (Seed seed);
 
-/** Draws how many points a cloud has: 10 to 300 thousand, uniform in the logarithm. */
+/** Draws the number of points of a cloud: 10 to 300 thousand, with a uniform logarithm.
+ */
 double
 drawPointsOfSlabs (Seed seed);
 
 /** Spreads points evenly over all surfaces.
- * \param[in] noise in units of \ref slabs_sigma */
+ * \param[in] noise factor on \ref slabs_sigma */
 SimulatedCloud
 scanSlabs (const Scene& scene, std::size_t points, double noise, Seed seed);
 

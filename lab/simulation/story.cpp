@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <tuple>
 
 namespace pcl_ops::simulation {
 
@@ -12,39 +14,47 @@ namespace {
 
 using Eigen::AlignedBox2d;
 
-constexpr double ceiling_height = 2.6;
-constexpr std::size_t rays_of_position = 100'000;
+// All lengths and heights are in meters.
 
-/** A rectangle of a wall without a surface: its range along the wall and its heights
- * [m]. */
+constexpr double ceiling_height = 2.6;
+constexpr std::size_t rays_per_position = 100'000;
+
+struct Interval {
+  double from, to;
+};
+
+/** A rectangle of a wall without a surface: its range along the wall and its heights.
+ */
 struct Hole {
   double from, to, bottom, top;
 };
 
-/** The wall face on one side of a room. */
+/** The wall face on one side of a room, at right angles to an axis. */
 struct Face {
   std::size_t room;
-  /** The face is at the coordinate \p place of this axis (0: x, 1: y); its front looks
-   * along the axis (1) or against it (-1). */
-  int axis;
-  double place, front;
-  double from, to; // along the other axis
+  int axis;          // 0: x, 1: y
+  double coordinate; // of the face on the axis
+  double front;      // 1: the room is along the axis from the face; -1: against it
+  double from, to;   // range along the other horizontal axis
   std::vector<Hole> holes = {};
 
+  /** \param[in] along coordinate on the other horizontal axis
+   * \param[in] into_room distance from the face; negative inside the wall */
   Vector3d
-  at (double along, double off, double height) const
+  position (double along, double into_room, double height) const
   {
-    Vector3d place_of_it (along, along, height);
-    place_of_it[axis] = place + front * off;
-    return place_of_it;
+    Vector3d result (along, along, height);
+    result[axis] = coordinate + front * into_room;
+    return result;
   }
 
+  /** Whether a range of the face has no hole in it or just beside it. */
   bool
-  isFree (double begin, double end) const
+  isWhole (const Interval& range) const
   {
-    constexpr double beside = 0.1;
+    constexpr double clearance = 0.1;
     return std::none_of (holes.begin(), holes.end(), [&] (const Hole& hole) {
-      return hole.from < end + beside && hole.to > begin - beside;
+      return hole.from < range.to + clearance && hole.to > range.from - clearance;
     });
   }
 };
@@ -53,23 +63,25 @@ struct Face {
 void
 divide (const AlignedBox2d& box, Random& random, std::vector<AlignedBox2d>& rooms)
 {
-  constexpr double largest_room = 24.0;
+  constexpr double largest_area = 24.0; // [m^2]
   constexpr double thicknesses[] = {0.08, 0.1, 0.12, 0.15, 0.24};
   const Vector2d sizes = box.sizes();
-  const double wanted = largest_room * random.between (0.6, 1.0);
-  if (box.volume() < wanted) {
+  const double area_limit = largest_area * random.between (0.6, 1.0);
+  if (box.volume() < area_limit) { // the volume of a 2-d box is its area
     rooms.push_back (box);
     return;
   }
   const int axis = sizes.x() > sizes.y() ? 0 : 1;
-  const double half = 0.5 * thicknesses[random.below (5)];
-  const double at = box.min()[axis] + random.between (0.38, 0.62) * sizes[axis];
-  Vector2d high = box.max();
-  Vector2d low = box.min();
-  high[axis] = at - half;
-  low[axis] = at + half;
-  divide ({box.min(), high}, random, rooms);
-  divide ({low, box.max()}, random, rooms);
+  const std::uint32_t thickness =
+      random.below (std::uint32_t (std::size (thicknesses)));
+  const double half_wall = 0.5 * thicknesses[thickness];
+  const double middle = box.min()[axis] + random.between (0.38, 0.62) * sizes[axis];
+  Vector2d end_of_first = box.max();
+  Vector2d begin_of_second = box.min();
+  end_of_first[axis] = middle - half_wall;
+  begin_of_second[axis] = middle + half_wall;
+  divide ({box.min(), end_of_first}, random, rooms);
+  divide ({begin_of_second, box.max()}, random, rooms);
 }
 
 std::vector<Face>
@@ -91,30 +103,31 @@ bool
 areSidesOfAWall (const Face& one, const Face& other)
 {
   constexpr double thickest = 0.25;
-  const double apart = one.front * (one.place - other.place);
-  return one.axis == other.axis && one.front == -other.front && apart > 0.0 &&
-         apart < thickest;
+  const double thickness = one.front * (one.coordinate - other.coordinate);
+  return one.axis == other.axis && one.front == -other.front && thickness > 0.0 &&
+         thickness < thickest;
 }
 
-/** Adds the four surfaces around an opening, through the whole wall. */
+/** Adds the four surfaces around an opening, from a face into the wall. */
 void
 addReveal (const Face& face, const Hole& hole, double depth, Body& body)
 {
-  const Vector3d across = face.at (0, -depth, 0) - face.at (0, 0, 0);
+  const Vector3d across = face.position (0, -depth, 0) - face.position (0, 0, 0);
   const auto add = [&] (const Vector3d& from, const Vector3d& to) {
     body.shapes.push_back (
         makeRectangle (0.5 * (from + to + across), to - from, across));
   };
-  const Vector3d low_left = face.at (hole.from, 0, hole.bottom);
-  const Vector3d low_right = face.at (hole.to, 0, hole.bottom);
-  const Vector3d high_left = face.at (hole.from, 0, hole.top);
-  const Vector3d high_right = face.at (hole.to, 0, hole.top);
+  const Vector3d low_left = face.position (hole.from, 0, hole.bottom);
+  const Vector3d low_right = face.position (hole.to, 0, hole.bottom);
+  const Vector3d high_left = face.position (hole.from, 0, hole.top);
+  const Vector3d high_right = face.position (hole.to, 0, hole.top);
   add (low_left, low_right);
   add (high_left, high_right);
   add (low_left, high_left);
   add (low_right, high_right);
 }
 
+/** Cuts an opening into each wall between two rooms that is long enough. */
 void
 cutDoorsAndPanes (const StoryHardship& hardship,
                   Random& random,
@@ -124,39 +137,45 @@ cutDoorsAndPanes (const StoryHardship& hardship,
 {
   constexpr double door_width = 0.9;
   constexpr double door_height = 2.05;
-  constexpr double least = 1.4; // length of a wall with a door [m]
+  constexpr double shortest_wall = 1.4; // with a door
+  constexpr double beside_door = 0.2;   // least wall on each side
+  constexpr double beside_pane = 0.3;
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size(); ++j) {
       Face& one = faces[i];
       Face& other = faces[j];
       const double from = std::max (one.from, other.from);
       const double to = std::min (one.to, other.to);
-      if (!areSidesOfAWall (one, other) || to - from < least)
+      if (!areSidesOfAWall (one, other) || to - from < shortest_wall)
         continue;
-      const double depth = std::abs (one.place - other.place);
-      const double begin = random.between (from + 0.2, to - door_width - 0.2);
-      Hole hole{begin, begin + door_width, 0.0, door_height};
-      const double pane = random.between (1.5, 2.5);
-      const bool is_pane = hardship.has_glass && to - from > pane + 1.0;
+      const double thickness = std::abs (one.coordinate - other.coordinate);
+      const double door =
+          random.between (from + beside_door, to - door_width - beside_door);
+      Hole hole{door, door + door_width, 0.0, door_height};
+      const double pane_width = random.between (1.5, 2.5);
+      const bool is_pane = hardship.has_glass && to - from > pane_width + 1.0;
       if (is_pane) {
-        const double start = random.between (from + 0.3, to - pane - 0.3);
-        hole = {start, start + pane, 0.0, ceiling_height - 0.1};
+        const double pane =
+            random.between (from + beside_pane, to - pane_width - beside_pane);
+        hole = {pane, pane + pane_width, 0.0, ceiling_height - 0.1};
       }
       for (Face* const face : {&one, &other})
         face->holes.push_back (hole);
       story.doors.emplace (one.room, other.room);
       if (!is_pane)
-        addReveal (one, hole, depth, body);
+        addReveal (one, hole, thickness, body);
     }
 }
 
+/** Cuts a window into each outer wall that is long enough. */
 void
 cutWindows (Random& random, std::vector<Face>& faces, Body& body)
 {
   constexpr double width = 1.2;
   constexpr double sill = 0.9;
-  constexpr double head = 2.1;
+  constexpr double top = 2.1;
   constexpr double depth = 0.2;
+  constexpr double beside = 0.4; // least wall on each side
   std::vector<Face*> outer;
   for (Face& face : faces)
     if (std::none_of (faces.begin(), faces.end(), [&] (const Face& other) {
@@ -165,17 +184,36 @@ cutWindows (Random& random, std::vector<Face>& faces, Body& body)
       outer.push_back (&face);
   for (Face* const face : outer)
     if (face->to - face->from > width + 1.0) {
-      const double begin = random.between (face->from + 0.4, face->to - width - 0.4);
-      const Hole hole{begin, begin + width, sill, head};
+      const double begin =
+          random.between (face->from + beside, face->to - width - beside);
+      const Hole hole{begin, begin + width, sill, top};
       face->holes.push_back (hole);
       addReveal (*face, hole, depth, body);
     }
 }
 
-/** Adds a face without its holes and without the part that gives no reading. */
+/** Returns the heights of the holes at a position along a wall, lowest first, and
+ * behind them the height of the ceiling as an empty interval. */
+std::vector<Interval>
+openHeightsAt (double along, const std::vector<Hole>& holes)
+{
+  std::vector<Interval> open;
+  for (const Hole& hole : holes)
+    if (hole.from < along && along < hole.to)
+      open.push_back ({hole.bottom, hole.top});
+  std::sort (open.begin(), open.end(), [] (const Interval& one, const Interval& other) {
+    return std::tie (one.from, one.to) < std::tie (other.from, other.to);
+  });
+  open.push_back ({ceiling_height, ceiling_height});
+  return open;
+}
+
+/** Adds a face without its holes and without the part that gives no reading: in each
+ * strip from one hole's edge to the next, rectangles between the holes. */
 void
 addFace (const Face& face, const Hole& unread, Body& body)
 {
+  constexpr double narrowest = 1e-6;
   std::vector<Hole> holes = face.holes;
   holes.push_back (unread);
   std::vector<double> cuts = {face.from, face.to};
@@ -186,26 +224,23 @@ addFace (const Face& face, const Hole& unread, Body& body)
   std::sort (cuts.begin(), cuts.end());
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
-    if (cuts[i + 1] - cuts[i] < 1e-6)
+    if (cuts[i + 1] - cuts[i] < narrowest)
       continue;
-    std::vector<std::pair<double, double>> open;
-    for (const Hole& hole : holes)
-      if (hole.from < middle && middle < hole.to)
-        open.emplace_back (hole.bottom, hole.top);
-    std::sort (open.begin(), open.end());
-    open.emplace_back (ceiling_height, ceiling_height);
+    const Vector3d width =
+        face.position (cuts[i + 1], 0, 0) - face.position (cuts[i], 0, 0);
     double bottom = 0.0;
-    for (const auto& [from, to] : open) {
-      if (from > bottom)
+    for (const Interval& open : openHeightsAt (middle, holes)) {
+      if (open.from > bottom)
         body.shapes.push_back (
-            makeRectangle (face.at (middle, 0, 0.5 * (bottom + from)),
-                           face.at (cuts[i + 1], 0, 0) - face.at (cuts[i], 0, 0),
-                           (from - bottom) * Vector3d::UnitZ()));
-      bottom = std::max (bottom, to);
+            makeRectangle (face.position (middle, 0, 0.5 * (bottom + open.from)),
+                           width,
+                           (open.from - bottom) * Vector3d::UnitZ()));
+      bottom = std::max (bottom, open.to);
     }
   }
 }
 
+/** Adds the floors and ceilings. */
 void
 addLevels (const std::vector<AlignedBox2d>& rooms,
            const std::vector<Face>& faces,
@@ -223,13 +258,13 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
     if (has_ceiling)
       add (room.min(), room.max(), ceiling_height);
   }
-  // Floors go on through doors.
-  constexpr double behind_wall = 0.12;
+  // Floors continue through doors, from each side to the middle of the thickest wall.
+  constexpr double into_wall = 0.12;
   for (const Face& face : faces)
     for (const Hole& hole : face.holes)
       if (hole.bottom == 0.0) {
-        const Vector3d one = face.at (hole.from, 0, 0);
-        const Vector3d other = face.at (hole.to, -behind_wall, 0);
+        const Vector3d one = face.position (hole.from, 0, 0);
+        const Vector3d other = face.position (hole.to, -into_wall, 0);
         add (one.head<2>().cwiseMin (other.head<2>()),
              one.head<2>().cwiseMax (other.head<2>()),
              0.0);
@@ -241,47 +276,53 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
 void
 furnish (const Face& face, double share, Random& random, Body& body)
 {
-  constexpr int tries = 20;
-  constexpr double corner = 0.6;
-  double left = share * (face.to - face.from);
-  std::vector<std::pair<double, double>> taken;
-  for (int i = 0; i < tries && left > 0.3; ++i) {
-    const double width = std::min (left, random.between (0.6, 1.6));
-    const double begin = random.between (
-        face.from + corner, std::max (face.from + corner, face.to - corner - width));
-    const double end = begin + width;
+  constexpr int attempts = 20;
+  constexpr double from_corner = 0.6; // cupboards of two walls do not meet
+  constexpr double narrowest = 0.3;
+  constexpr double from_wall = 0.01;
+  const double first = face.from + from_corner;
+  const double last = face.to - from_corner;
+  double length_left = share * (face.to - face.from);
+  std::vector<Interval> taken;
+  for (int i = 0; i < attempts && length_left > narrowest; ++i) {
+    const double width = std::min (length_left, random.between (0.6, 1.6));
+    const double begin = random.between (first, std::max (first, last - width));
+    const Interval cupboard{begin, begin + width};
     const bool is_taken =
-        std::any_of (taken.begin(), taken.end(), [&] (const auto& one) {
-          return one.first < end && one.second > begin;
+        std::any_of (taken.begin(), taken.end(), [&] (const Interval& other) {
+          return other.from < cupboard.to && other.to > cupboard.from;
         });
-    if (is_taken || !face.isFree (begin, end) || end > face.to - corner)
+    if (is_taken || !face.isWhole (cupboard) || cupboard.to > last)
       continue;
     const double depth = random.between (0.3, 0.55);
     const double height = random.between (0.7, 2.0);
     Vector3d size (width, width, height);
     size[face.axis] = depth;
-    body.addBox (at (face.at (0.5 * (begin + end), 0.5 * depth + 0.01, 0.5 * height)),
+    const double middle = 0.5 * (cupboard.from + cupboard.to);
+    body.addBox (at (face.position (middle, 0.5 * depth + from_wall, 0.5 * height)),
                  size,
                  HiddenFace::Bottom);
-    taken.emplace_back (begin, end);
-    left -= width;
+    taken.push_back (cupboard);
+    length_left -= width;
   }
 }
 
+/** Adds boxes and balls on the floor of a room. */
 void
 scatterClutter (const AlignedBox2d& room, int pieces, Random& random, Body& body)
 {
   for (int i = 0; i < pieces; ++i) {
+    constexpr double from_walls = 0.8;
     const double size = random.between (0.2, 0.6);
-    const Vector2d low = room.min().array() + 0.8;
-    const Vector2d sizes = room.sizes().array() - 1.6;
-    const Vector3d place{low.x() + sizes.x() * random.unit(),
-                         low.y() + sizes.y() * random.unit(),
-                         0.5 * size};
+    const Vector2d low = room.min().array() + from_walls;
+    const Vector2d sizes = room.sizes().array() - 2.0 * from_walls;
+    const Vector3d center{low.x() + sizes.x() * random.unit(),
+                          low.y() + sizes.y() * random.unit(),
+                          0.5 * size};
     if (random.below (2) == 0)
-      body.addSphere (place, 0.5 * size);
+      body.addSphere (center, 0.5 * size);
     else
-      body.addBox (at (place) * turnZ (random.angle (0.0, 90.0)),
+      body.addBox (at (center) * turnZ (random.angle (0.0, 90.0)),
                    Vector3d::Constant (size),
                    HiddenFace::Bottom);
   }
@@ -291,12 +332,14 @@ scatterClutter (const AlignedBox2d& room, int pieces, Random& random, Body& body
 Vector3d
 directionOf (std::size_t i)
 {
-  const double z = 1.0 - (2.0 * static_cast<double> (i) + 1.0) / rays_of_position;
+  const double z = 1.0 - (2.0 * static_cast<double> (i) + 1.0) / rays_per_position;
   const double angle = static_cast<double> (i) * pi * (3.0 - std::sqrt (5.0));
   const double radius = std::sqrt (1.0 - z * z);
   return {radius * std::cos (angle), radius * std::sin (angle), z};
 }
 
+/** Scans each room from a position near its middle. The error of the scan position
+ * grows from room to room by the drift. */
 void
 scanRooms (const Scene& scene,
            const StoryHardship& hardship,
@@ -305,26 +348,27 @@ scanRooms (const Scene& scene,
 {
   const ShapeTree tree = treeOf (scene);
   const Isometry3d turn = turnZ (story.yaw);
-  Vector3d error = Vector3d::Zero();
-  std::optional<Vector3d> before;
+  constexpr double tripod_height = 1.6;
+  Vector3d position_error = Vector3d::Zero();
+  std::optional<Vector3d> previous;
   for (const AlignedBox2d& room : story.rooms) {
     const Vector2d middle = room.center();
     const Vector3d position{middle.x() + random.between (-0.2, 0.2),
                             middle.y() + random.between (-0.2, 0.2),
-                            1.6};
-    if (before) {
+                            tripod_height};
+    if (previous) {
       const double angle = random.angle (0.0, 360.0);
-      error += hardship.drift * (position - *before).norm() *
-               Vector3d (std::cos (angle), std::sin (angle), 0.0);
+      position_error += hardship.drift * (position - *previous).norm() *
+                        Vector3d (std::cos (angle), std::sin (angle), 0.0);
     }
-    before = position;
-    for (std::size_t i = 0; i < rays_of_position; ++i) {
+    previous = position;
+    for (std::size_t i = 0; i < rays_per_position; ++i) {
       const Vector3d direction = directionOf (i);
       const Hit hit = castRay (tree, position, direction);
       if (!std::isfinite (hit.distance))
         continue;
       const Vector3d noise{random.gaussian(), random.gaussian(), random.gaussian()};
-      const Vector3d point = position + hit.distance * direction + error;
+      const Vector3d point = position + hit.distance * direction + position_error;
       story.cloud.push_back (pointAt (turn * point + hardship.noise * noise, 0));
     }
   }

@@ -12,19 +12,20 @@ namespace pcl_ops::simulation {
 
 /** Properties of a scanned story that make its floor plan hard to find. */
 struct StoryHardship {
-  /** Share of each wall's length behind cupboards of 0.7 to 2 m height. */
+  /** Share of each wall's length that is behind cupboards of 0.7 to 2 m height. */
   double furnished = 0.0;
   /** Whether a long enough wall between two rooms has a glass pane instead of a door.
    * It is 1.5 to 2.5 m wide, ends 0.1 m below the ceiling, and gives no reading. */
   bool has_glass = false;
-  /** Share of each wall's length without readings, as mirrors and black paint. */
+  /** Share of each wall's length without readings, as of mirrors and black paint. */
   double missing = 0.0;
   /** Number of boxes and balls on the floor of each room. */
   int clutter = 0;
   bool has_ceiling = true;
   /** Standard deviation of each coordinate [m]. */
   double noise = 0.003;
-  /** Error that each step to the next scan position adds, per step length. */
+  /** Error of position that each step to the next scan position adds, as a share of the
+   * step's length. */
   double drift = 0.0;
 };
 

@@ -10,6 +10,8 @@ namespace pcl_ops::simulation {
 
 namespace {
 
+// Lengths and heights are in meters. Their ranges are those of common houses and cars.
+
 /** Adds the side walls, whose part below z = 0 the ground hides, and often the roof
  * slope towards the street. That slope hides the other one. */
 void
@@ -23,20 +25,22 @@ addSidesAndRoof (Body& house, double width, double eaves, Random& random)
   if (!random.chance (0.6))
     return;
   const double slope = std::tan (random.angle (30, 45));
-  const double overhang = random.between (0.2, 0.5); // [m]
+  const double overhang = random.between (0.2, 0.5);
   house.addFace ({0, overhang, eaves - overhang * slope},
                  {0, -half_depth, eaves + half_depth * slope},
                  {width, 0, 0});
 }
 
-/** [m] */
+/** A window, a door or a garage door. */
 struct Opening {
-  double width, height, sill, depth;
+  double width, height;
+  double sill;  // height of its lower edge above the floor
+  double depth; // by which it is set back in the wall
 };
 
 /** Draws a house whose facade looks to +y, with the middle of its foot at the origin.
- * All windows are equally deep.
- * \param[in] width of the facade [m] */
+ * Each story has the same number of bays, each with an opening. All windows are alike.
+ * \param[in] width of the facade */
 Body
 drawTownHouse (double width, Random& random)
 {
@@ -59,17 +63,18 @@ drawTownHouse (double width, Random& random)
   Body house;
   for (int story = 0; story < stories; ++story)
     for (int bay = 0; bay < bays; ++bay) {
-      const auto& [hole, height, sill, depth] =
-          story == 0 && bay == bay_of_door ? door : window;
+      const Opening& opening = story == 0 && bay == bay_of_door ? door : window;
       const double floor = story * story_height;
-      const double bottom = floor + sill;
+      const double bottom = floor + opening.sill;
       const double top = story + 1 == stories ? eaves : (story + 1) * story_height;
       const double left = bay * bay_width - 0.5 * width;
       const double middle = ((bay + 0.5) / bays - 0.5) * width;
-      house.addWallAround (
-          {left, left + bay_width, floor, top},
-          {middle - 0.5 * hole, middle + 0.5 * hole, bottom, bottom + height},
-          depth);
+      house.addWallAround ({left, left + bay_width, floor, top},
+                           {middle - 0.5 * opening.width,
+                            middle + 0.5 * opening.width,
+                            bottom,
+                            bottom + opening.height},
+                           opening.depth);
     }
   addSidesAndRoof (house, width, eaves, random);
   house.joinCoplanar();
@@ -84,7 +89,7 @@ drawCar (Random& random)
   const double length = random.between (3.8, 4.8);
   const double width = random.between (1.65, 1.85);
   const double sill = random.between (0.2, 0.3);
-  const double belt = random.between (0.8, 1.05);
+  const double belt = random.between (0.8, 1.05); // lower edge of the windows
   const double roof = belt + random.between (0.5, 0.8);
   Body car;
   car.addBox (at ({0, 0, 0.5 * (sill + belt)}),
@@ -101,9 +106,10 @@ drawCar (Random& random)
   car.addFace ({rear, 0, roof}, {front, 0, roof}, across);
   car.addFace ({rear_foot, 0, belt}, {rear, 0, roof}, across);
   for (const double side : {-0.5, 0.5})
-    car.addSurface (WallRange{rear, front, belt, roof}.at (side * cabin_width));
+    car.addSurface (
+        WallRange{rear, front, belt, roof}.rectangleAt (side * cabin_width));
   constexpr double radius = 0.31;
-  constexpr double half_wheel = 0.1;
+  constexpr double half_wheel = 0.1; // half the width of a tire
   // So that the cap of a hub bulges out of the side.
   constexpr double hub_inside = 0.25;
   for (const double along : {-0.3, 0.3})
@@ -117,22 +123,22 @@ drawCar (Random& random)
 }
 
 /** Adds leaves (small balls), evenly distributed in a ball above a lowest height.
- * \param[in] crown radius of the ball [m] */
+ * \param[in] crown radius of the ball */
 void
 addLeaves (
     Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
 {
-  constexpr double leaf = 0.03;
-  constexpr double largest_leaf = 0.08; // radii [m]
+  constexpr double smallest_leaf = 0.03;
+  constexpr double largest_leaf = 0.08; // radii
   // With this number about a quarter of the rays through the middle pass between the
-  // leaves; half of the drawn places are outside the ball and get no leaf.
-  const double radii = crown / largest_leaf;
-  const auto leaves = int (4.0 * radii * radii);
+  // leaves; half of the drawn positions are outside the ball and get no leaf.
+  const double crown_in_leaves = crown / largest_leaf;
+  const auto leaves = int (4.0 * crown_in_leaves * crown_in_leaves);
   for (int i = 0; i < leaves; ++i) {
-    const Vector3d place = random.inBox ({-1, -1, -1}, {1, 1, 1});
-    const double radius = random.between (leaf, largest_leaf);
-    const Vector3d center = middle + crown * place;
-    if (place.norm() <= 1.0 && center.z() > lowest)
+    const Vector3d from_middle = random.inBox ({-1, -1, -1}, {1, 1, 1}); // [crown]
+    const double radius = random.between (smallest_leaf, largest_leaf);
+    const Vector3d center = middle + crown * from_middle;
+    if (from_middle.norm() <= 1.0 && center.z() > lowest)
       plant.addSphere (center, radius);
   }
 }
@@ -153,53 +159,58 @@ drawTree (Random& random)
  * the curb, and z up from the road. */
 struct Roadside {
   Isometry3d pose;
-  double length, curb; // of the street, and height of the curb [m]
-  double sidewalk;     // from the curb to the gardens [m]
-  double slope;        // rise of the ground from the curb on, per length
+  double length;   // of the street
+  double curb;     // height of the curb
+  double sidewalk; // from the curb to the gardens
+  double slope;    // rise of the ground from the curb on, per length
 
   Isometry3d
-  onGround (double x, double y) const
+  poseOnGround (double x, double y) const
   {
     return pose * at ({x, y, curb - slope * y});
   }
 };
 
+/** Adds up to three bushes to the garden in front of a house, if they have room there.
+ * \param[in] middle of the house along the street
+ * \param[in] setback depth of the garden */
 void
-addBushes (Scene& scene, const Roadside& side, double x, double setback, Random& random)
+addBushes (
+    Scene& scene, const Roadside& side, double middle, double setback, Random& random)
 {
   const auto bushes = int (random.below (4));
   for (int i = 0; i < bushes; ++i) {
     const double radius = random.between (0.3, 0.6);
-    const double place = x + random.between (-4, 4);
+    const double x = middle + random.between (-4, 4);
     const double y = -side.sidewalk - random.between (0, setback);
     if (!(setback > 2.0 * radius))
       continue;
     Body bush;
     addLeaves (bush, {0, 0, 0.5 * radius}, radius, 0.0, random);
-    scene.add (bush, side.onGround (place, y));
+    scene.add (bush, side.poseOnGround (x, y));
   }
 }
 
 void
 addHouses (Scene& scene, const Roadside& side, Random& random)
 {
-  constexpr double narrow = 9.0;
-  constexpr double wide = 15.0; // [m]
-  // Offset between facades, so that no two are coplanar [m].
+  constexpr double narrowest = 9.0;
+  constexpr double widest = 15.0;
+  // Difference of the setbacks of facades, so that no two are coplanar.
   constexpr double setback_step = 0.4;
-  std::vector<int> rows (std::size_t (side.length / narrow));
-  std::iota (rows.begin(), rows.end(), 0);
-  for (std::size_t i = rows.size() - 1; i > 0; --i) // Fisher & Yates
-    std::swap (rows[i], rows[random.below (std::uint32_t (i + 1))]);
+  std::vector<int> setback_steps (std::size_t (side.length / narrowest));
+  std::iota (setback_steps.begin(), setback_steps.end(), 0);
+  for (std::size_t i = setback_steps.size() - 1; i > 0; --i) // Fisher & Yates shuffle
+    std::swap (setback_steps[i], setback_steps[random.below (std::uint32_t (i + 1))]);
   double x = -0.5 * side.length;
-  for (const int row : rows) {
-    const double width = random.between (narrow, wide);
+  for (const int steps : setback_steps) {
+    const double width = random.between (narrowest, widest);
     if (x + width > 0.5 * side.length)
       break;
-    const double setback = setback_step * row + random.between (0.0, 0.04);
+    const double setback = setback_step * steps + random.between (0.0, 0.04);
     const double middle = x + 0.5 * width;
     scene.add (drawTownHouse (width, random),
-               side.onGround (middle, -side.sidewalk - setback));
+               side.poseOnGround (middle, -side.sidewalk - setback));
     addBushes (scene, side, middle, setback, random);
     const bool has_alley = random.chance (0.4);
     x += width + (has_alley ? random.between (1.5, 4) : 0.1);
@@ -207,21 +218,29 @@ addHouses (Scene& scene, const Roadside& side, Random& random)
 }
 
 void
-addRows (Scene& scene, const Roadside& side, Random& random)
+addParkedCars (Scene& scene, const Roadside& side, Random& random)
 {
-  constexpr double spot = 6.5;
-  constexpr double gap_of_trees = 9.0; // [m]
+  constexpr double parking_length = 6.5; // per car
   const double half_length = 0.5 * side.length;
-  for (double x = 0.5 * spot - half_length; x < half_length; x += spot)
+  for (double middle = 0.5 * parking_length - half_length; middle < half_length;
+       middle += parking_length)
     if (random.chance (0.45)) {
-      const double place = x + random.between (-0.5, 0.5);
+      const double x = middle + random.between (-0.5, 0.5);
       const double half_turns = random.chance (0.5) ? 1.0 : 0.0;
       const double yaw = random.angle (-2, 2) + half_turns * pi;
-      const Isometry3d pose = side.pose * at ({place, random.between (1.0, 1.5), 0});
+      const Isometry3d pose = side.pose * at ({x, random.between (1.0, 1.5), 0});
       scene.add (drawCar (random), pose * turnZ (yaw));
     }
-  for (double x = 2.0 - half_length; x < half_length; x += gap_of_trees) {
-    const Isometry3d pose = side.onGround (x + random.between (-1, 1), -0.6);
+}
+
+void
+addTreesAndPoles (Scene& scene, const Roadside& side, Random& random)
+{
+  constexpr double distance_of_trees = 9.0; // along the street
+  constexpr double y_of_trees = -0.6;
+  const double half_length = 0.5 * side.length;
+  for (double x = 2.0 - half_length; x < half_length; x += distance_of_trees) {
+    const Isometry3d pose = side.poseOnGround (x + random.between (-1, 1), y_of_trees);
     if (random.chance (0.5))
       scene.add (drawTree (random), pose);
     else if (random.chance (0.6)) { // a lamp or a sign
@@ -241,7 +260,7 @@ addSide (Site& street, const Isometry3d& pose, Random& random)
                       random.between (0.10, 0.15),
                       random.between (2.5, 4.0),
                       random.between (0.02, 0.03)};
-  constexpr double depth = 25.0; // of the ground, to behind the houses [m]
+  constexpr double depth = 25.0; // of the ground, from the curb to behind the houses
   Body ground;
   const Vector3d curb (0, 0, side.curb);
   const Vector3d along (side.length, 0, 0);
@@ -249,13 +268,17 @@ addSide (Site& street, const Isometry3d& pose, Random& random)
   ground.addFace (curb, curb + Vector3d (0, -depth, side.slope * depth), along);
   street.scene.add (ground, side.pose);
   addHouses (street.scene, side, random);
-  addRows (street.scene, side, random);
+  addParkedCars (street.scene, side, random);
+  addTreesAndPoles (street.scene, side, random);
 }
 
+/** Returns a pose on the road, in the middle of the right lane.
+ * \param[in] x along the street, 0 in its middle */
 Isometry3d
-onLane (const Site& street, double x)
+poseOnLane (const Site& street, double x)
 {
-  return turnZ (street.yaw) * at ({x, -0.15 * street.size.y(), 0});
+  constexpr double share_of_width = 0.15; // from the middle of the road
+  return turnZ (street.yaw) * at ({x, -share_of_width * street.size.y(), 0});
 }
 
 } // namespace
@@ -288,29 +311,30 @@ drawSensorPose (const Site& street, Seed seed)
   const double yaw = random.angle (-3, 3);
   const double pitch = random.angle (-1, 1);
   const double roll = random.angle (-1, 1);
-  return onLane (street, x) * at ({0, y, height}) * turnZ (yaw) * turnY (pitch) *
+  return poseOnLane (street, x) * at ({0, y, height}) * turnZ (yaw) * turnY (pitch) *
          turnX (roll);
 }
 
 Poses
 drawDrive (const Site& street, std::size_t frames, Seed seed)
 {
-  constexpr double longest_step = 1.0; // [m]
-  constexpr double sway = 0.2;         // [m]
-  constexpr double wave = 25.0;        // of the sway [m]
-  constexpr double tilt = 0.7 * pi / 180.0;
+  constexpr double longest_step = 1.0;
+  constexpr double sway = 0.2;              // amplitude to both sides
+  constexpr double wave_length = 25.0;      // of the sway
+  constexpr double tilt = 0.7 * pi / 180.0; // amplitude [rad]
   Random random = randomFor (Purpose::Drive, seed);
   const double phase = random.between (0.0, 2.0 * pi);
   const double height = random.between (1.7, 1.9);
   const double steps = double (std::max<std::size_t> (frames, 2) - 1);
-  const double way = std::min (0.5 * street.size.x(), longest_step * steps);
+  const double length = std::min (0.5 * street.size.x(), longest_step * steps);
   Poses poses;
   for (std::size_t i = 0; i < frames; ++i) {
-    const double x = (double (i) / steps - 0.5) * way;
-    const double angle = phase + 2.0 * pi * x / wave;
-    const double yaw = 2.0 * pi / wave * sway * std::cos (angle);
-    poses.push_back (onLane (street, x) * at ({0, sway * std::sin (angle), height}) *
-                     turnZ (yaw) * turnY (tilt * std::sin (1.7 * angle)) *
+    const double x = (double (i) / steps - 0.5) * length;
+    const double angle = phase + 2.0 * pi * x / wave_length;
+    const double yaw = 2.0 * pi / wave_length * sway * std::cos (angle);
+    poses.push_back (poseOnLane (street, x) *
+                     at ({0, sway * std::sin (angle), height}) * turnZ (yaw) *
+                     turnY (tilt * std::sin (1.7 * angle)) *
                      turnX (tilt * std::sin (1.3 * angle)));
   }
   return poses;

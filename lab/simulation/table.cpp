@@ -8,29 +8,31 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** Returns the depth error at a pixel in multiples of the bend: a parabola in both
- * directions. */
+/** Returns the smooth depth error at a pixel as a multiple of \ref Table::bend: a
+ * parabola in both directions. */
 double
-errorAt (const DepthCamera& camera, int column, int row)
+smoothErrorAt (const DepthCamera& camera, int column, int row)
 {
-  constexpr double share_of_rows = 0.4;
-  constexpr double in_the_middle = -0.5;
+  constexpr double error_in_the_middle = -0.5;
+  constexpr double vertical_share = 0.4; // of the horizontal parabola
+  // From -1 at the first to 1 at the last column or row.
   const double right = 2.0 * column / (camera.width - 1) - 1.0;
   const double down = 2.0 * row / (camera.height - 1) - 1.0;
-  return in_the_middle + right * right + share_of_rows * down * down;
+  return error_in_the_middle + right * right + vertical_share * down * down;
 }
 
-/** Returns the depth with noise and bend, in steps that are blurred a little. */
+/** Returns the depth with noise and smooth error, in steps that are blurred a little.
+ * \param[in] error smooth error at the distance of the table [m] */
 double
-disturbed (double depth, double bend, const Table& table, double noise, Random& random)
+disturbed (double depth, double error, const Table& table, double noise, Random& random)
 {
+  if (!(noise > 0.0))
+    return depth;
   constexpr double blur = 0.35; // [steps]
   const double sigma = noise * table_sigma / table.distance;
   const double measured =
-      depth * (1.0 + noise * bend / table.distance + sigma * random.gaussian());
-  const double offset = blur * random.between (-0.5, 0.5);
-  if (!(noise > 0.0))
-    return depth;
+      depth * (1.0 + noise * error / table.distance + sigma * random.gaussian());
+  const double offset = blur * random.between (-0.5, 0.5); // [steps]
   return table.quantization / (std::round (table.quantization / measured) + offset);
 }
 
@@ -76,8 +78,8 @@ scanTable (const Table& table,
   for (int row = 0; row < camera.height; ++row)
     for (int column = 0; column < camera.width; ++column) {
       double& depth = image.depth (row, column);
-      const double bend = table.bend * errorAt (camera, column, row);
-      depth = disturbed (depth, bend, table, noise, random);
+      const double error = table.bend * smoothErrorAt (camera, column, row);
+      depth = disturbed (depth, error, table, noise, random);
     }
   SimulatedCloud result = labeledBySize (
       toSurfaceCloud (toScan (std::move (image), camera), pose, organized),

@@ -9,11 +9,12 @@ namespace pcl_ops::simulation {
 /** Standard deviation of the depth noise at the distance of the table [m]. */
 constexpr double table_sigma = 0.0006;
 
-/** A flat table that fills the view of a depth camera whose depth errs smoothly. */
+/** A flat table that fills the view of a depth camera. Its depths have a smooth error,
+ * so that the table seems bent. */
 struct Table {
   double distance = 0.8;       // along the camera's axis [m]
   double tilt = 0.25 * pi;     // angle from the camera's axis to the normal [rad]
-  double bend = 0.004;         // about the smooth error at the image's corners [m]
+  double bend = 0.004;         // smooth error at the image's corners, about [m]
   double quantization = 357.0; // see \ref CameraNoise [m]
 
   /** The table's plane in the camera's frame. */
@@ -25,7 +26,10 @@ struct Table {
 Table
 drawTableView (Seed seed);
 
-/** The points are in the camera's frame: x right, y down, z forward. */
+/** The points are in the camera's frame: x right, y down, z forward.
+ * \param[in] noise factor on the noise and on the bend; 0 also leaves out the steps of
+ * depth
+ * \param[in] organized see \ref toSurfaceCloud */
 SimulatedCloud
 scanTable (const Table& table,
            const DepthCamera& camera,

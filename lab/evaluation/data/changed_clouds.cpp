@@ -17,7 +17,8 @@ namespace {
 constexpr std::uint32_t seed_of_points = 1;
 constexpr std::uint32_t seed_of_jitter = 2;
 
-/** The C++ standard fixes its output, but not that of std:: distributions. */
+/** The C++ standard fixes the output of this generator, but not that of std::
+ * distributions, which are therefore not used. */
 using RandomGenerator = std::mt19937;
 
 /** Uniform, from [0, 1). */
@@ -31,7 +32,8 @@ drawUnit (RandomGenerator& generator)
 void
 move (ChangedCloud& changed)
 {
-  const Eigen::Vector3f shift (0.0371f, 0.0613f, 0.0829f); // [m]; no round numbers
+  // No multiples of voxel sizes that a detector may use [m].
+  const Eigen::Vector3f shift (0.0371f, 0.0613f, 0.0829f);
   for (pcl::PointXYZ& point : *changed.cloud)
     point.getVector3fMap() += shift;
   changed.cloud->sensor_origin_.head<3>() += shift;
@@ -58,7 +60,8 @@ thin (ChangedCloud& changed)
 {
   constexpr std::size_t one_in = 100;
   const std::size_t all = changed.points.size();
-  changed.points = drawPoints (all, all - (all + one_in - 1) / one_in);
+  const std::size_t left_out = (all + one_in - 1) / one_in; // rounded up
+  changed.points = drawIndices (all, all - left_out);
   const XyzCloud before = *changed.cloud;
   pcl::copyPointCloud (before, changed.points, *changed.cloud);
 }
@@ -66,20 +69,22 @@ thin (ChangedCloud& changed)
 void
 jitter (ChangedCloud& changed)
 {
-  constexpr double most = 1e-4; // [m]
+  constexpr double largest_shift = 1e-4; // [m]
   RandomGenerator generator (seed_of_jitter);
   for (pcl::PointXYZ& point : *changed.cloud)
     for (float& coordinate : point.getVector3fMap())
-      coordinate = float (coordinate + most * (2.0 * drawUnit (generator) - 1.0));
+      coordinate =
+          float (coordinate + largest_shift * (2.0 * drawUnit (generator) - 1.0));
 }
 
 void
 roundToMillimeters (ChangedCloud& changed)
 {
-  constexpr double per_meter = 1e3;
+  constexpr double millimeters_per_meter = 1e3;
   for (pcl::PointXYZ& point : *changed.cloud)
     for (float& coordinate : point.getVector3fMap())
-      coordinate = float (std::round (coordinate * per_meter) / per_meter);
+      coordinate = float (std::round (coordinate * millimeters_per_meter) /
+                          millimeters_per_meter);
 }
 
 } // namespace
@@ -91,7 +96,7 @@ const std::array<CloudChange, 5> cloud_changes{{{"moved", move},
                                                 {"rounded", roundToMillimeters}}};
 
 pcl::Indices
-drawPoints (std::size_t all, std::size_t count)
+drawIndices (std::size_t all, std::size_t count)
 {
   RandomGenerator generator (seed_of_points);
   pcl::Indices points;

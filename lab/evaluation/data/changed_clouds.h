@@ -34,7 +34,7 @@ extern const std::array<CloudChange, 5> cloud_changes;
  * (Knuth, The Art of Computer Programming 2, algorithm S). The seed is fixed, so that
  * equal arguments give equal indices. \return ascending indices */
 pcl::Indices
-drawPoints (std::size_t all, std::size_t count);
+drawIndices (std::size_t all, std::size_t count);
 
 /** \param[in] up unit vector against gravity */
 ChangedCloud

@@ -73,49 +73,54 @@ simulated (const simulation::Simulation& simulation)
   return finite;
 }
 
-const struct Scenes {
-  const char *name, *scene, *sensor = "";
+/** Data sets of simulated scenes, one per seed. */
+const struct SceneDataSet {
+  const char* name;  // before the colon of a text for \ref dataSetOf
+  const char* scene; // see simulation::Simulation, as the others
+  const char* sensor = "";
   bool has_raw_depth = false;
-} all_scenes[] = {{"rooms", "room"},
-                  {"rooms-raw", "room", "", true},
-                  {"rooms-kinect", "room-kinect"},
-                  {"missing", "missing"},
-                  {"tables", "table"},
-                  {"plaster", "plaster"},
-                  {"slabs", "slabs"},
-                  {"airborne", "airborne"},
-                  {"furniture", "furniture"},
-                  {"survey", "survey"},
-                  {"shapes", "shapes"},
-                  {"streets", "street", "lidar-64"},
-                  {"streets-32", "street", "lidar-32"},
-                  {"streets-16", "street", "lidar-16"},
-                  {"streets-hills", "street-hills", "lidar-64-level"},
-                  {"streets-livox", "street", "livox"}};
+} scene_data_sets[] = {{"rooms", "room"},
+                       {"rooms-raw", "room", "", true},
+                       {"rooms-kinect", "room-kinect"},
+                       {"missing", "missing"},
+                       {"tables", "table"},
+                       {"plaster", "plaster"},
+                       {"slabs", "slabs"},
+                       {"airborne", "airborne"},
+                       {"furniture", "furniture"},
+                       {"survey", "survey"},
+                       {"shapes", "shapes"},
+                       {"streets", "street", "lidar-64"},
+                       {"streets-32", "street", "lidar-32"},
+                       {"streets-16", "street", "lidar-16"},
+                       {"streets-hills", "street-hills", "lidar-64-level"},
+                       {"streets-livox", "street", "livox"}};
 
-/** Returns a length that grows with the range of the sensor, as noise and the
- * unevenness of the ground do [m]. */
+/** Returns \ref EvaluationCloud::thick_length of a scene. It grows with the range of
+ * the sensor, as noise and the unevenness of the ground do [m]. */
 double
-thickLengthOf (const Scenes& scenes)
+thickLengthOf (const SceneDataSet& scenes)
 {
-  const std::string scene = scenes.scene;
-  return scene == "airborne"                   ? 0.5
-         : std::string (scenes.sensor).empty() ? usual_thick_length
-                                               : 0.1;
+  constexpr double of_airborne_surveys = 0.5;
+  constexpr double of_lidar_scans = 0.1;
+  if (std::string (scenes.scene) == "airborne")
+    return of_airborne_surveys;
+  const bool has_lidar = !std::string (scenes.sensor).empty();
+  return has_lidar ? of_lidar_scans : usual_thick_length;
 }
 
 /** \param[in] seeds "3-20", or "7" for one scene */
 DataSet
-scenesDataSet (const Scenes& scenes, const std::string& seeds)
+scenesDataSet (const SceneDataSet& scenes, const std::string& seeds)
 {
-  // More than anybody waits for: a typing error cannot fill the memory.
+  // More than anyone waits for; with it a typing error cannot fill the memory.
   constexpr std::uint32_t max_scenes = 100'000;
-  const auto seed = [&scenes] (const std::string& text) {
+  const auto parseSeed = [&scenes] (const std::string& text) {
     return parseNumber<std::uint32_t> (scenes.name, text, from (0));
   };
   const std::size_t dash = seeds.find ('-'); // npos + 1 is 0: the whole text again
-  const auto first = seed (seeds.substr (0, dash));
-  const auto last = seed (seeds.substr (dash + 1));
+  const std::uint32_t first = parseSeed (seeds.substr (0, dash));
+  const std::uint32_t last = parseSeed (seeds.substr (dash + 1));
   if (last < first || last - first >= max_scenes)
     throw UsageError (scenes.name + (':' + seeds), "is no range of seeds such as 1-20");
   DataSet clouds;
@@ -124,9 +129,9 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   simulation.has_raw_depth = scenes.has_raw_depth;
   simulation.sensor = scenes.sensor;
   const double thick_length = thickLengthOf (scenes);
-  const std::set<std::string> images = {
+  const std::set<std::string> scenes_of_images = {
       "room", "room-kinect", "furniture", "table", "missing"};
-  simulation.organized = images.count (simulation.scene) > 0;
+  simulation.organized = scenes_of_images.count (simulation.scene) > 0;
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     simulation.seed = first + i;
     clouds.push_back ({scenes.name,
@@ -140,10 +145,11 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   return clouds;
 }
 
+/** \param[in] sizes numbers of points, separated by commas */
 DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
-  // A point takes 16 bytes, and 56 more while it is simulated.
+  // Limit for the memory: a point takes 16 bytes, and 56 more while it is simulated.
   const Range of_points = from (1).upTo (1e8);
   DataSet clouds;
   std::istringstream list (sizes);
@@ -177,12 +183,11 @@ cloudFilesAt (const std::string& path)
   return files;
 }
 
-EvaluationCloud
-withPoints (EvaluationCloud cloud, const std::string& file)
+void
+requirePoints (const EvaluationCloud& cloud, const std::string& file)
 {
   if (cloud.cloud->empty())
     throw WorkError (file, "has no finite point; leave it out");
-  return cloud;
 }
 
 /** Removes the length behind the last @ from a text and returns it [m]. The default if
@@ -212,11 +217,14 @@ cloudsDataSet (std::string path, const Vector3d& up)
     clouds.push_back ({name.empty() ? "clouds" : name,
                        file.lexically_relative (folder).generic_string(),
                        [input = file.string(), up, thick_length] {
-                         const LabeledCloud all = loadLabeledCloud (input, false);
+                         constexpr bool needs_labels = false;
+                         const LabeledCloud all =
+                             loadLabeledCloud (input, needs_labels);
                          EvaluationCloud finite = finiteOf (all.cloud, all.labels);
                          finite.up = up;
                          finite.thick_length = thick_length;
-                         return withPoints (std::move (finite), input);
+                         requirePoints (finite, input);
+                         return finite;
                        }});
   return clouds;
 }
@@ -237,22 +245,25 @@ loadRealCloud (const std::string& file, const std::string& truth_field)
       for (const std::uint32_t mark : selectLabels (
                labelsIn (cloud.points, file, "ignore"), finitePointsOf (*points)))
         finite.is_ignored.push_back (mark != 0);
-    return withPoints (std::move (finite), file);
+    requirePoints (finite, file);
+    return finite;
   });
 }
 
-/** Returns the kind of a cloud, the first two words of its file name: "room_office" for
- * room_office_3.pcd. */
+/** Returns the first two words of a file name: "room_office" for room_office_3.pcd. */
 std::string
-kindOf (const fs::path& file)
+firstWordsOf (const fs::path& file)
 {
   const std::string stem = file.stem().string();
-  const std::size_t first = stem.find ('_');
-  return stem.substr (0,
-                      first == std::string::npos ? first : stem.find ('_', first + 1));
+  const std::size_t first_gap = stem.find ('_');
+  return first_gap == std::string::npos
+             ? stem
+             : stem.substr (0, stem.find ('_', first_gap + 1));
 }
 
-/** \param[in] truth_field empty: there is no truth */
+/** \param[in] kind "real", "real-instances" or "wild"
+ * \param[in] path a file, a folder, or FOLDER/BEGINNING* for files with this beginning
+ * \param[in] truth_field empty: there is no truth */
 DataSet
 realDataSet (const std::string& kind,
              std::string path,
@@ -263,13 +274,14 @@ realDataSet (const std::string& kind,
   const bool is_pattern = !path.empty() && path.back() == '*';
   const fs::path pattern (path.substr (0, path.size() - (is_pattern ? 1 : 0)));
   const std::string beginning = is_pattern ? pattern.filename().string() : "";
-  const fs::path above = pattern.parent_path();
-  const std::string given = is_pattern ? (above.empty() ? "." : above.string()) : path;
-  const fs::path folder = fs::is_directory (given) ? fs::path (given) : above;
+  const fs::path parent = pattern.parent_path();
+  const std::string parent_or_here = parent.empty() ? "." : parent.string();
+  const std::string searched = is_pattern ? parent_or_here : path;
+  const fs::path folder = fs::is_directory (searched) ? fs::path (searched) : parent;
   DataSet clouds;
-  for (const fs::path& file : cloudFilesAt (given))
+  for (const fs::path& file : cloudFilesAt (searched))
     if (file.filename().string().rfind (beginning, 0) == 0)
-      clouds.push_back ({kind + '-' + kindOf (file),
+      clouds.push_back ({kind + '-' + firstWordsOf (file),
                          file.lexically_relative (folder).generic_string(),
                          [input = file.string(), truth_field, up, thick_length] {
                            EvaluationCloud cloud = loadRealCloud (input, truth_field);
@@ -318,7 +330,7 @@ findDataSet (const std::string& kind, const std::string& rest, const Vector3d& u
     return realDataSet (kind, rest, "instance", up);
   if (kind == "wild")
     return realDataSet (kind, rest, "", up);
-  for (const Scenes& scenes : all_scenes)
+  for (const SceneDataSet& scenes : scene_data_sets)
     if (kind == scenes.name)
       return scenesDataSet (scenes, rest);
   return std::nullopt;

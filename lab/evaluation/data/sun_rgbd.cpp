@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 const std::string raw_folder = "depth", refined_folder = "depth_bfx";
 
+/** \throw apps::WorkError with the problem of the file if a condition is not met */
 void
 require (bool is_right, const fs::path& file, const std::string& problem)
 {
@@ -72,23 +73,26 @@ readDepthPng (const fs::path& file)
   const auto requirePng = [&file] (bool is_right, const std::string& problem) {
     require (is_right, file, problem + "; get the file again");
   };
-  static const std::string end ("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+  // The last chunk of every PNG file: length 0, type and checksum.
+  static const std::string end_chunk ("\0\0\0\0IEND\xae\x42\x60\x82", 12);
   std::ifstream stream (file, std::ios::binary);
   const std::string bytes (std::istreambuf_iterator<char> (stream), {});
-  requirePng (bytes.size() > end.size() &&
-                  bytes.compare (bytes.size() - end.size(), end.size(), end) == 0,
+  requirePng (bytes.size() > end_chunk.size() &&
+                  bytes.compare (bytes.size() - end_chunk.size(),
+                                 end_chunk.size(),
+                                 end_chunk) == 0,
               "cannot be read, or is no whole PNG file");
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  const bool is_begun =
+  const bool has_header =
       png_image_begin_read_from_memory (&png, bytes.data(), bytes.size()) != 0;
-  const std::unique_ptr<png_image, void (*) (png_imagep)> owner (&png, png_image_free);
-  requirePng (is_begun, std::string ("is no whole PNG file (") + png.message + ")");
+  const std::unique_ptr<png_image, void (*) (png_imagep)> freed (&png, png_image_free);
+  requirePng (has_header, std::string ("is no whole PNG file (") + png.message + ")");
   // libpng would convert the values of an image with another format or a gamma.
   requirePng (png.format == PNG_FORMAT_LINEAR_Y &&
                   bytes.find ("gAMA") > bytes.find ("IDAT"),
               "is no depth image, which is 16-bit gray without a gamma");
-  /** Far above any depth camera, far below what would exhaust the memory. */
+  // Far above any depth camera, far below what would exhaust the memory.
   constexpr std::size_t max_pixels = 100'000'000;
   requirePng (png.width <= max_pixels / png.height, "has an impossible size");
   DepthImage image (png.height, png.width);
@@ -106,11 +110,12 @@ cloudOf (const DepthImage& image,
          const Eigen::Matrix3d& intrinsics,
          const Eigen::Matrix3d& extrinsics)
 {
-  constexpr double meters_per_unit = 0.001;
+  constexpr double meters_per_millimeter = 0.001;
   constexpr double max_depth = 8.0; // [m]
-  Eigen::Matrix3d z_up;             // from x right, y along gravity, z forward
-  z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  const Eigen::Matrix3d rotation = z_up * extrinsics;
+  // From x right, y along gravity, z forward to x right, y forward, z against gravity.
+  Eigen::Matrix3d gravity_to_z_up;
+  gravity_to_z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  const Eigen::Matrix3d rotation = gravity_to_z_up * extrinsics;
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const XyzCloud::Ptr cloud (
       new XyzCloud (image.cols(), image.rows(), pcl::PointXYZ (nan, nan, nan)));
@@ -120,7 +125,7 @@ cloudOf (const DepthImage& image,
     if (stored == 0)
       continue;
     const auto millimeters = std::uint16_t (stored >> 3 | stored << 13);
-    const double depth = std::min (millimeters * meters_per_unit, max_depth);
+    const double depth = std::min (millimeters * meters_per_millimeter, max_depth);
     const double x = (i % image.cols() - intrinsics (0, 2)) / intrinsics (0, 0) * depth;
     const double y = (i / image.cols() - intrinsics (1, 2)) / intrinsics (1, 1) * depth;
     const Vector3d point (x, y, depth);
@@ -133,22 +138,24 @@ EvaluationCloud
 readFrame (const fs::path& frame, bool is_raw)
 {
   constexpr double max_rotation_error = 1e-3;
-  const fs::path pinhole = frame / "intrinsics.txt";
-  const Eigen::Matrix3d intrinsics = readMatrix<3, 3> (pinhole);
+  const fs::path intrinsics_file = frame / "intrinsics.txt";
+  const Eigen::Matrix3d intrinsics = readMatrix<3, 3> (intrinsics_file);
   require (intrinsics (0, 0) > 0.0 && intrinsics (1, 1) > 0.0,
-           pinhole,
+           intrinsics_file,
            "has a focal length that is not positive; get the file again");
-  const fs::path pose = lastFileIn (frame / "extrinsics", ".txt");
-  const Eigen::Matrix3d rotation = readMatrix<3, 4> (pose).leftCols<3>();
+  const fs::path extrinsics_file = lastFileIn (frame / "extrinsics", ".txt");
+  const Eigen::Matrix3d rotation = readMatrix<3, 4> (extrinsics_file).leftCols<3>();
   const Eigen::Matrix3d error =
       rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
   require (error.cwiseAbs().maxCoeff() <= max_rotation_error &&
                rotation.determinant() >= 0.0,
-           pose,
+           extrinsics_file,
            "holds no rotation; get the file again");
-  const auto file = lastFileIn (frame / (is_raw ? raw_folder : refined_folder), ".png");
-  EvaluationCloud result = cloudOf (readDepthPng (file), intrinsics, rotation);
-  require (!result.cloud->empty(), file, "has no reading at all; leave the frame out");
+  const fs::path depth_file =
+      lastFileIn (frame / (is_raw ? raw_folder : refined_folder), ".png");
+  EvaluationCloud result = cloudOf (readDepthPng (depth_file), intrinsics, rotation);
+  require (
+      !result.cloud->empty(), depth_file, "has no reading at all; leave the frame out");
   return result;
 }
 

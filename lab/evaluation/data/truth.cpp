@@ -12,67 +12,67 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr std::size_t smallest_region = 50;
+constexpr std::size_t fewest_points_of_region = 50;
 constexpr double max_distance = 0.05; // to a region's plane [m]
-/** A region's plane is refitted whenever its number of points has grown by this factor.
- */
-constexpr double refit_growth = 1.3;
-constexpr double points_of_first_fit = 10.0;
+/** A region's plane is fitted when it has this number of points, and again whenever the
+ * number has grown by a factor. */
+constexpr double points_of_first_fit = 10.0, growth_until_next_fit = 1.3;
 
-struct Surfel {
+struct PointWithNormal {
   Vector3d position;
-  pcl::Indices neighbors;
+  pcl::Indices neighbors; // the point is one of them
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  /** Smallest eigenvalue over their sum; infinite if there is no normal. */
+  /** Smallest eigenvalue of the covariance of the neighbors over the sum of all three;
+   * infinite if there is no normal. */
   float curvature = std::numeric_limits<float>::infinity();
 };
 
-std::vector<Surfel>
-surfelsOf (const XyzCloud& cloud, int neighbors)
+std::vector<PointWithNormal>
+pointsWithNormals (const XyzCloud& cloud, int neighbors)
 {
-  std::vector<Surfel> surfels;
+  std::vector<PointWithNormal> points;
   if (cloud.empty())
-    return surfels;
-  for (const pcl::PointXYZ& point : cloud)
-    surfels.push_back ({point.getVector3fMap().cast<double>(), {}});
+    return points;
+  for (const pcl::PointXYZ& position : cloud)
+    points.push_back ({position.getVector3fMap().cast<double>(), {}});
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (cloud.makeShared());
   const int wanted = std::min (int (cloud.size()), std::max (1, neighbors));
-  std::vector<float> ignored;
-  for (std::size_t i = 0; i < surfels.size(); ++i) {
-    Surfel& surfel = surfels[i];
-    tree.nearestKSearch (cloud[i], wanted, surfel.neighbors, ignored);
+  std::vector<float> squared_distances; // not used
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointWithNormal& point = points[i];
+    tree.nearestKSearch (cloud[i], wanted, point.neighbors, squared_distances);
     Moments moments;
-    moments.origin = surfel.position;
-    for (const pcl::index_t j : surfel.neighbors)
-      addTo (moments, surfels[j].position);
+    moments.origin = point.position;
+    for (const pcl::index_t j : point.neighbors)
+      addTo (moments, points[j].position);
     if (const std::optional<PlaneFit> fit = fitPlane (moments)) {
-      surfel.normal = fit->plane.normal.cast<float>();
-      surfel.curvature = float (fit->variances[0] / fit->variances.sum());
+      point.normal = fit->plane.normal.cast<float>();
+      point.curvature = float (fit->variances[0] / fit->variances.sum());
     }
   }
-  return surfels;
+  return points;
 }
 
 /** Grows a region from a seed point and marks its points as taken. */
 pcl::PointIndices
 regionFrom (pcl::index_t seed,
-            const std::vector<Surfel>& surfels,
+            const std::vector<PointWithNormal>& points,
             std::vector<bool>& is_taken)
 {
   const auto min_cosine = float (std::cos (paper_angle_tolerance));
   Moments moments;
-  moments.origin = surfels[seed].position;
-  moments.add (0.0, 0.0, 0.0);
-  Plane plane = planeThrough (moments.origin, surfels[seed].normal.cast<double>());
+  moments.origin = points[seed].position;
+  moments.add (0.0, 0.0, 0.0); // the seed, relative to the origin
+  Plane plane = planeThrough (moments.origin, points[seed].normal.cast<double>());
   double points_of_next_fit = points_of_first_fit;
   pcl::PointIndices region;
   region.indices = {seed};
   is_taken[seed] = true;
   for (std::size_t next = 0; next < region.indices.size(); ++next) {
-    const Surfel& member = surfels[region.indices[next]];
+    const PointWithNormal& member = points[region.indices[next]];
     for (const pcl::index_t j : member.neighbors) {
-      const Surfel& other = surfels[j];
+      const PointWithNormal& other = points[j];
       if (is_taken[j] || std::abs (other.normal.dot (member.normal)) < min_cosine ||
           std::abs (plane.distance (other.position)) > max_distance)
         continue;
@@ -81,7 +81,7 @@ regionFrom (pcl::index_t seed,
       addTo (moments, other.position);
       if (moments.count < points_of_next_fit)
         continue;
-      points_of_next_fit = refit_growth * moments.count;
+      points_of_next_fit = growth_until_next_fit * moments.count;
       if (const std::optional<PlaneFit> fit = fitPlane (moments))
         plane = fit->plane;
     }
@@ -94,18 +94,18 @@ regionFrom (pcl::index_t seed,
 PlaneLabels
 growRegions (const XyzCloud& cloud, int neighbors)
 {
-  const std::vector<Surfel> surfels = surfelsOf (cloud, neighbors);
-  pcl::Indices flattest_first (surfels.size());
+  const std::vector<PointWithNormal> points = pointsWithNormals (cloud, neighbors);
+  pcl::Indices flattest_first (points.size());
   std::iota (flattest_first.begin(), flattest_first.end(), 0);
   std::stable_sort (flattest_first.begin(), flattest_first.end(), [&] (auto a, auto b) {
-    return surfels[a].curvature < surfels[b].curvature;
+    return points[a].curvature < points[b].curvature;
   });
-  std::vector<bool> is_taken (surfels.size(), false);
+  std::vector<bool> is_taken (points.size(), false);
   std::vector<pcl::PointIndices> regions;
   for (const pcl::index_t seed : flattest_first)
-    if (!is_taken[seed] && std::isfinite (surfels[seed].curvature)) {
-      regions.push_back (regionFrom (seed, surfels, is_taken));
-      if (regions.back().indices.size() < smallest_region)
+    if (!is_taken[seed] && std::isfinite (points[seed].curvature)) {
+      regions.push_back (regionFrom (seed, points, is_taken));
+      if (regions.back().indices.size() < fewest_points_of_region)
         regions.pop_back();
     }
   std::stable_sort (regions.begin(), regions.end(), [] (const auto& a, const auto& b) {
@@ -121,8 +121,9 @@ truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters)
     return PlaneLabels (cloud.cloud->size(), 0);
   PlaneLabels labels =
       cloud.truth ? *cloud.truth : growRegions (*cloud.cloud, parameters.neighbors);
-  const std::size_t usual = parameters.min_points;
-  dropSmallPlanes (labels, std::min (usual, cloud.min_plane_points.value_or (usual)));
+  const std::size_t min_points = parameters.min_points;
+  dropSmallPlanes (labels,
+                   std::min (min_points, cloud.min_plane_points.value_or (min_points)));
   return labels;
 }
 

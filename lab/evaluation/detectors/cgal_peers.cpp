@@ -33,22 +33,24 @@ using PointMap = CGAL::Nth_of_tuple_property_map<0, OrientedPoint>;
 using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
 
 /** Neighbors for a normal in CGAL's tutorial. */
-constexpr unsigned usual_neighbors = 24;
-/** CGAL drops a smaller region and grows it again from each of its points. With 0.2 %
- * of the points, as for Efficient RANSAC, that takes minutes. */
+constexpr unsigned tutorial_neighbors = 24;
+/** Points of the smallest region. CGAL drops a smaller one and grows it again from each
+ * of its points: with 0.2 % of the points, as for Efficient RANSAC, that takes minutes.
+ */
 constexpr std::size_t min_points_of_region = 50;
 /** Largest angle between normals: CGAL's default for both detectors. */
 constexpr float normal_degrees = 25.0f;
 /** Probability to miss the largest plane: CGAL's default. */
 constexpr float miss_probability = 0.05f;
-constexpr double min_share = 0.002; // of the points, for the smallest plane
+/** Share of the points that the smallest plane of Efficient RANSAC has. */
+constexpr double min_share_of_plane = 0.002;
 
 unsigned
 neighborsFor (const PeerTask& task)
 {
-  const bool is_usual =
+  const bool is_of_tutorial =
       task.source == ValuesFrom::Tutorial && !task.settings.peer_neighbors;
-  return is_usual ? usual_neighbors : unsigned (task.values.neighbors);
+  return is_of_tutorial ? tutorial_neighbors : unsigned (task.values.neighbors);
 }
 
 OrientedPoints
@@ -60,7 +62,7 @@ orientedPointsOf (const PeerTask& task)
     points.emplace_back (Kernel::Point_3 (point.x, point.y, point.z),
                          Kernel::Vector_3 (0, 0, 0),
                          pcl::index_t (points.size()));
-  timed (task.normals, [&] {
+  timed (task.time_of_normals, [&] {
     CGAL::pca_estimate_normals<CGAL::Sequential_tag> (
         points,
         neighborsFor (task),
@@ -140,7 +142,7 @@ planesByCgalRansac (const PeerTask& task)
   Ransac::Parameters parameters;
   parameters.probability = miss_probability;
   parameters.min_points =
-      task.minPoints (std::size_t (min_share * double (points.size())) + 1);
+      task.minPoints (std::size_t (min_share_of_plane * double (points.size())) + 1);
   parameters.epsilon = float (task.values.threshold);
   parameters.cluster_epsilon = float (task.values.gap);
   parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));

@@ -29,10 +29,18 @@ using Ops = OrientedPointSampling<pcl::PointXYZ>;
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
+/** Returns the name of a row of the paper, such as ops-3-30. */
 std::string
 rowName (const char* prefix, double first, double second)
 {
   return apps::concatenate (prefix, '-', first, '-', second);
+}
+
+/** Returns the clock for \ref timed: that of the thread, if there is one thread. */
+clockid_t
+clockFor (const RunSettings& settings)
+{
+  return settings.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC;
 }
 
 template <typename Detector>
@@ -40,10 +48,11 @@ void
 add (std::vector<Configuration>& all,
      const std::string& name,
      const std::string& group,
-     const typename Detector::Parameters& of_row)
+     const typename Detector::Parameters& of_configuration)
 {
-  const auto run = [of_row] (const auto& cloud, const RunSettings& settings) {
-    auto parameters = of_row;
+  const auto run = [of_configuration] (const XyzCloud::ConstPtr& cloud,
+                                       const RunSettings& settings) {
+    auto parameters = of_configuration;
     parameters.up_axis = settings.up.cast<float>();
     parameters.seed = settings.seed;
     parameters.threads = settings.threads;
@@ -62,15 +71,13 @@ add (std::vector<Configuration>& all,
                 detector.getNumberOfPlanesBeforeMerging(),
                 detector.getStageDurations()};
     };
-    timed (detection,
-           detect,
-           settings.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC);
+    timed (detection, detect, clockFor (settings));
     result.durations.detection = detection;
     return result;
   };
   all.push_back ({name, {group}, run});
-  for (const char* best_of_paper : {"ops-3-30", "fspf-0.07-0.14", "kht-80-800"})
-    if (name == best_of_paper)
+  for (const char* best_in_paper : {"ops-3-30", "fspf-0.07-0.14", "kht-80-800"})
+    if (name == best_in_paper)
       all.back().groups.insert ("table4");
 }
 
@@ -78,7 +85,7 @@ add (std::vector<Configuration>& all,
 void
 addPieces (std::vector<Configuration>& all)
 {
-  const auto run = [] (const auto& cloud, const RunSettings& settings) {
+  const auto run = [] (const XyzCloud::ConstPtr& cloud, const RunSettings& settings) {
     Ops detector;
     auto parameters = detector.getParameters();
     parameters.up_axis = settings.up.cast<float>();
@@ -94,9 +101,7 @@ addPieces (std::vector<Configuration>& all)
            findPlanePieces (*cloud, planes, {}, settings.threads).pieces)
         inliers.emplace_back().indices = std::move (piece.inliers);
     };
-    timed (detection,
-           detect,
-           settings.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC);
+    timed (detection, detect, clockFor (settings));
     DetectorRun result{labelsOf (inliers, cloud->size()),
                        detector.getNumberOfPlanesBeforeMerging(),
                        detector.getStageDurations()};
@@ -106,6 +111,8 @@ addPieces (std::vector<Configuration>& all)
   all.push_back ({"ops-pieces", {"pieces"}, run});
 }
 
+/** Adds the rows of the paper's tables and, before those of each method, its presets.
+ */
 void
 addRowsOfPaper (std::vector<Configuration>& all)
 {
@@ -141,13 +148,16 @@ addRowsOfPaper (std::vector<Configuration>& all)
   }
 }
 
-/** The default preset with one ingredient off at a time. */
+/** Adds the default preset without one ingredient at a time. */
 void
 addAblation (std::vector<Configuration>& all)
 {
   using Parameters = Ops::Parameters;
   constexpr double no_limit = 1e6;
-  const std::pair<const char*, void (*) (Parameters&)> ingredients[] = {
+  const struct {
+    const char* name;
+    void (*switch_off) (Parameters&);
+  } ingredients[] = {
       {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
       {"min-average-voxels",
        [] (Parameters& p) { p.surfels.min_average_voxels = 0.0; }},
@@ -157,7 +167,8 @@ addAblation (std::vector<Configuration>& all)
       {"merging", [] (Parameters& p) { p.merging.enabled = false; }},
       {"noise-in-assignment",
        [] (Parameters& p) { p.surfels.assignment_noise_factor = no_limit; }},
-      {"measured-threshold", [] (Parameters& p) { p.distance_threshold = 0.05; }}};
+      {"measured-threshold",
+       [] (Parameters& p) { p.distance_threshold = usual_peer_threshold; }}};
   for (const auto& [name, switch_off] : ingredients) {
     Parameters parameters;
     switch_off (parameters);
@@ -184,7 +195,7 @@ std::vector<Configuration>
 selectConfigurations (const std::string& list)
 {
   std::vector<Configuration> selected;
-  std::set<std::string> names;
+  std::set<std::string> selected_names;
   std::istringstream stream (list);
   for (std::string name; std::getline (stream, name, ',');) {
     bool is_known = name == "none";
@@ -193,7 +204,8 @@ selectConfigurations (const std::string& list)
       const bool is_meant = name == configuration.name || groups.count (name) > 0 ||
                             (name == "all" && groups.count ("ablation") == 0);
       is_known = is_known || is_meant;
-      if (is_meant && names.insert (configuration.name).second)
+      const bool is_new = is_meant && selected_names.insert (configuration.name).second;
+      if (is_new)
         selected.push_back (configuration);
     }
     if (!is_known)
@@ -208,10 +220,10 @@ runInChild (const std::function<void()>& work, unsigned seconds)
 {
   constexpr std::size_t size_of_message = 4096;
   const auto memory = boost::interprocess::anonymous_shared_memory (size_of_message);
-  char* const message = static_cast<char*> (memory.get_address()); // all zero
+  char* const message = static_cast<char*> (memory.get_address()); // filled with zeros
   const pid_t child = fork();
   if (child == 0) {
-    std::signal (SIGALRM, SIG_DFL); // ends the process
+    std::signal (SIGALRM, SIG_DFL); // the alarm ends the process
     alarm (seconds);
     try {
       work();
@@ -242,24 +254,24 @@ runLimited (const Configuration& configuration,
 {
   if (!configuration.is_peer)
     return configuration.run (cloud, settings);
-  struct HandedOver { // the labels follow it in memory
+  struct SharedResult { // the labels follow it in memory
     StageDurations durations;
     std::size_t planes_before_merging = 0;
   };
   const auto memory = boost::interprocess::anonymous_shared_memory (
-      sizeof (HandedOver) + cloud->size() * sizeof (std::uint32_t));
-  auto* const handed_over = static_cast<HandedOver*> (memory.get_address());
-  auto* const labels = reinterpret_cast<std::uint32_t*> (handed_over + 1);
+      sizeof (SharedResult) + cloud->size() * sizeof (std::uint32_t));
+  auto* const result = static_cast<SharedResult*> (memory.get_address());
+  auto* const labels = reinterpret_cast<std::uint32_t*> (result + 1);
   const auto detect = [&] {
     const DetectorRun run = configuration.run (cloud, settings);
-    *handed_over = {run.durations, run.planes_before_merging};
+    *result = {run.durations, run.planes_before_merging};
     std::copy (run.labels.begin(), run.labels.end(), labels);
   };
   if (!runInChild (detect, seconds))
     return std::nullopt;
   return DetectorRun{{labels, labels + cloud->size()},
-                     handed_over->planes_before_merging,
-                     handed_over->durations};
+                     result->planes_before_merging,
+                     result->durations};
 }
 
 } // namespace pcl_ops::evaluation

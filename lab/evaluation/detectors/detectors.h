@@ -13,14 +13,14 @@ namespace pcl_ops::evaluation {
 struct DetectorRun {
   PlaneLabels labels; // one per point; plane numbers in any order
   std::size_t planes_before_merging = 0;
-  /** [ms]; peers set only normals and detection. */
+  /** [ms]; peers set only the durations of normals and of the whole detection. */
   StageDurations durations;
 };
 
 /** Distance threshold of PCL's tutorials [m]. */
 constexpr double usual_peer_threshold = 0.05;
 
-/** Input of detectors beside the points. Peers are detectors of other projects. */
+/** Input of detectors beside the points. A peer is a detector of another project. */
 struct RunSettings {
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
   std::uint32_t seed = 42;
@@ -40,7 +40,7 @@ struct RunSettings {
   std::string data_set = {}, cloud_name = {};
 };
 
-/** \return the time of a clock [ms] */
+/** \return the time of a clock of the operating system [ms] */
 inline double
 now (clockid_t clock)
 {
@@ -49,9 +49,9 @@ now (clockid_t clock)
   return 1e3 * double (time.tv_sec) + 1e-6 * double (time.tv_nsec);
 }
 
-/** Adds the time that some work takes to a duration [ms]. By default this is the
- * processor time of the calling thread: other programs do not change it, but it leaves
- * out the time of further threads. */
+/** Adds the time that some work takes to a duration [ms]. The default is the processor
+ * time of the calling thread: other programs do not change it, but it leaves out the
+ * time of further threads. */
 template <typename Work>
 void
 timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIME_ID)
@@ -61,6 +61,7 @@ timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIM
   duration += now (clock) - start;
 }
 
+/** A detector with its parameters. */
 struct Configuration {
   std::string name;
   std::set<std::string> groups; // see allConfigurations
@@ -72,7 +73,8 @@ struct Configuration {
   bool is_peer = false;
   bool needs_image = false;
   std::string version = {}; // empty: version of this project
-  /** Made by \ref ownLabels; the labels may have changed by the next run. */
+  /** Whether it reads a user's labels (\ref ownLabels), which may have changed by the
+   * next run. */
   bool is_own = false;
 };
 
@@ -87,7 +89,7 @@ struct Configuration {
  * octree, with the parameters of their tutorials
  * - peers-measured: the peers with parameters measured from the cloud
  * - pieces: ops-pieces, the default; each connected component of a plane is a plane
- * - ablation: ops-without-INGREDIENT, the default with one ingredient off */
+ * - ablation: ops-without-INGREDIENT, the default without one ingredient */
 const std::vector<Configuration>&
 allConfigurations ();
 

@@ -15,17 +15,17 @@ planesByOpen3d (const PeerTask& task)
   constexpr int points_of_sample = 3;
   constexpr int iterations = 1000;
 #ifdef _OPENMP
-  omp_set_num_threads (1); // as all others here
+  omp_set_num_threads (1); // as the other peers
 #endif
   open3d::utility::random::Seed (int (task.settings.seed));
   return peelPlanes (task, [&] (const pcl::IndicesPtr& rest) {
     open3d::geometry::PointCloud cloud;
     for (const pcl::index_t i : *rest)
       cloud.points_.push_back ((*task.cloud)[i].getVector3fMap().cast<double>());
-    const auto plane =
+    const auto& [coefficients, indices] =
         cloud.SegmentPlane (task.values.threshold, points_of_sample, iterations);
     pcl::Indices inliers;
-    for (const std::size_t i : std::get<1> (plane))
+    for (const std::size_t i : indices)
       inliers.push_back ((*rest)[i]);
     return inliers;
   });

@@ -24,21 +24,24 @@ namespace fs = std::filesystem;
 
 /** Returns the first existing file among those that may have the labels of a cloud. */
 std::string
-fileOfLabels (const std::string& folder, const RunSettings& cloud)
+fileOfLabels (const std::string& folder, const RunSettings& settings)
 {
-  std::vector<std::string> names = {cloud.cloud_name};
-  if (hasCloudExtension (cloud.cloud_name))
-    names.push_back (fs::path (cloud.cloud_name).replace_extension().string());
-  for (const fs::path& place : {fs::path (folder) / cloud.data_set, fs::path (folder)})
+  const std::string& cloud = settings.cloud_name;
+  std::vector<std::string> names = {cloud};
+  if (hasCloudExtension (cloud))
+    names.push_back (fs::path (cloud).replace_extension().string());
+  for (const fs::path& parent :
+       {fs::path (folder) / settings.data_set, fs::path (folder)})
     for (const std::string& name : names)
       for (const char* extension : {".npy", ".txt", ".pcd"}) {
-        const fs::path file = place / (name + extension);
+        const fs::path file = parent / (name + extension);
         if (fs::is_regular_file (file))
           return file.string();
       }
   throw WorkError (folder,
-                   "has neither " + cloud.data_set + "/" + names.back() + ".npy nor " +
-                       names.back() + ".npy, nor such a .txt or .pcd; save the labels");
+                   "has neither " + settings.data_set + "/" + names.back() +
+                       ".npy nor " + names.back() +
+                       ".npy, nor such a .txt or .pcd; save the labels");
 }
 
 std::vector<double>
@@ -52,11 +55,12 @@ numbersIn (const std::string& file)
   return labelNumbersIn (loadCloud (file).points, file);
 }
 
-/** Numbers the planes from 1 on, by ascending number in the file. */
+/** Returns labels from 1 on, in the order of the numbers in the file; 0: no plane.
+ * \throw WorkError if a number cannot be a label */
 PlaneLabels
-planesOfNumbers (const std::vector<double>& numbers, const std::string& file)
+labelsOfNumbers (const std::vector<double>& numbers, const std::string& file)
 {
-  // This is -1 stored in an unsigned type.
+  // The largest unsigned number is -1 stored in an unsigned type.
   constexpr double too_large = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!(std::abs (numbers[i]) < too_large && numbers[i] == std::floor (numbers[i])))
@@ -69,17 +73,17 @@ planesOfNumbers (const std::vector<double>& numbers, const std::string& file)
   const bool has_negative = std::any_of (
       numbers.begin(), numbers.end(), [] (double number) { return number < 0.0; });
   const double lowest_plane = has_negative ? 0.0 : 1.0;
-  std::map<double, std::uint32_t> planes;
+  std::map<double, std::uint32_t> label_of_number;
   for (const double number : numbers)
     if (number >= lowest_plane)
-      planes[number] = 0;
+      label_of_number[number] = 0;
   std::uint32_t count = 0;
-  for (auto& plane : planes)
-    plane.second = ++count;
+  for (auto& [number, label] : label_of_number)
+    label = ++count;
   PlaneLabels labels (numbers.size());
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (numbers[i] >= lowest_plane)
-      labels[i] = planes[numbers[i]];
+      labels[i] = label_of_number[numbers[i]];
   return labels;
 }
 
@@ -117,10 +121,10 @@ runOf (const PlaneLabels& labels)
 void
 checkName (const std::string& name)
 {
-  const auto is_wrong = [] (char c) {
+  const auto isForbidden = [] (char c) {
     return std::string (",/\\|\"").find (c) != std::string::npos || (c >= 0 && c < ' ');
   };
-  if (name.empty() || std::any_of (name.begin(), name.end(), is_wrong))
+  if (name.empty() || std::any_of (name.begin(), name.end(), isForbidden))
     throw UsageError ("--results",
                       "'" + name +
                           "' is no name without , / \\ | and quotes; give NAME=FOLDER");
@@ -152,7 +156,7 @@ ownLabels (const std::string& name_and_folder)
   configuration.is_own = true;
   configuration.run = [folder] (const auto& cloud, const RunSettings& settings) {
     const std::string file = fileOfLabels (folder, settings);
-    const PlaneLabels labels = planesOfNumbers (numbersIn (file), file);
+    const PlaneLabels labels = labelsOfNumbers (numbersIn (file), file);
     return runOf (ofFinitePoints (labels, cloud->size(), settings.image, file));
   };
   return configuration;

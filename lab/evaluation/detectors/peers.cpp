@@ -30,6 +30,9 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
+/** Distance threshold of a peer, in multiples of the noise. */
+constexpr double noises_of_threshold = 3.0;
+
 /** Returns the rms distance of inliers to their planes, as found by the default preset
  * of OPS; a third of the usual threshold if it finds no plane [m]. */
 double
@@ -39,14 +42,15 @@ noiseOf (const XyzCloud::ConstPtr& cloud)
   ops.setInputCloud (cloud);
   std::vector<PlaneSegment> planes;
   ops.segment (planes);
-  double squares = 0.0;
+  double sum_of_squares = 0.0;
   double points = 0.0;
   for (const PlaneSegment& plane : planes)
     if (const std::optional<PlaneFit> fit = fitPlane (plane.moments)) {
-      squares += plane.moments.count * fit->variances[0];
+      sum_of_squares += plane.moments.count * fit->variances[0];
       points += plane.moments.count;
     }
-  return points > 0.0 ? std::sqrt (squares / points) : usual_peer_threshold / 3.0;
+  return points > 0.0 ? std::sqrt (sum_of_squares / points)
+                      : usual_peer_threshold / noises_of_threshold;
 }
 
 /** Returns the median over sampled points of the point spacing: the distance between
@@ -60,31 +64,34 @@ spacingOf (const XyzCloud::ConstPtr& cloud)
   tree.setInputCloud (cloud);
   std::vector<double> spacings;
   pcl::Indices found;
-  std::vector<float> squared;
+  std::vector<float> squared_distances;
   const std::size_t stride = cloud->size() / samples + 1;
   for (std::size_t i = 0; i < cloud->size(); i += stride) {
-    tree.nearestKSearch ((*cloud)[i], neighbors, found, squared);
-    spacings.push_back (std::sqrt (M_PI * squared.back() / double (found.size())));
+    tree.nearestKSearch ((*cloud)[i], neighbors, found, squared_distances);
+    // The area of the disk with the neighbors, per neighbor.
+    spacings.push_back (
+        std::sqrt (M_PI * squared_distances.back() / double (found.size())));
   }
   return apps::quantile (spacings, 0.5);
 }
 
+/** Of the smallest plane, by default, for detectors that do not peel planes. */
 constexpr std::size_t min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
 
 /** Transforms an image to the frame of its camera, as PCL's image detectors expect. */
 XyzCloud::Ptr
-inAxesOfCamera (const XyzCloud& image)
+inCameraFrame (const XyzCloud& image)
 {
   const Eigen::Isometry3f to_scene =
       Eigen::Translation3f (image.sensor_origin_.head<3>()) * image.sensor_orientation_;
   const Eigen::Isometry3f to_camera = to_scene.inverse();
-  XyzCloud::Ptr seen (new XyzCloud (image.width, image.height));
-  seen->is_dense = false;
+  XyzCloud::Ptr in_camera (new XyzCloud (image.width, image.height));
+  in_camera->is_dense = false;
   for (std::size_t i = 0; i < image.size(); ++i)
-    (*seen)[i].getVector3fMap() = to_camera * image[i].getVector3fMap();
-  return seen;
+    (*in_camera)[i].getVector3fMap() = to_camera * image[i].getVector3fMap();
+  return in_camera;
 }
 
 } // namespace
@@ -95,11 +102,11 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
            ValuesFrom source)
 {
   const double threshold = settings.peer_threshold;
-  constexpr int usual_neighbors = 30;
+  constexpr int default_neighbors = 30;
   PeerValues values{threshold,
-                    settings.peer_neighbors.value_or (usual_neighbors),
+                    settings.peer_neighbors.value_or (default_neighbors),
                     2.0 * threshold,
-                    threshold / 3.0};
+                    threshold / noises_of_threshold};
   if (source == ValuesFrom::Tutorial || cloud->empty())
     return values;
   values.noise = settings.peer_noise ? *settings.peer_noise : noiseOf (cloud);
@@ -107,15 +114,17 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
   if (!(spacing > 0.0)) // most points coincide
     return values;
   // Exact points have no noise, but need a threshold above 0.
-  values.threshold = std::max (3.0 * values.noise, 0.1 * spacing);
+  values.threshold = std::max (noises_of_threshold * values.noise, 0.1 * spacing);
   values.gap = std::max (values.threshold, 4.0 * spacing);
   // A plane through k points spread evenly over a disk of radius r errs by an angle of
   // 2 noise / (r sqrt (k)), and r = spacing sqrt (k / pi).
-  constexpr double angle = 3.0 * M_PI / 180.0;
-  constexpr double most = 200;
-  const double wanted = 2.0 * std::sqrt (M_PI) * values.noise / (spacing * angle);
+  constexpr double error_of_normal = 3.0 * M_PI / 180.0; // [rad]
+  constexpr double max_neighbors = 200;
+  const double neighbors =
+      2.0 * std::sqrt (M_PI) * values.noise / (spacing * error_of_normal);
   if (!settings.peer_neighbors)
-    values.neighbors = int (std::clamp<double> (wanted, values.neighbors, most));
+    values.neighbors =
+        int (std::clamp<double> (neighbors, values.neighbors, max_neighbors));
   return values;
 }
 
@@ -123,7 +132,7 @@ namespace {
 
 struct Peer {
   std::string name;
-  std::string version;
+  std::string version; // of its project
   Planes (*detect) (const PeerTask& task);
   bool needs_image = false;
 };
@@ -171,10 +180,10 @@ addPeers (std::vector<Configuration>& configurations)
 {
   for (const Peer& peer : allPeers())
     for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
-      const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
+      const std::string suffix = source == ValuesFrom::Cloud ? "-measured" : "";
       Configuration configuration;
-      configuration.name = peer.name + measured;
-      configuration.groups = {"peers" + measured};
+      configuration.name = peer.name + suffix;
+      configuration.groups = {"peers" + suffix};
       configuration.run = [peer, source] (const XyzCloud::ConstPtr& cloud,
                                           const RunSettings& settings) {
         return runPeer (peer, source, cloud, settings);
@@ -191,9 +200,9 @@ peelPlanes (const PeerTask& task,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment)
 {
   constexpr std::size_t max_planes = 40;
-  constexpr std::size_t usual_inliers = 500;
+  constexpr std::size_t default_min_inliers = 500;
   constexpr double share_left = 0.02;
-  const std::size_t min_inliers = task.minPoints (usual_inliers);
+  const std::size_t min_inliers = task.minPoints (default_min_inliers);
   const std::size_t points = task.cloud->size();
   Planes planes;
   pcl::IndicesPtr rest (new pcl::Indices (points));
@@ -204,13 +213,13 @@ peelPlanes (const PeerTask& task,
     plane.indices = segment (rest);
     if (plane.indices.size() < min_inliers)
       break;
-    pcl::IndicesPtr without (new pcl::Indices);
+    pcl::IndicesPtr new_rest (new pcl::Indices);
     std::set_difference (rest->begin(),
                          rest->end(),
                          plane.indices.begin(),
                          plane.indices.end(),
-                         std::back_inserter (*without));
-    rest = without;
+                         std::back_inserter (*new_rest));
+    rest = new_rest;
     planes.push_back (plane);
   }
   return planes;
@@ -219,11 +228,12 @@ peelPlanes (const PeerTask& task,
 Planes
 planesByPclRansac (const PeerTask& task)
 {
+  constexpr int iterations = 1000; // as in PCL's tutorial
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptimizeCoefficients (true);
   segmentation.setModelType (pcl::SACMODEL_PLANE);
   segmentation.setMethodType (pcl::SAC_RANSAC);
-  segmentation.setMaxIterations (1000);
+  segmentation.setMaxIterations (iterations);
   segmentation.setDistanceThreshold (task.values.threshold);
   segmentation.setInputCloud (task.cloud);
   return peelPlanes (task, [&] (const pcl::IndicesPtr& rest) {
@@ -241,7 +251,7 @@ planesByPclRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
   const Normals::Ptr normals (new Normals);
-  timed (task.normals, [&] {
+  timed (task.time_of_normals, [&] {
     pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
     estimation.setInputCloud (task.cloud);
     estimation.setSearchMethod (tree);
@@ -266,12 +276,12 @@ planesInImage (const PeerTask& task)
 {
   // The values of PCL's demo of OrganizedMultiPlaneSegmentation.
   const double angle = pcl::deg2rad (2.0);
-  constexpr double usual_distance = 0.02; // [m]
-  constexpr float max_depth_change = 0.03f;
-  constexpr float smoothing = 20.0f;
-  const XyzCloud::Ptr image = inAxesOfCamera (*task.settings.image);
+  constexpr double demo_distance = 0.02;    // to a plane, at a depth of 1 m [m]
+  constexpr float max_depth_change = 0.03f; // relative to the depth
+  constexpr float smoothing = 20.0f;        // edge of the window [px]
+  const XyzCloud::Ptr image = inCameraFrame (*task.settings.image);
   const Normals::Ptr normals (new Normals);
-  timed (task.normals, [&] {
+  timed (task.time_of_normals, [&] {
     pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
     estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
     estimation.setMaxDepthChangeFactor (max_depth_change);
@@ -283,7 +293,7 @@ planesInImage (const PeerTask& task)
   finder.setMinInliers (unsigned (task.minPoints (min_points_of_region)));
   finder.setAngularThreshold (angle);
   finder.setDistanceThreshold (
-      task.source == ValuesFrom::Tutorial ? usual_distance : task.values.threshold);
+      task.source == ValuesFrom::Tutorial ? demo_distance : task.values.threshold);
   finder.setInputNormals (normals);
   finder.setInputCloud (image);
   std::vector<pcl::PlanarRegion<pcl::PointXYZ>,
@@ -291,20 +301,21 @@ planesInImage (const PeerTask& task)
       regions;
   std::vector<pcl::ModelCoefficients> models;
   Planes planes;
-  Planes of_labels;
+  Planes pixels_of_labels;
   Planes borders;
   pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
-  finder.segmentAndRefine (regions, models, planes, labels, of_labels, borders);
-  pcl::Indices point_of;
+  finder.segmentAndRefine (regions, models, planes, labels, pixels_of_labels, borders);
+  // The cloud of the task has the finite points of the image alone.
+  pcl::Indices point_of_pixel;
   pcl::index_t points = 0;
   for (const pcl::PointXYZ& point : *image) {
-    point_of.push_back (points);
+    point_of_pixel.push_back (points);
     if (pcl::isXYZFinite (point))
       ++points;
   }
   for (pcl::PointIndices& plane : planes)
     for (pcl::index_t& i : plane.indices)
-      i = point_of[i];
+      i = point_of_pixel[i];
   return planes;
 }
 

@@ -6,9 +6,10 @@
 
 namespace pcl_ops::evaluation {
 
+/** Parameters that all peers have, each under a name of its own. */
 struct PeerValues {
-  double threshold; // distance to a plane [m]
-  int neighbors;    // that a normal is estimated from
+  double threshold; // largest distance to a plane [m]
+  int neighbors;    // number from which a normal is estimated
   double gap;       // points closer than this are connected [m]
   double noise;     // standard deviation of the distances to a plane [m]
 };
@@ -29,13 +30,15 @@ struct PeerTask {
   XyzCloud::ConstPtr cloud; // finite points
   const RunSettings& settings;
   PeerValues values;
-  ValuesFrom source;
-  double& normals; // the time of normal estimation is added to it [ms]
+  ValuesFrom source;       // of the values
+  double& time_of_normals; // the time of normal estimation is added to it [ms]
 
+  /** \return the number of points of the smallest plane to find
+   * \param[in] peer_default if the settings give none */
   std::size_t
-  minPoints (std::size_t usual) const
+  minPoints (std::size_t peer_default) const
   {
-    return settings.peer_min_points.value_or (usual);
+    return settings.peer_min_points.value_or (peer_default);
   }
 };
 
@@ -59,11 +62,11 @@ planesByCgalRansac (const PeerTask& task);
 Planes
 planesByCgalRegionGrowing (const PeerTask& task);
 
-/** SegmentPlane in the loop of PCL's tutorial, see \ref peelPlanes. */
+/** Open3D's segment_plane in the loop of PCL's tutorial, see \ref peelPlanes. */
 Planes
 planesByOpen3d (const PeerTask& task);
 
-/** Adaptive voxel map of lidar odometry. */
+/** The adaptive voxel map of lidar odometry (Yuan et al. 2022). */
 Planes
 planesInVoxelOctree (const PeerTask& task);
 

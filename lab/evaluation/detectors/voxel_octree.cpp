@@ -19,19 +19,43 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr int layers = 4;
+constexpr int layers = 4; // of voxels; each has half the edge of the one before
 constexpr std::size_t min_points_of_voxel = 5;
 constexpr std::size_t min_points_of_plane = 50;
 
+struct OctreeParameters {
+  double edge = 1.0; // of the largest voxels [m]
+  /** Bound of the smallest eigenvalue of a plane's covariance [m^2]. */
+  double max_eigenvalue = 0.01;
+};
+
+OctreeParameters
+parametersFor (const PeerTask& task)
+{
+  OctreeParameters parameters;
+  if (task.source == ValuesFrom::Tutorial)
+    return parameters;
+  // Edges of 0.5 to 3 m as in the paper. Within these limits the smallest voxels are as
+  // wide as the gap, at least four times the point spacing, so that a plane has 16
+  // points in them. Its rms distance may be up to twice the noise.
+  constexpr double smallest_edge = 0.5;
+  constexpr double largest_edge = 3.0;
+  parameters.edge = std::clamp (
+      task.values.gap * std::pow (2.0, layers - 1), smallest_edge, largest_edge);
+  parameters.max_eigenvalue = std::pow (2.0 * task.values.noise, 2);
+  return parameters;
+}
+
 struct VoxelOctree {
   const XyzCloud& cloud;
-  /** Largest allowed smallest eigenvalue of a plane's covariance [m^2]. */
-  double max_eigenvalue;
+  double max_eigenvalue; // see OctreeParameters
   /** Moments and point indices of each voxel that is a plane. */
   std::vector<Moments> moments = {};
   std::vector<pcl::Indices> points = {};
 
-  /** \param[in] layer 0 for the largest voxels */
+  /** Adds the planes in a voxel and its parts.
+   * \param[in] members indices of the points in the voxel
+   * \param[in] layer 0 for the largest voxels */
   void
   add (const pcl::Indices& members, const Vector3d& center, double edge, int layer)
   {
@@ -65,17 +89,8 @@ struct VoxelOctree {
 Planes
 planesInVoxelOctree (const PeerTask& task)
 {
-  double edge = 1.0;
-  double max_eigenvalue = 0.01; // [m], [m^2]
-  if (task.source == ValuesFrom::Cloud) {
-    // Edges of 0.5 to 3 m as in the paper. Within these limits the smallest voxels
-    // are as wide as the gap, at least four times the point spacing, so that a plane
-    // has 16 points in them. Its rms distance may be up to twice the noise.
-    constexpr double smallest = 0.5;
-    constexpr double largest = 3.0;
-    edge = std::clamp (task.values.gap * std::pow (2.0, layers - 1), smallest, largest);
-    max_eigenvalue = std::pow (2.0 * task.values.noise, 2);
-  }
+  const OctreeParameters parameters = parametersFor (task);
+  const double edge = parameters.edge;
   std::map<std::array<int, 3>, pcl::Indices> voxels;
   for (std::size_t i = 0; i < task.cloud->size(); ++i) {
     std::array<int, 3> voxel{};
@@ -83,7 +98,7 @@ planesInVoxelOctree (const PeerTask& task)
       voxel[axis] = int (std::floor ((*task.cloud)[i].data[axis] / edge));
     voxels[voxel].push_back (pcl::index_t (i));
   }
-  VoxelOctree octree{*task.cloud, max_eigenvalue};
+  VoxelOctree octree{*task.cloud, parameters.max_eigenvalue};
   for (const auto& [voxel, points] : voxels) {
     const Eigen::Array3d corner (voxel[0], voxel[1], voxel[2]);
     octree.add (points, edge * (corner + 0.5), edge, 0);
@@ -97,8 +112,8 @@ planesInVoxelOctree (const PeerTask& task)
       pcl::Indices& plane = planes[std::size_t (merged.merged_into[i])].indices;
       plane.insert (plane.end(), octree.points[i].begin(), octree.points[i].end());
     }
-  const std::size_t fewest = task.minPoints (min_points_of_plane);
-  while (!planes.empty() && planes.back().indices.size() < fewest)
+  const std::size_t min_points = task.minPoints (min_points_of_plane);
+  while (!planes.empty() && planes.back().indices.size() < min_points)
     planes.pop_back(); // planes are sorted by falling size
   return planes;
 }

@@ -4,6 +4,7 @@
 
 #include <pcl/common/io.h>
 
+#include "results_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
@@ -17,10 +18,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iomanip>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -34,14 +32,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
+/** What a user can do if the memory is too small. */
+constexpr const char* memory_advice = "give a smaller cloud or fewer --jobs";
 
 /** Shares of a cloud's points that are on found planes and on thick planes. */
 struct ThicknessSummary {
   double on_planes = 0.0;
   double on_thick_by_factor = 0.0;
   double on_thick_by_length = 0.0;
-  double rms_largest = 0.0;  // [m]
+  double rms_largest = 0.0;  // rms distance of the largest plane [m]
   double thick_length = 0.0; // [m]
 };
 
@@ -50,96 +49,24 @@ thicknessSummary (const EvaluationCloud& cloud, const PlaneLabels& labels)
 {
   const std::vector<PlaneSegment> planes =
       planesOf (*cloud.cloud, planeIds (labels), {cloud.up});
-  const std::vector<Thickness> all = thicknessOf (*cloud.cloud, planes);
+  const std::vector<Thickness> thicknesses = thicknessOf (*cloud.cloud, planes);
   ThicknessSummary summary;
   summary.thick_length = cloud.thick_length;
-  std::size_t largest = 0;
+  std::size_t largest_size = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::size_t size = planes[i].inliers.size();
     const double share = fraction (size, cloud.cloud->size(), 0.0);
     summary.on_planes += share;
-    if (all[i].factor() > thick_factor)
+    if (thicknesses[i].factor() > thick_factor)
       summary.on_thick_by_factor += share;
-    if (all[i].rms > cloud.thick_length)
+    if (thicknesses[i].rms > cloud.thick_length)
       summary.on_thick_by_length += share;
-    if (size > largest)
-      summary.rms_largest = all[i].rms;
-    largest = std::max (largest, size);
+    if (size > largest_size)
+      summary.rms_largest = thicknesses[i].rms;
+    largest_size = std::max (largest_size, size);
   }
   return summary;
 }
-
-std::string
-agreementColumn (const CloudChange& change)
-{
-  return std::string ("agreement_") + change.name;
-}
-
-/** The columns of numbers in results.csv, in order. */
-std::vector<std::string>
-columnsOfNumbers ()
-{
-  std::vector<std::string> columns{"points",
-                                   "truth_planes",
-                                   "result_planes",
-                                   "planes_before_merging",
-                                   "classification_accuracy",
-                                   "segmentation_accuracy",
-                                   "segmentation_accuracy_all"};
-  for (const char* at_iou : {"", "_75"})
-    for (const char* metric : {"precision",
-                               "recall",
-                               "f_score",
-                               "mean_iou",
-                               "panoptic_quality",
-                               "over_segmentation",
-                               "under_segmentation",
-                               "noise",
-                               "missed"})
-      columns.push_back (std::string (metric) + at_iou);
-  for (const auto& stage : detection_stages)
-    columns.push_back (std::string (stage.first) + "_ms");
-  for (const char* metric : {"points_off_planes_called_planes",
-                             "variation_of_information",
-                             "rand_index",
-                             "segmentation_covering"})
-    columns.emplace_back (metric);
-  for (const char* size_class : {"by_points_below_200",
-                                 "by_points_below_500",
-                                 "by_points_below_1000",
-                                 "by_points_below_3000",
-                                 "by_points_below_10000",
-                                 "by_points_from_10000",
-                                 "by_width_below_0.03",
-                                 "by_width_below_0.06",
-                                 "by_width_below_0.12",
-                                 "by_width_below_0.25",
-                                 "by_width_below_1",
-                                 "by_width_from_1"})
-    for (const char* planes : {"planes_", "found_", "found_75_"})
-      columns.push_back (std::string (planes) + size_class);
-  for (const char* thickness : {"on_planes_share",
-                                "thick_factor_share",
-                                "thick_length_share",
-                                "thick_length",
-                                "rms_largest"})
-    columns.emplace_back (thickness);
-  for (const CloudChange& change : cloud_changes)
-    columns.push_back (agreementColumn (change));
-  return columns;
-}
-
-std::string
-headerLine ()
-{
-  std::string line = "data_set,cloud,truth,configuration,seed";
-  for (const std::string& column : columnsOfNumbers())
-    line += ',' + column;
-  return line;
-}
-
-/** The numbers of a row by \ref columnsOfNumbers; a column that is missing is NaN. */
-using RowNumbers = std::map<std::string, double>;
 
 /** Adds the metrics that compare a result with the truth. */
 void
@@ -177,88 +104,6 @@ hasTruth (const EvaluationCloud& cloud)
   return cloud.truth || cloud.grows_truth;
 }
 
-/** Returns a cell of RFC 4180, quoted if needed, and a comma. A line break becomes a
- * space, so that each row is one line. */
-std::string
-csvCell (std::string text)
-{
-  std::replace (text.begin(), text.end(), '\n', ' ');
-  std::ostringstream cell;
-  if (text.find_first_of (",\"") == std::string::npos)
-    cell << text << ',';
-  else
-    cell << std::quoted (text, '"', '"') << ',';
-  return cell.str();
-}
-
-/** The rows of results.csv; has and add are thread-safe. */
-class ResultsFile {
-public:
-  explicit ResultsFile (const std::string& file) : file_ (file)
-  {
-    std::ifstream before (file, std::ios::binary);
-    const std::string text (std::istreambuf_iterator<char> (before), {});
-    const std::size_t complete = text.rfind ('\n') + 1; // 0 without a complete line
-    if (complete < text.size())
-      fs::resize_file (file, complete);
-    std::istringstream rows (text.substr (0, complete));
-    std::string line;
-    if (std::getline (rows, line) && line != headerLine())
-      throw WorkError (
-          file,
-          "has other columns than this version writes; give another output folder");
-    while (std::getline (rows, line))
-      lines_.insert (line);
-    stream_.open (file, std::ios::app);
-    if (complete == 0)
-      stream_ << headerLine() << '\n';
-    if (!stream_.flush())
-      throw OutputError (file, "cannot be written; give another output folder");
-  }
-
-  bool
-  has (const std::string& cells) const
-  {
-    const std::lock_guard<std::mutex> lock (mutex_);
-    const auto line = lines_.lower_bound (cells);
-    return line != lines_.end() && line->rfind (cells, 0) == 0;
-  }
-
-  void
-  add (const std::string& cells, const RowNumbers& numbers)
-  {
-    constexpr int digits = 7;
-    std::ostringstream line;
-    line.precision (digits);
-    line << cells;
-    const char* separator = "";
-    for (const std::string& column : columnsOfNumbers()) {
-      const auto number = numbers.find (column);
-      line << separator
-           << (number == numbers.end() ? std::numeric_limits<double>::quiet_NaN()
-                                       : number->second);
-      separator = ",";
-    }
-    const std::lock_guard<std::mutex> lock (mutex_);
-    const std::uintmax_t size = fs::file_size (file_);
-    if (!(stream_ << line.str() + '\n') || !stream_.flush()) {
-      stream_.close();
-      std::error_code ignored;
-      fs::resize_file (file_, size, ignored); // removes a partly written row
-      throw OutputError (
-          file_,
-          "cannot be written; make room and run it again, which goes on from here");
-    }
-    lines_.insert (line.str());
-  }
-
-private:
-  std::string file_;
-  std::ofstream stream_;
-  std::set<std::string> lines_;
-  mutable std::mutex mutex_;
-};
-
 /** Shifts the points, the image and their sensor origins; labels stay the same. */
 EvaluationCloud
 shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
@@ -278,12 +123,13 @@ shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
   return cloud;
 }
 
+/** Returns at most a number of points of a cloud, drawn at random, with their truth. */
 EvaluationCloud
 sampled (EvaluationCloud cloud, std::optional<std::size_t> most_points)
 {
   if (!most_points || *most_points >= cloud.cloud->size())
     return cloud;
-  const pcl::Indices points = drawPoints (cloud.cloud->size(), *most_points);
+  const pcl::Indices points = drawIndices (cloud.cloud->size(), *most_points);
   const XyzCloud::ConstPtr all = cloud.cloud;
   cloud.cloud.reset (new XyzCloud);
   pcl::copyPointCloud (*all, points, *cloud.cloud);
@@ -305,24 +151,26 @@ struct LoadedCloud {
   PlaneLabels truth = {};
 };
 
+/** A run over all clouds of a plan; its functions may run on several clouds at once. */
 struct Evaluation {
   const EvaluationPlan& plan;
   ResultsFile results;
   Progress progress;
   EvaluationSummary summary = {};
-  std::mutex counting = {};
+  std::mutex summary_mutex = {};
 
   void
-  count (std::size_t EvaluationSummary::*what, const std::string& message = "")
+  count (std::size_t EvaluationSummary::*number, const std::string& message = "")
   {
-    const std::lock_guard<std::mutex> lock (counting);
-    ++(summary.*what);
+    const std::lock_guard<std::mutex> lock (summary_mutex);
+    ++(summary.*number);
     if (!message.empty())
       progress.note (errorLine (message));
   }
 
+  /** Returns the name of truth by \ref growRegions. */
   std::string
-  grownTruth () const
+  nameOfGrownTruth () const
   {
     return "grown-k" + std::to_string (plan.truth.neighbors);
   }
@@ -332,9 +180,10 @@ struct Evaluation {
   {
     if (cloud.truth)
       return "exact";
-    return cloud.grows_truth ? grownTruth() : "none";
+    return cloud.grows_truth ? nameOfGrownTruth() : "none";
   }
 
+  /** Returns the first cells of a row. */
   std::string
   keyOf (const CloudSource& source,
          const std::string& truth,
@@ -347,27 +196,28 @@ struct Evaluation {
   /** Whether the file has a row with any kind of truth, as the kind is known only once
    * the cloud is loaded. False for \ref ownLabels, which are always read again. */
   bool
-  isThere (const CloudSource& source, const Configuration& configuration) const
+  hasRow (const CloudSource& source, const Configuration& configuration) const
   {
     if (configuration.is_own)
       return false;
-    const std::string truths[] = {grownTruth(), "exact", "none"};
+    const std::string truths[] = {nameOfGrownTruth(), "exact", "none"};
     return std::any_of (
         std::begin (truths), std::end (truths), [&] (const std::string& truth) {
           return results.has (keyOf (source, truth, configuration));
         });
   }
 
+  /** Whether all rows of a cloud are there and no truth is to be saved alone. */
   bool
   isDone (const CloudSource& source) const
   {
     const std::vector<Configuration>& all = plan.configurations;
-    const bool only_saves = all.empty() && !plan.labels_folder.empty();
-    return !only_saves && std::all_of (all.begin(),
-                                       all.end(),
-                                       [&] (const Configuration& configuration) {
-                                         return isThere (source, configuration);
-                                       });
+    const bool saves_truth_alone = all.empty() && !plan.labels_folder.empty();
+    return !saves_truth_alone && std::all_of (all.begin(),
+                                              all.end(),
+                                              [&] (const Configuration& configuration) {
+                                                return hasRow (source, configuration);
+                                              });
   }
 
   /** \return nullopt if the cloud cannot be loaded, which is reported and counted */
@@ -376,7 +226,7 @@ struct Evaluation {
   {
     LoadedCloud cloud{source};
     try {
-      inMemory (source.name, fewer_at_a_time, [&] {
+      inMemory (source.name, memory_advice, [&] {
         cloud.loaded = shifted (sampled (source.load(), plan.most_points), plan.shift);
         cloud.truth = truthOf (cloud.loaded, plan.truth);
       });
@@ -496,7 +346,7 @@ struct Evaluation {
       return;
     RowNumbers row;
     try {
-      row = inMemory (configuration.name, fewer_at_a_time, [&] {
+      row = inMemory (configuration.name, memory_advice, [&] {
         return runDetector (cloud, configuration);
       });
     }

@@ -41,13 +41,13 @@ measureTaking (const std::string& name, std::vector<double> times)
 TEST (Measures, TakeTurnsAndTheShortestRunCounts)
 {
   std::string told;
-  const std::vector<Measure> measured =
-      measureInTurns ({measureTaking ("a", {5.0, 2.0, 4.0}),
-                       measureTaking ("b", {7.0, 7.0}),
-                       measureTaking ("c", {2.0 * patience, 1.0})}, // too long for more
-                      [&] (const std::string& what) { told += what; });
+  const std::vector<Measure> measured = measureInTurns (
+      {measureTaking ("a", {5.0, 2.0, 4.0}),
+       measureTaking ("b", {7.0, 7.0}),
+       measureTaking ("c", {2.0 * max_repeated_time, 1.0})}, // too long for more
+      [&] (const std::string& what) { told += what; });
   EXPECT_EQ (told, "abcaba");
-  EXPECT_EQ (measured[0].best.detection, 2.0);
+  EXPECT_EQ (measured[0].shortest.detection, 2.0);
   EXPECT_EQ (measured[0].runs, 3u);
   EXPECT_EQ (measured[2].runs, 1u);
 }
@@ -60,6 +60,7 @@ TEST (Boards, EachIsAPlaneOfItsOwn)
   EXPECT_EQ (std::count_if (scan.cloud.begin(), scan.cloud.end(), isOfLast), 500);
 }
 
+/** Draws a point in a cube around the origin. */
 Vector3d
 inCube (Random& random, double edge)
 {
@@ -80,8 +81,8 @@ cloudOf (const Draw& draw)
   return cloud;
 }
 
-/** Points on all scales.
- * \param[in] lowest, highest decimal logarithms of the scale [m] */
+/** Returns points in cubes of all sizes.
+ * \param[in] lowest, highest decimal logarithms of half the edge of a cube [m] */
 Cloud::Ptr
 logUniform (double lowest, double highest)
 {
@@ -106,10 +107,10 @@ worstClouds ()
            })},
           {"10 exact planes", scanOf (makeBoards (10), 0.0)},
           {"lattice", cloudOf ([] (Random&, std::size_t i) -> Vector3d {
-             constexpr std::size_t edge = 22;
-             const Vector3d place (
+             constexpr std::size_t edge = 22; // points along each axis
+             const Vector3d cell (
                  double (i % edge), double (i / edge % edge), double (i / edge / edge));
-             return width / edge * place;
+             return width / edge * cell;
            })},
           {"1000 planes", scanOf (makeBoards (1000), 1.0)},
           {"log-uniform points", logUniform (-6.0, 6.0)},
@@ -164,8 +165,8 @@ TEST (WorstCases, KeepTheBounds)
       SCOPED_TRACE (detector.name + " on " + name);
       const std::vector<Measure> measured = measureInTurns (
           {measureOn (room), measureOn (cloud)}, [] (const std::string&) {});
-      EXPECT_LT (measured[1].best.detection,
-                 disturbance * time_bound * measured[0].best.detection);
+      EXPECT_LT (measured[1].shortest.detection,
+                 disturbance * time_bound * measured[0].shortest.detection);
       EXPECT_LT (peakMemoryOn (cloud, detector), memory_bound * room_bytes);
     }
   }
@@ -177,21 +178,21 @@ TEST (WorstCases, DoNotGrowWithTheSquareOfTheNumberOfEqualOrFarPoints)
   constexpr double time_bound = 10.0;
   constexpr std::size_t many = 100'000;
   const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0, many);
-  const auto scaled = [&] (float unit) {
+  const auto scaled = [&] (float factor) {
     return changed (*room, [=] (std::size_t, pcl::PointXYZ& point) {
-      point.getVector3fMap() *= unit;
+      point.getVector3fMap() *= factor;
     });
   };
-  const pcl::PointXYZ place (1.0f, 2.0f, 3.0f);
+  const pcl::PointXYZ position (1.0f, 2.0f, 3.0f);
   const std::pair<const char*, Cloud::Ptr> clouds[] = {
       {"half of them equal",
        changed (*room,
                 [&] (std::size_t i, pcl::PointXYZ& point) {
                   if (i % 2 == 0)
-                    point = place;
+                    point = position;
                 })},
       {"all equal",
-       changed (*room, [&] (std::size_t, pcl::PointXYZ& point) { point = place; })},
+       changed (*room, [&] (std::size_t, pcl::PointXYZ& point) { point = position; })},
       {"squares beyond single precision", scaled (1e30f)},
       {"squares below single precision", scaled (1e-25f)}};
   for (const auto& detector : pcl_ops::evaluation::selectConfigurations ("ops-3-30")) {

@@ -15,6 +15,7 @@
 #include <iostream>
 #include <map>
 #include <string>
+#include <tuple>
 
 using namespace pcl_ops;
 using namespace pcl_ops::simulation;
@@ -59,10 +60,9 @@ struct Found {
   std::vector<PlaneKind> kinds;
 };
 
-/** \brief Areas of found planes that truly are of a kind, and that were given this kind
- * [m^2].
- */
-struct Count {
+/** \brief Areas of found planes that truly are of a kind, that are called so, and that
+ * are both [m^2]. */
+struct Areas {
   double truly = 0.0, called = 0.0, both = 0.0;
 
   void
@@ -76,11 +76,12 @@ struct Count {
 
 using TrueKind = std::function<PlaneKind (const Plane&)>;
 
-/** \brief Counts each kind (floors, ceilings, ...) and all kinds together. */
-class Counts {
+/** \brief Adds up the areas of each kind (floors, ceilings, ...) and of all together.
+ */
+class AreasOfKinds {
 public:
-  explicit Counts (std::vector<PlaneKind> kinds)
-  : kinds_ (std::move (kinds)), counts_ (kinds_.size() + 1)
+  explicit AreasOfKinds (std::vector<PlaneKind> kinds)
+  : kinds_ (std::move (kinds)), areas_ (kinds_.size() + 1)
   {}
 
   void
@@ -92,23 +93,23 @@ public:
           truth == 0 ? PlaneKind::Other : true_kind (found.simulated.planes[truth - 1]);
       const double area = found.extents[i].area;
       for (std::size_t k = 0; k < kinds_.size(); ++k)
-        for (Count* count : {&counts_[k], &counts_.back()})
-          count->add (truly == kinds_[k], found.kinds[i] == kinds_[k], area);
+        for (Areas* areas : {&areas_[k], &areas_.back()})
+          areas->add (truly == kinds_[k], found.kinds[i] == kinds_[k], area);
     }
   }
 
-  /** \brief Share of the area truly of a kind that was given this kind; \ref precision
-   * is the share of the area given a kind that truly is of it. */
+  /** \brief Share of the area truly of a kind that is called so. */
   double
   recall () const
   {
-    return counts_.back().both / counts_.back().truly;
+    return areas_.back().both / areas_.back().truly;
   }
 
+  /** \brief Share of the area called so that truly is of the kind. */
   double
   precision () const
   {
-    return counts_.back().both / counts_.back().called;
+    return areas_.back().both / areas_.back().called;
   }
 
   void
@@ -118,7 +119,7 @@ public:
     for (std::size_t k = 0; k < kinds_.size(); ++k)
       std::printf (" %s %.1f %%,",
                    toString (kinds_[k]),
-                   100.0 * counts_[k].both / counts_[k].truly);
+                   100.0 * areas_[k].both / areas_[k].truly);
     std::printf (" together %.1f %%, so named and right %.1f %%\n",
                  100.0 * recall(),
                  100.0 * precision());
@@ -126,63 +127,74 @@ public:
 
 private:
   std::vector<PlaneKind> kinds_;
-  std::vector<Count> counts_; // of each kind, then of all
+  std::vector<Areas> areas_; // of each kind, then of all
 };
 
-/** \brief Tells the kind of a plane by the box of the room. */
+/** \brief Returns a function that tells the kind of a true plane by the box of the
+ * room.
+ */
 TrueKind
-shellOf (const Site& room)
+trueKindsIn (const Site& room)
 {
   return [&room] (const Plane& plane) {
-    constexpr double same = 0.01; // [m], and as a sine
+    constexpr double same_offset = 0.01;    // largest difference [m]
+    constexpr double level_cosine = 0.99;   // of a level normal
+    constexpr double along_cosine = 0.9999; // of a normal along an axis
     const Vector3d normal = turnZ (-room.yaw) * plane.normal;
-    if (std::abs (normal.z()) > 1.0 - same) {
+    if (std::abs (normal.z()) > level_cosine) {
       const double height = -plane.offset / normal.z();
-      return std::abs (height) < same                   ? PlaneKind::Floor
-             : std::abs (height - room.size.z()) < same ? PlaneKind::Ceiling
-                                                        : PlaneKind::Other;
+      return std::abs (height) < same_offset                   ? PlaneKind::Floor
+             : std::abs (height - room.size.z()) < same_offset ? PlaneKind::Ceiling
+                                                               : PlaneKind::Other;
     }
     for (const int axis : {0, 1})
-      if (std::abs (normal[axis]) > 1.0 - same * same &&
-          std::abs (std::abs (plane.offset) - 0.5 * room.size[axis]) < same)
+      if (std::abs (normal[axis]) > along_cosine &&
+          std::abs (std::abs (plane.offset) - 0.5 * room.size[axis]) < same_offset)
         return PlaneKind::Wall;
     return PlaneKind::Other;
   };
 }
 
-Counts
-countRooms (Seed rooms, std::optional<double> points)
+/** \param[in] points of a scan from everywhere; nullopt: one depth image */
+AreasOfKinds
+areasInRooms (Seed rooms, std::optional<double> points)
 {
-  Counts counts ({PlaneKind::Floor, PlaneKind::Ceiling, PlaneKind::Wall});
+  AreasOfKinds areas ({PlaneKind::Floor, PlaneKind::Ceiling, PlaneKind::Wall});
   for (Seed seed = first_seed; seed < first_seed + rooms; ++seed) {
     Simulation simulation;
     simulation.seed = seed;
     simulation.points = points;
     const Site room = makeRoom (seed);
-    counts.add (Found (simulation), shellOf (room));
+    areas.add (Found (simulation), trueKindsIn (room));
   }
-  counts.print (std::to_string (rooms) + " rooms");
-  return counts;
+  areas.print (std::to_string (rooms) + " rooms");
+  return areas;
 }
 
+struct Interval {
+  double from, to; // [m]
+};
+
 /** \brief Returns the ranges along an axis in which a wall has a surface at a height,
- * ascending [m].
- * \param[in] place coordinate of the wall on the other axis [m] */
-std::vector<std::pair<double, double>>
-solidParts (const Site& room, int axis, double place, double height)
+ * in ascending order.
+ * \param[in] wall coordinate of the wall on the other horizontal axis [m] */
+std::vector<Interval>
+solidParts (const Site& room, int axis, double wall, double height)
 {
   constexpr double same = 1e-6;
   const Isometry3d to_room = turnZ (-room.yaw);
-  std::vector<std::pair<double, double>> parts;
+  std::vector<Interval> parts;
   for (const Shape& shape : room.scene.bodies.front().shapes) {
     const Vector3d center = to_room * shape.center;
     const Vector3d half = (shape.half_u * (to_room.linear() * shape.u)).cwiseAbs() +
                           (shape.half_v * (to_room.linear() * shape.v)).cwiseAbs();
-    if (half[1 - axis] < same && std::abs (center[1 - axis] - place) < same &&
+    if (half[1 - axis] < same && std::abs (center[1 - axis] - wall) < same &&
         std::abs (center.z() - height) <= half.z())
-      parts.emplace_back (center[axis] - half[axis], center[axis] + half[axis]);
+      parts.push_back ({center[axis] - half[axis], center[axis] + half[axis]});
   }
-  std::sort (parts.begin(), parts.end());
+  std::sort (parts.begin(), parts.end(), [] (const Interval& a, const Interval& b) {
+    return std::tie (a.from, a.to) < std::tie (b.from, b.to);
+  });
   return parts;
 }
 
@@ -190,14 +202,14 @@ solidParts (const Site& room, int axis, double place, double height)
 std::vector<double>
 trueOpenings (const Site& room, double height)
 {
-  constexpr double least = 1e-3;
+  constexpr double narrowest = 1e-3; // [m]
   std::vector<double> widths;
   for (const int axis : {0, 1})
     for (const double side : {-0.5, 0.5}) {
       double solid_to = -0.5 * room.size[axis];
       for (const auto& [from, to] :
            solidParts (room, axis, side * room.size[1 - axis], height)) {
-        if (from > solid_to + least)
+        if (from > solid_to + narrowest)
           widths.push_back (from - solid_to);
         solid_to = std::max (solid_to, to);
       }
@@ -220,12 +232,14 @@ textOf (const std::vector<double>& lengths)
 
 /** \brief Errors of a floor plan. */
 struct PlanErrors {
-  double length = 0.0, area = 0.0; // largest, as shares
+  double length = 0.0; // largest of the four longest walls, as a share of the length
+  double area = 0.0;   // as a share of the area
   bool has_all_openings = false;
 };
 
+/** \brief Compares the floor plan of a simulated room with the room, and prints it. */
 PlanErrors
-errorsOf (Seed seed)
+planErrorsOf (Seed seed)
 {
   Simulation simulation;
   simulation.seed = seed;
@@ -268,10 +282,10 @@ errorsOf (Seed seed)
   return errors;
 }
 
-/** \brief Share of each wall that furniture hides up to 2 m height, share that is
- * missing, and the noise [m]. */
 struct Hardship {
-  double hidden = 0.4, missing = 0.1, noise = 0.02;
+  double hidden = 0.4;  // share of each wall that furniture hides up to 2 m height
+  double missing = 0.1; // share of each wall without points
+  double noise = 0.02;  // standard deviation of each coordinate [m]
 };
 
 /** \brief Returns the points of a simulated room as in a worse scan. The furniture that
@@ -281,8 +295,10 @@ scannedWorse (SimulatedCloud simulated, const Site& room, const Hardship& hardsh
 {
   constexpr double same = 0.05, height_of_furniture = 2.0; // [m]
   Random random (7);
-  std::array<std::array<double, 2>, 4>
-      begins{}; // of the hidden and the missing part, as shares of the wall
+  struct Begins { // of the hidden and the missing part, as shares of the wall
+    double hidden, missing;
+  };
+  std::array<Begins, 4> begins{}; // of each wall
   for (auto& [hidden, missing] : begins) {
     hidden = random.between (0.0, 1.0 - hardship.hidden);
     missing = random.between (0.0, 1.0 - hardship.missing);
@@ -290,16 +306,16 @@ scannedWorse (SimulatedCloud simulated, const Site& room, const Hardship& hardsh
   const Isometry3d to_room = turnZ (-room.yaw);
   LabeledCloud kept;
   for (pcl::PointXYZL point : simulated.cloud) {
-    const Vector3d place = to_room * point.getVector3fMap().cast<double>();
+    const Vector3d position = to_room * point.getVector3fMap().cast<double>();
     bool is_seen = true;
     for (const int axis : {0, 1})
       for (const int side : {0, 1}) {
-        if (std::abs (place[1 - axis] - (side - 0.5) * room.size[1 - axis]) > same)
+        if (std::abs (position[1 - axis] - (side - 0.5) * room.size[1 - axis]) > same)
           continue;
         const auto [hidden, missing] = begins[2 * axis + side];
-        const double share = place[axis] / room.size[axis] + 0.5;
+        const double share = position[axis] / room.size[axis] + 0.5;
         const bool is_hidden = share > hidden && share < hidden + hardship.hidden &&
-                               place.z() < height_of_furniture;
+                               position.z() < height_of_furniture;
         is_seen = is_seen && !is_hidden &&
                   !(share > missing && share < missing + hardship.missing);
       }
@@ -317,37 +333,39 @@ scannedWorse (SimulatedCloud simulated, const Site& room, const Hardship& hardsh
 
 TEST (Kinds, AreRightInRoomsScannedFromEverywhere)
 {
-  const Counts counts = countRooms (8, 300'000.0);
-  EXPECT_GT (counts.recall(), 0.98);
-  EXPECT_GT (counts.precision(), 0.95);
+  const AreasOfKinds areas = areasInRooms (8, 300'000.0);
+  EXPECT_GT (areas.recall(), 0.98);
+  EXPECT_GT (areas.precision(), 0.95);
 }
 
 TEST (Kinds, AreRightInRoomsInOneDepthImage)
 {
-  const Counts counts = countRooms (20, {});
-  EXPECT_GT (counts.recall(), 0.95);
-  EXPECT_GT (counts.precision(), 0.93);
+  const AreasOfKinds areas = areasInRooms (20, std::nullopt);
+  EXPECT_GT (areas.recall(), 0.95);
+  EXPECT_GT (areas.precision(), 0.93);
 }
 
 TEST (Kinds, AreRightOfHousesInASurvey)
 {
   constexpr Seed surveys = 3;
-  Counts counts ({PlaneKind::Floor, PlaneKind::Wall, PlaneKind::Roof});
+  AreasOfKinds areas ({PlaneKind::Floor, PlaneKind::Wall, PlaneKind::Roof});
   for (Seed seed = 1; seed <= surveys; ++seed) {
     Simulation simulation;
     simulation.scene = "survey";
     simulation.seed = seed;
-    counts.add (Found (simulation), [] (const Plane& plane) {
-      constexpr double level = 0.99; // cosine
-      const double upright = std::abs (plane.normal.z());
-      return upright > level         ? PlaneKind::Floor
-             : upright < 1.0 - level ? PlaneKind::Wall
-                                     : PlaneKind::Roof;
+    areas.add (Found (simulation), [] (const Plane& plane) {
+      // Cosines of the angle from the normal to the up axis.
+      constexpr double of_level_planes = 0.99;
+      constexpr double of_upright_planes = 1.0 - of_level_planes;
+      const double cosine = std::abs (plane.normal.z());
+      return cosine > of_level_planes     ? PlaneKind::Floor
+             : cosine < of_upright_planes ? PlaneKind::Wall
+                                          : PlaneKind::Roof;
     });
   }
-  counts.print ("3 surveys of 36 houses");
-  EXPECT_GT (counts.recall(), 0.98);
-  EXPECT_GT (counts.precision(), 0.98);
+  areas.print ("3 surveys of 36 houses");
+  EXPECT_GT (areas.recall(), 0.98);
+  EXPECT_GT (areas.precision(), 0.98);
 }
 
 TEST (Plans, OfRoomsAreRightToAPercentWithNearlyAllOpenings)
@@ -356,7 +374,7 @@ TEST (Plans, OfRoomsAreRightToAPercentWithNearlyAllOpenings)
   constexpr Seed rooms_with_all_openings = 4;
   Seed with_all_openings = 0;
   for (Seed seed = first_seed; seed < first_seed + rooms; ++seed) {
-    const PlanErrors errors = errorsOf (seed);
+    const PlanErrors errors = planErrorsOf (seed);
     EXPECT_LT (errors.length, 0.01) << seed;
     EXPECT_LT (errors.area, 0.02) << seed;
     with_all_openings += errors.has_all_openings ? 1 : 0;

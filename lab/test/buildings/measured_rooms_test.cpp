@@ -29,19 +29,19 @@ namespace {
 namespace fs = std::filesystem;
 
 struct MeasuredRoom {
-  std::vector<Eigen::Vector2d> corners = {};
+  std::vector<Eigen::Vector2d> corners = {};      // counter-clockwise [m]
   double max_error = 0.0;                         // of the area, as a share
-  std::optional<double> floor = {}, ceiling = {}; // [m], where they were seen
+  std::optional<double> floor = {}, ceiling = {}; // heights, where they were seen [m]
 
   double
   area () const
   {
-    double twice = 0.0;
+    double twice_area = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Eigen::Vector2d& next = corners[(i + 1) % corners.size()];
-      twice += corners[i].x() * next.y() - corners[i].y() * next.x();
+      twice_area += corners[i].x() * next.y() - corners[i].y() * next.x();
     }
-    return 0.5 * twice;
+    return 0.5 * twice_area;
   }
 };
 
@@ -79,8 +79,8 @@ measuredClouds ()
     room.max_error = 0.01 * std::stod (percent);
     room.floor = heightOf (floor);
     room.ceiling = heightOf (ceiling);
-    std::istringstream places (corners);
-    for (double x = 0.0, y = 0.0; places >> x >> comma >> y;)
+    std::istringstream coordinates (corners);
+    for (double x = 0.0, y = 0.0; coordinates >> x >> comma >> y;)
       room.corners.emplace_back (x, y);
   }
   return clouds;
@@ -100,38 +100,46 @@ planOfFile (const fs::path& file, const Eigen::Vector3d& up)
   return findFloorPlan (*loaded.cloud, planes, planeKinds (planes, extents, up), up);
 }
 
-using Segments = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+struct Segment {
+  Eigen::Vector2d from, to;
+};
 
+using Segments = std::vector<Segment>;
+
+/** Returns the distance to the nearest of some segments. */
 double
-distanceTo (const Segments& segments, const Eigen::Vector2d& place)
+distanceTo (const Segments& segments, const Eigen::Vector2d& position)
 {
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : segments) {
-    const Eigen::Vector2d way = to - from;
+    const Eigen::Vector2d along = to - from;
     const double share =
-        std::clamp (way.dot (place - from) / way.squaredNorm(), 0.0, 1.0);
-    nearest = std::min (nearest, (from + share * way - place).norm());
+        std::clamp (along.dot (position - from) / along.squaredNorm(), 0.0, 1.0);
+    nearest = std::min (nearest, (from + share * along - position).norm());
   }
   return nearest;
 }
 
-/** Returns the length of segments that is within a distance of other segments, and the
- * whole length of the segments [m]. */
-std::pair<double, double>
+struct Lengths {
+  double near, whole; // [m]
+};
+
+/** Returns the length of segments that is near other segments, and their whole length.
+ * \param[in] distance largest distance of what is near [m] */
+Lengths
 lengthNear (const Segments& segments, const Segments& others, double distance)
 {
   constexpr double step = 0.02; // [m]
-  double near = 0.0;
-  double all = 0.0;
+  Lengths lengths{};
   for (const auto& [from, to] : segments) {
     const auto steps = static_cast<int> (std::ceil ((to - from).norm() / step));
     for (int i = 0; i < steps; ++i) {
-      const Eigen::Vector2d place = from + (i + 0.5) / steps * (to - from);
-      all += step;
-      near += distanceTo (others, place) < distance ? step : 0.0;
+      const Eigen::Vector2d position = from + (i + 0.5) / steps * (to - from);
+      lengths.whole += step;
+      lengths.near += distanceTo (others, position) < distance ? step : 0.0;
     }
   }
-  return {near, all};
+  return lengths;
 }
 
 Segments
@@ -140,8 +148,8 @@ outlinesOf (const MeasuredCloud& cloud)
   Segments outlines;
   for (const MeasuredRoom& room : cloud.rooms)
     for (std::size_t i = 0; i < room.corners.size(); ++i)
-      outlines.emplace_back (room.corners[i],
-                             room.corners[(i + 1) % room.corners.size()]);
+      outlines.push_back (
+          {room.corners[i], room.corners[(i + 1) % room.corners.size()]});
   return outlines;
 }
 
@@ -150,7 +158,7 @@ wallsOf (const FloorPlan& plan)
 {
   Segments walls;
   for (const PlanWall& wall : plan.walls)
-    walls.emplace_back (wall.from, wall.to);
+    walls.push_back ({wall.from, wall.to});
   return walls;
 }
 
@@ -158,11 +166,11 @@ wallsOf (const FloorPlan& plan)
 
 TEST (MeasuredRooms, HaveTheirWalls)
 {
-  constexpr double same = 0.1; // [m]
+  constexpr double same = 0.1; // largest distance of equal walls [m]
   double measured_length = 0.0;
-  double found = 0.0;
-  double drawn = 0.0;
-  double right = 0.0;
+  double found_length = 0.0;
+  double drawn_length = 0.0;
+  double right_length = 0.0;
   for (const auto& [name, measured] : measuredClouds()) {
     const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
     if (measured.rooms.empty())
@@ -171,22 +179,22 @@ TEST (MeasuredRooms, HaveTheirWalls)
       GTEST_SKIP() << "no " << file;
     const Segments truth = outlinesOf (measured);
     const Segments walls = wallsOf (planOfFile (file, measured.up));
-    const auto [near_walls, of_truth] = lengthNear (truth, walls, same);
-    const auto [near_truth, of_walls] = lengthNear (walls, truth, same);
+    const Lengths of_truth = lengthNear (truth, walls, same);
+    const Lengths of_walls = lengthNear (walls, truth, same);
     std::printf (
         "| %s | walls of %.1f m, found %.0f %% | drawn %.1f m, right %.0f %% |\n",
         name.c_str(),
-        of_truth,
-        100.0 * near_walls / of_truth,
-        of_walls,
-        100.0 * near_truth / of_walls);
-    measured_length += of_truth;
-    found += near_walls;
-    drawn += of_walls;
-    right += near_truth;
+        of_truth.whole,
+        100.0 * of_truth.near / of_truth.whole,
+        of_walls.whole,
+        100.0 * of_walls.near / of_walls.whole);
+    measured_length += of_truth.whole;
+    found_length += of_truth.near;
+    drawn_length += of_walls.whole;
+    right_length += of_walls.near;
   }
-  EXPECT_GT (found, 0.85 * measured_length);
-  EXPECT_GT (right, 0.9 * drawn);
+  EXPECT_GT (found_length, 0.85 * measured_length);
+  EXPECT_GT (right_length, 0.9 * drawn_length);
 }
 
 TEST (MeasuredRooms, AreFoundAndNoOthers)
@@ -214,7 +222,7 @@ TEST (MeasuredRooms, AreFoundAndNoOthers)
 
 TEST (MeasuredRooms, HaveTheirHeights)
 {
-  constexpr double same = 0.02; // [m]
+  constexpr double same = 0.02; // largest difference of equal heights [m]
   for (const auto& [name, measured] : measuredClouds()) {
     const auto file = fs::path (PCL_OPS_DATA_DIR) / name;
     if (measured.rooms.empty())

@@ -16,17 +16,18 @@ import unittest
 PROGRAMS = pathlib.Path(sys.argv[1])
 DATA = pathlib.Path(os.environ.get("PCL_OPS_DATA_DIR", "no data"))
 NAMED = pathlib.Path(__file__).with_name("kinds_of_real_planes.tsv")
-RIGHT = {"ground": {"floor", "ramp", "other"}}
+# Kinds that are right for a true kind, where it is not that kind alone.
+RIGHT_KINDS = {"ground": {"floor", "ramp", "other"}}
 
 
 def named_planes():
-    """Rows of the table by cloud: place, area and what the plane is."""
+    """Rows of the table by cloud: a position on the plane, its area and its true kind."""
     clouds = {}
     for line in NAMED.read_text(encoding="utf-8").splitlines():
         if not line.startswith("#"):
-            cloud, place, area, kind = line.split("\t")
+            cloud, position, area, kind = line.split("\t")
             clouds.setdefault(cloud, []).append(
-                ([float(value) for value in place.split(",")], float(area), kind))
+                ([float(value) for value in position.split(",")], float(area), kind))
     return clouds
 
 
@@ -36,25 +37,28 @@ def planes_of(cloud):
     return json.loads(done.stdout)["planes"]
 
 
-def plane_at(place, planes):
-    """The nearest of the planes that pass a place and reach it."""
-    best, best_height = None, float("inf")
+def plane_at(position, planes):
+    """The plane with the least distance to a position, of those that are near it (3 rms, at
+    least 5 cm) and whose length reaches from the centroid to it; None if there is no such one."""
+    nearest, least_distance = None, float("inf")
     for plane in planes:
-        off = [a - b for a, b in zip(place, plane["centroid"])]
-        height = abs(sum(a * b for a, b in zip(plane["normal"], off)))
-        reaches = sum(value * value for value in off) <= 0.25 * plane["extent"]["length"] ** 2
-        if reaches and height < min(best_height, max(3.0 * plane["rms"], 0.05)):
-            best, best_height = plane, height
-    return best
+        from_centroid = [a - b for a, b in zip(position, plane["centroid"])]
+        distance = abs(sum(a * b for a, b in zip(plane["normal"], from_centroid)))
+        half_length = 0.5 * plane["extent"]["length"]
+        reaches = sum(value * value for value in from_centroid) <= half_length ** 2
+        if reaches and distance < min(least_distance, max(3.0 * plane["rms"], 0.05)):
+            nearest, least_distance = plane, distance
+    return nearest
 
 
 def right_share(rows, planes):
-    right = 0.0
-    for place, area, kind in rows:
-        plane = plane_at(place, planes)
-        if plane and plane["kind"] in RIGHT.get(kind, {kind}):
-            right += area
-    return right / sum(area for _, area, _ in rows)
+    """Share of the area of a cloud's named planes that has a right kind."""
+    right_area = 0.0
+    for position, area, kind in rows:
+        plane = plane_at(position, planes)
+        if plane and plane["kind"] in RIGHT_KINDS.get(kind, {kind}):
+            right_area += area
+    return right_area / sum(area for _, area, _ in rows)
 
 
 class RealKinds(unittest.TestCase):

@@ -36,12 +36,14 @@ planOf (const LabeledCloud& points)
 
 /** \brief Numbers of rooms, and of doors between two rooms that were found. */
 struct Tally {
-  double truly = 0.0, found = 0.0, exact = 0.0, drawn = 0.0, invented = 0.0;
-  double doors = 0.0, found_doors = 0.0, invented_doors = 0.0;
+  double true_rooms = 0.0, found_rooms = 0.0, exact_rooms = 0.0;
+  double drawn_rooms = 0.0, invented_rooms = 0.0; // of plans
+  double true_doors = 0.0, found_doors = 0.0, invented_doors = 0.0;
 };
 
 /** \brief Compares the doors between rooms.
- * \param[in] truth true room of each room of the plan; nullopt: an invented room */
+ * \param[in] truth index of the true room of each room of the plan; nullopt: an invented
+ * room */
 void
 addDoors (const Story& story,
           const FloorPlan& plan,
@@ -53,66 +55,68 @@ addDoors (const Story& story,
     for (const std::size_t j : plan.roomsBehindDoorsOf (i))
       if (truth[i] && truth[j])
         found.insert (std::minmax (*truth[i], *truth[j]));
-  const auto is_found = [&] (std::size_t room) {
+  const auto isFound = [&] (std::size_t room) {
     return std::find (truth.begin(), truth.end(), room) != truth.end();
   };
   for (const auto& [one, other] : story.doors)
-    if (is_found (one) && is_found (other)) {
-      tally.doors += 1.0;
+    if (isFound (one) && isFound (other)) {
+      tally.true_doors += 1.0;
       tally.found_doors += static_cast<double> (found.count ({one, other}));
     }
   for (const auto& door : found)
     tally.invented_doors += story.doors.count (door) == 0 ? 1.0 : 0.0;
 }
 
-/** \brief Counts rooms. A true room is found if a room of the plan has its middle in it
- * and 4/5 to 5/4 of its area; it is exact if the areas agree within 3 %. Other rooms of
- * the plan are invented. */
+/** \brief Counts rooms and doors. A true room is found if a room of the plan has its
+ * middle in it and 4/5 to 5/4 of its area; it is exact if the areas agree within 3 %.
+ * Other rooms of the plan are invented. */
 void
-add (const Story& story, const FloorPlan& plan, Tally& tally)
+addRooms (const Story& story, const FloorPlan& plan, Tally& tally)
 {
-  constexpr double near = 1.25;
-  constexpr double exact = 1.03;
-  const Isometry3d back = turnZ (-story.yaw);
+  constexpr double factor_of_found = 1.25; // largest factor between the areas
+  constexpr double factor_of_exact = 1.03;
+  const Isometry3d to_rooms = turnZ (-story.yaw);
   std::vector<char> is_found (story.rooms.size(), 0);
   std::vector<std::optional<std::size_t>> truth;
   for (const PlanRoom& drawn : plan.rooms) {
     truth.emplace_back();
-    const Vector3d middle = back * Vector3d (drawn.middle.x(), drawn.middle.y(), 0.0);
+    const Vector3d middle =
+        to_rooms * Vector3d (drawn.middle.x(), drawn.middle.y(), 0.0);
     for (std::size_t i = 0; i < story.rooms.size(); ++i) {
-      const double area = story.rooms[i].volume();
+      const double area = story.rooms[i].volume(); // of a 2-d box
       const double factor = std::max (drawn.area / area, area / drawn.area);
-      if (is_found[i] || factor > near ||
+      if (is_found[i] || factor > factor_of_found ||
           !story.rooms[i].contains (middle.head<2>().eval()))
         continue;
       is_found[i] = 1;
       truth.back() = i;
-      tally.found += 1.0;
-      tally.exact += factor < exact ? 1.0 : 0.0;
+      tally.found_rooms += 1.0;
+      tally.exact_rooms += factor < factor_of_exact ? 1.0 : 0.0;
     }
-    tally.invented += truth.back() ? 0.0 : 1.0;
+    tally.invented_rooms += truth.back() ? 0.0 : 1.0;
   }
-  tally.truly += static_cast<double> (story.rooms.size());
-  tally.drawn += static_cast<double> (plan.rooms.size());
+  tally.true_rooms += static_cast<double> (story.rooms.size());
+  tally.drawn_rooms += static_cast<double> (plan.rooms.size());
   addDoors (story, plan, truth, tally);
 }
 
+/** \brief Counts in simulated stories, and prints the numbers. */
 Tally
 tallyOf (const std::string& title, const StoryHardship& hardship, Seed stories = 3)
 {
   Tally tally;
   for (Seed seed = 1; seed <= stories; ++seed) {
     const Story story = makeStory (seed, hardship);
-    add (story, planOf (story.cloud), tally);
+    addRooms (story, planOf (story.cloud), tally);
   }
   std::printf ("| %s | %.0f rooms | %.0f found | %.0f within 3 %% | %.0f invented | "
                "%.0f ways | %.0f found | %.0f invented |\n",
                title.c_str(),
-               tally.truly,
-               tally.found,
-               tally.exact,
-               tally.invented,
-               tally.doors,
+               tally.true_rooms,
+               tally.found_rooms,
+               tally.exact_rooms,
+               tally.invented_rooms,
+               tally.true_doors,
                tally.found_doors,
                tally.invented_doors);
   return tally;
@@ -123,11 +127,11 @@ tallyOf (const std::string& title, const StoryHardship& hardship, Seed stories =
 void
 expectNearlyAll (const Tally& rooms)
 {
-  EXPECT_GE (rooms.found, 0.9 * rooms.truly);
-  EXPECT_GE (rooms.exact, 0.8 * rooms.truly);
-  EXPECT_LE (rooms.invented, 0.05 * rooms.drawn);
-  EXPECT_GE (rooms.found_doors, 0.9 * rooms.doors);
-  EXPECT_LE (rooms.invented_doors, 0.05 * rooms.doors);
+  EXPECT_GE (rooms.found_rooms, 0.9 * rooms.true_rooms);
+  EXPECT_GE (rooms.exact_rooms, 0.8 * rooms.true_rooms);
+  EXPECT_LE (rooms.invented_rooms, 0.05 * rooms.drawn_rooms);
+  EXPECT_GE (rooms.found_doors, 0.9 * rooms.true_doors);
+  EXPECT_LE (rooms.invented_doors, 0.05 * rooms.true_doors);
 }
 
 } // namespace
@@ -135,10 +139,10 @@ expectNearlyAll (const Tally& rooms)
 TEST (Stories, HaveAllRoomsAndNoOthers)
 {
   const Tally plain = tallyOf ("plain", {}, 1);
-  EXPECT_EQ (plain.found, plain.truly);
-  EXPECT_EQ (plain.exact, plain.truly);
-  EXPECT_EQ (plain.invented, 0.0);
-  EXPECT_EQ (plain.found_doors, plain.doors);
+  EXPECT_EQ (plain.found_rooms, plain.true_rooms);
+  EXPECT_EQ (plain.exact_rooms, plain.true_rooms);
+  EXPECT_EQ (plain.invented_rooms, 0.0);
+  EXPECT_EQ (plain.found_doors, plain.true_doors);
   EXPECT_EQ (plain.invented_doors, 0.0);
 }
 

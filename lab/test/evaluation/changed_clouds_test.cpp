@@ -48,11 +48,11 @@ largestChange (const XyzCloud& before, const XyzCloud& after)
 TEST (ChangedClouds, MovedPointsAndTheirSensorGoTheSameWay)
 {
   const ChangedCloud moved = changedBy ("moved", rowOf (4));
-  const Eigen::Vector3f way (0.0371f, 0.0613f, 0.0829f);
+  const Eigen::Vector3f shift (0.0371f, 0.0613f, 0.0829f);
   for (int i = 0; i < 4; ++i)
     EXPECT_TRUE ((*moved.cloud)[i].getVector3fMap().isApprox (
-        Eigen::Vector3f (0.25f * float (i), 0, 2) + way));
-  EXPECT_EQ (moved.cloud->sensor_origin_.head<3>(), way);
+        Eigen::Vector3f (0.25f * float (i), 0, 2) + shift));
+  EXPECT_EQ (moved.cloud->sensor_origin_.head<3>(), shift);
 }
 
 TEST (ChangedClouds, TurnedPointsGoBy30DegreesAboutZWithSensorAndUpAxis)
@@ -79,11 +79,11 @@ TEST (ChangedClouds, ThinnedOnesSayWhereTheirPointsWere)
     EXPECT_EQ ((*thinned.cloud)[i].x, cloud[thinned.points[i]].x);
 }
 
-TEST (DrawPoints, GivesAsManyAsAskedFor)
+TEST (DrawIndices, GivesAsManyAsAskedFor)
 {
-  EXPECT_EQ (drawPoints (3, 3), (pcl::Indices{0, 1, 2}));
-  EXPECT_TRUE (drawPoints (3, 0).empty());
-  const pcl::Indices points = drawPoints (1000, 500);
+  EXPECT_EQ (drawIndices (3, 3), (pcl::Indices{0, 1, 2}));
+  EXPECT_TRUE (drawIndices (3, 0).empty());
+  const pcl::Indices points = drawIndices (1000, 500);
   ASSERT_EQ (points.size(), 500u);
   EXPECT_TRUE (std::is_sorted (points.begin(), points.end()));
   EXPECT_NEAR (std::count_if (points.begin(),

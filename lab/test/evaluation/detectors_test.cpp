@@ -18,7 +18,8 @@ namespace {
 using namespace pcl_ops::evaluation;
 namespace fs = std::filesystem;
 
-/** Adds a square of \p side x \p side points, 2 cm apart. */
+/** Adds a level square of \p side x \p side points, 2 cm apart.
+ * \param[in] sigma standard deviation of the heights [m] */
 void
 addSquare (XyzCloud& cloud, int side, double height, double sigma)
 {
@@ -80,7 +81,7 @@ TEST (Detectors, OfOthersFindPlanesOfAsFewPointsAsTheyAreTold)
 TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
 {
   // If the road were in pieces, planeKinds would not call it a floor.
-  constexpr std::uint32_t road = 40; // of SemanticKITTI
+  constexpr std::uint32_t road = 40; // class of SemanticKITTI
   const auto file = fs::path (PCL_OPS_DATA_DIR) / "real/lidar64_semkitti_00_000000.pcd";
   if (!fs::exists (file))
     GTEST_SKIP() << "no " << file;
@@ -96,8 +97,8 @@ TEST (Detectors, TheDefaultHasMostOfTheRoadOfALidarScanInOnePlane)
     }
   points_of_plane.erase (0);
   std::size_t most = 0;
-  for (const auto& [plane, number] : points_of_plane)
-    most = std::max (most, number);
+  for (const auto& [plane, count] : points_of_plane)
+    most = std::max (most, count);
   ASSERT_GT (points, 30000u);
   EXPECT_GT (most, points / 2);
 }

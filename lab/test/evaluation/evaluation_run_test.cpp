@@ -36,7 +36,8 @@ rowOfPoints (const std::string& name)
           }};
 }
 
-/** Gives the first \p labeled of ten points the label 1; counts its calls. */
+/** Returns a detector that gives the first \p labeled points the label 1 and counts its
+ * calls. */
 Configuration
 labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
 {
@@ -89,7 +90,7 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
 
 TEST_F (EvaluationRunTest, EveryColumnHasANumberWhereTheTruthIsKnown)
 {
-  const auto square_of_points = [] {
+  const auto squareOfPoints = [] {
     EvaluationCloud cloud;
     cloud.cloud.reset (new XyzCloud);
     for (int i = 0; i < 400; ++i)
@@ -97,7 +98,7 @@ TEST_F (EvaluationRunTest, EveryColumnHasANumberWhereTheTruthIsKnown)
     cloud.truth = PlaneLabels (400, 1);
     return cloud;
   };
-  plan.clouds = {{"squares", "a", square_of_points}};
+  plan.clouds = {{"squares", "a", squareOfPoints}};
   plan.configurations = {labeling ("all-right", 400, calls)};
   plan.has_changes = true;
   run();

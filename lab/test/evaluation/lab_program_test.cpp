@@ -381,19 +381,19 @@ TEST_F (Report, IsPrintedAndWritten)
 TEST_F (Report, ComparesMethodsInARowForEachDataSet)
 {
   const Rows rows = rowsOf (contentOf (folder_ / "comparison.csv"));
-  const auto row_of = [&rows] (const std::string& data_set, const std::string& method) {
+  const auto rowOf = [&rows] (const std::string& data_set, const std::string& method) {
     for (const auto& row : rows)
       if (row.at ("data_set") == data_set && row.at ("method") == method)
         return row;
     ADD_FAILURE() << data_set << ' ' << method;
     return Rows::value_type();
   };
-  auto ops = row_of ("rooms", "ops-3-30");
+  auto ops = rowOf ("rooms", "ops-3-30");
   EXPECT_TRUE (contains (ops["version"], "pcl_ops "));
   EXPECT_EQ (ops["values"], "paper");
   EXPECT_GT (std::stod (ops["seconds_per_million_points"]), 0.0);
   EXPECT_LT (std::stod (ops["seconds_per_million_points"]), 1000.0);
-  auto stopped = row_of ("streets", "pcl-sac");
+  auto stopped = rowOf ("streets", "pcl-sac");
   EXPECT_EQ (stopped["stopped"], "1");
   EXPECT_EQ (stopped["f_score"], "");
 }

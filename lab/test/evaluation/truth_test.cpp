@@ -14,18 +14,19 @@ using namespace pcl_ops::evaluation;
 using Eigen::Vector3f;
 namespace fs = std::filesystem;
 
-/** Adds a square of n x n points, 2 cm apart, spanned by the x axis and \p axis. */
+/** Adds a square of side x side points, 2 cm apart, spanned by the x axis and \p axis.
+ */
 void
-addSquare (XyzCloud& cloud, int n, const Vector3f& corner, const Vector3f& axis)
+addSquare (XyzCloud& cloud, int side, const Vector3f& corner, const Vector3f& axis)
 {
-  for (int i = 0; i < n * n; ++i) {
-    const Vector3f point =
-        corner + 0.02f * (float (i / n) * Vector3f::UnitX() + float (i % n) * axis);
+  for (int i = 0; i < side * side; ++i) {
+    const Vector3f point = corner + 0.02f * (float (i / side) * Vector3f::UnitX() +
+                                             float (i % side) * axis);
     cloud.emplace_back (point.x(), point.y(), point.z());
   }
 }
 
-/** A floor of 900 points and a wall of 400 that stands in its middle. */
+/** A floor of 900 points, then a wall of 400 that stands in its middle. */
 XyzCloud
 squareFloorAndWall ()
 {

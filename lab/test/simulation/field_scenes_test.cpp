@@ -24,10 +24,11 @@ positionOf (const pcl::PointXYZL& point)
   return point.getVector3fMap().cast<double>();
 }
 
-Airborne
+/** \param[in] amplitude of hills; 0: flat ground [m] */
+AirborneSite
 siteOf (double amplitude)
 {
-  Airborne site = makeAirborne (1);
+  AirborneSite site = makeAirborne (1);
   site.relief.amplitude = amplitude;
   return site;
 }
@@ -48,7 +49,7 @@ TEST (Relief, IsAsHighAsItsAmplitudeAQuarterOfAWaveFromZero)
 {
   Relief relief;
   relief.amplitude = 2.0;
-  EXPECT_NEAR (relief.height (0.25 * relief.length, 0.0), 2.0, 1e-9);
+  EXPECT_NEAR (relief.height (0.25 * relief.wave_length, 0.0), 2.0, 1e-9);
   EXPECT_NEAR (relief.height (0.0, 0.0), 0.0, 1e-9);
 }
 
@@ -71,7 +72,7 @@ TEST (Airborne, RoofsErrInHeightByTheNoise)
 
 TEST (Airborne, HillyGroundIsIgnoredAndWoodsAreOnNoPlane)
 {
-  const Airborne site = siteOf (8.0);
+  const AirborneSite site = siteOf (8.0);
   const SimulatedCloud survey = scanAirborne (site, 50'000, 0.0, 7);
   ASSERT_EQ (survey.is_ignored.size(), survey.cloud.size());
   std::size_t ignored = 0, leaves = 0;
@@ -100,7 +101,7 @@ TEST (Airborne, SeedsSpreadExtentDensityAndRelief)
 {
   std::set<double> widths, densities, amplitudes;
   for (Seed seed = 1; seed <= 60; ++seed) {
-    const Airborne site = makeAirborne (seed);
+    const AirborneSite site = makeAirborne (seed);
     EXPECT_LE (site.density * site.width() * site.width(), 600'001);
     widths.insert (site.width());
     densities.insert (site.density);
@@ -126,7 +127,7 @@ TEST (HillyStreet, ReadingsAreOnTheGroundOrAWallOrInABush)
   std::size_t of_ground = 0, of_walls = 0, of_bushes = 0;
   for (std::size_t i = 0; i < scan.cloud.size(); ++i) {
     const Vector3d point = positionOf (scan.cloud[i]);
-    const double above = point.z() - street.ground (point.x(), point.y());
+    const double above = point.z() - street.groundHeight (point.x(), point.y());
     if (scan.is_ignored[i] != 0) {
       ++of_ground;
       EXPECT_NEAR (above, 0.0, 0.01);

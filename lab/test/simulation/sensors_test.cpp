@@ -199,15 +199,15 @@ TEST (Drive, GoesInSmallStepsAboveTheRoad)
 TEST (Poses, AreMeasuredAsWellAsAskedAndDriftFromWhereTheyBegan)
 {
   const Poses truth (2000, origin);
-  EXPECT_TRUE (measured (truth, {}, 1)[7].isApprox (origin));
+  EXPECT_TRUE (measuredPoses (truth, {}, 1)[7].isApprox (origin));
   double degrees = 0.0, shift = 0.0;
-  for (const Isometry3d& pose : measured (truth, {3.0, 0.0}, 1)) {
+  for (const Isometry3d& pose : measuredPoses (truth, {3.0, 0.0}, 1)) {
     degrees += std::pow (degreesBetween (pose, origin), 2);
     shift += pose.translation().squaredNorm();
   }
   EXPECT_NEAR (std::sqrt (degrees / 2000), 3.0, 0.15);
   EXPECT_NEAR (std::sqrt (shift / 2000), 0.03, 0.0015);
-  const Poses off = measured (truth, {0.0, 0.1}, 1);
+  const Poses off = measuredPoses (truth, {0.0, 0.1}, 1);
   EXPECT_TRUE (off[0].isApprox (origin));
   EXPECT_LT (degreesBetween (off[1], off[0]), 0.5);
   EXPECT_GT (off[399].translation().norm(), 5.0 * off[1].translation().norm());
