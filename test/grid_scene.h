@@ -23,45 +23,47 @@ pointsInACube (std::size_t number, double edge)
 }
 
 /** \brief Adds a grid of steps x steps points on a surface, none of them on its rim.
- * \param[in] noise each point is moved by up to this much along the normal [m] */
+ * \param[in] max_offset each point is moved along the normal by a distance drawn
+ * uniformly from -max_offset to max_offset [m] */
 inline void
 addGrid (pcl_ops::internal::Coordinates& points,
          const Surface& surface,
          int steps,
-         double noise = 0.0)
+         double max_offset = 0.0)
 {
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
-      const double height = noise * (2.0 * drawUnit (generator) - 1.0);
+      const double offset = max_offset * (2.0 * drawUnit (generator) - 1.0);
       const pcl::PointXYZ point =
           toPoint (surface.at ((i + 0.5) / steps, (j + 0.5) / steps) +
-                   height * surface.normal());
+                   offset * surface.normal());
       points.add (point.x, point.y, point.z);
     }
 }
 
 /** \brief The points of \ref addGrid on each of several surfaces. */
 inline pcl_ops::internal::Points
-gridsOf (const std::vector<Surface>& surfaces, int steps, double noise = 0.0)
+gridsOf (const std::vector<Surface>& surfaces, int steps, double max_offset = 0.0)
 {
   pcl_ops::internal::Points points;
   for (const Surface& surface : surfaces)
-    addGrid (points, surface, steps, noise);
+    addGrid (points, surface, steps, max_offset);
   return points;
 }
 
-/** \brief Points in coarse voxels of an edge [m], which are connected to their
- * neighbors, and in fine voxels of half that edge. */
+/** \brief Sorts points into coarse voxels with an edge of \p voxel_size [m] and into
+ * fine voxels with half that edge. The coarse voxels know their neighbors. */
 inline pcl_ops::internal::VoxelLevels
 connectedVoxels (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {
   pcl_ops::internal::VoxelLevels voxels =
-      coarsen (voxelize (points, 0.5 * voxel_size, 1));
-  connect (voxels.coarse, 1);
+      coarsen (voxelize (points, 0.5 * voxel_size, one_thread));
+  connect (voxels.coarse, one_thread);
   return voxels;
 }
 
+/** \brief The coarse voxels of \ref connectedVoxels. */
 inline pcl_ops::internal::VoxelGrid
 connectedGrid (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {

@@ -11,10 +11,10 @@ testsOf (const std::string& file)
 {
   std::string filter;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
-  for (int s = 0; s < all.total_test_suite_count(); ++s) {
-    const testing::TestSuite& suite = *all.GetTestSuite (s);
-    for (int t = 0; t < suite.total_test_count(); ++t) {
-      const testing::TestInfo& test = *suite.GetTestInfo (t);
+  for (int i = 0; i < all.total_test_suite_count(); ++i) {
+    const testing::TestSuite& suite = *all.GetTestSuite (i);
+    for (int j = 0; j < suite.total_test_count(); ++j) {
+      const testing::TestInfo& test = *suite.GetTestInfo (j);
       const std::string path = test.file();
       if (path.substr (path.find_last_of ("/\\") + 1) == file)
         filter += std::string (test.test_suite_name()) + "." + test.name() + ":";

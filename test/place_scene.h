@@ -7,6 +7,7 @@
 #include "ops/regions.h"
 #include "scene.h"
 
+#include <optional>
 #include <vector>
 
 /** \brief Points drawn uniformly on surfaces, in the order of the surfaces.
@@ -27,27 +28,34 @@ drawnOn (const std::vector<Surface>& surfaces, double spacing, double noise)
   return points;
 }
 
-/** \brief The results of the engine's stages up to region growing. */
+/** \brief noiseOfPlaces: the places are no part of a larger cloud. */
+inline constexpr std::nullopt_t no_whole_cloud = std::nullopt;
+/** \brief The distance of places to their planes follows the noise. */
+inline constexpr std::nullopt_t no_threshold = std::nullopt;
+
+/** \brief The results of the stages of detectOnPlaces up to region growing. */
 struct PlaceScene {
+  /** \param[in] neighbors number of points of a neighborhood, its place included; the
+   * default is that of a cloud of some 10,000 points */
   explicit PlaceScene (const pcl_ops::internal::Coordinates& points,
                        std::size_t neighbors = 24)
-  : distinct (pcl_ops::internal::distinctPlaces (points, 1))
-  , places (pcl_ops::internal::describePlaces (distinct, neighbors, 1))
-  , noise (pcl_ops::internal::noiseOfPlaces (places, std::nullopt, 1))
-  , chosen (pcl_ops::internal::chooseSupports (places, noise, 1))
-  , regions (pcl_ops::internal::growRegions (places, noise, chosen, std::nullopt))
+  : distinct (pcl_ops::internal::distinctPlaces (points, one_thread))
+  , places (pcl_ops::internal::describePlaces (distinct, neighbors, one_thread))
+  , noise (pcl_ops::internal::noiseOfPlaces (places, no_whole_cloud, one_thread))
+  , chosen (pcl_ops::internal::chooseSupports (places, noise, one_thread))
+  , regions (pcl_ops::internal::growRegions (places, noise, chosen, no_threshold))
   {}
 
-  /** \brief Number of points of each region that is not empty, in descending order. */
+  /** \brief Number of places of each region that is not empty, in descending order. */
   std::vector<std::size_t>
   sizes () const
   {
-    std::vector<std::size_t> sizes;
+    std::vector<std::size_t> descending;
     for (const pcl_ops::internal::Region& region : regions.list)
       if (region.moments.count > 0.0)
-        sizes.push_back (static_cast<std::size_t> (region.moments.count));
-    std::sort (sizes.rbegin(), sizes.rend());
-    return sizes;
+        descending.push_back (static_cast<std::size_t> (region.moments.count));
+    std::sort (descending.rbegin(), descending.rend());
+    return descending;
   }
 
   pcl_ops::internal::DistinctPlaces distinct;

@@ -5,22 +5,25 @@
 #include "scene.h"
 
 /** \brief A rectangular board of 20 x 20 points as a detector returns it.
- * \param[in] size lengths of the edges along up x normal and across it [m]
- * \param[in] noise points lie this far in front of and behind the board in turn [m] */
+ * \param[in] size of an upright board its width and its height; of a level board its
+ * extents along x and y [m]
+ * \param[in] noise points lie by turns this far in front of the board and behind it [m]
+ */
 inline pcl_ops::PlaneSegment
 board (const Eigen::Vector3d& middle,
        const Eigen::Vector3d& normal,
        const Eigen::Vector2d& size,
        double noise = 0.002)
 {
-  const Eigen::Vector3d up =
-      std::abs (normal.z()) > 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d along = size.x() * up.cross (normal).normalized();
-  const Eigen::Vector3d across = size.y() * normal.cross (along).normalized();
+  const bool is_level = std::abs (normal.z()) > 0.9;
+  const Eigen::Vector3d towards_top =
+      is_level ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d width = size.x() * towards_top.cross (normal).normalized();
+  const Eigen::Vector3d height = size.y() * normal.cross (width).normalized();
   pcl_ops::PlaneSegment plane;
   plane.centroid = middle;
   plane.normal = normal.normalized();
-  plane.moments =
-      momentsOf ({middle - 0.5 * (along + across), along, across}, 20, 20, noise);
+  const Surface surface = {middle - 0.5 * (width + height), width, height};
+  plane.moments = momentsOf (surface, 20, 20, noise);
   return plane;
 }

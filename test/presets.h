@@ -13,7 +13,7 @@
 using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief A cloud of points that a function makes from their indices 0, 1, ... */
+/** \brief A cloud of \p size points: \p point makes each from its index 0, 1, ... */
 inline Cloud::Ptr
 cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
 {
@@ -43,18 +43,21 @@ sampledOn (pcl_ops::Sampling sampling, const Cloud::ConstPtr& cloud)
   return opsOn (cloud, parameters);
 }
 
+/** \brief OPS that samples a surfel from each voxel. */
 inline Ops
 voxelsOn (const Cloud::ConstPtr& cloud)
 {
   return sampledOn (pcl_ops::Sampling::Surfels, cloud);
 }
 
+/** \brief OPS with the parameters of the paper. */
 inline Ops
 paperOn (const Cloud::ConstPtr& cloud)
 {
   return opsOn (cloud, Ops::Parameters::paper());
 }
 
+/** \brief The planes that a detector finds in its cloud; fails if it refuses it. */
 template <typename Detector>
 std::vector<pcl_ops::PlaneSegment>
 planesOf (Detector& detector)

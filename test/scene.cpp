@@ -5,35 +5,38 @@
 std::uint32_t
 seedOfTest ()
 {
-  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::uint32_t hash = 2166136261u;
+  constexpr std::uint32_t fnv_offset_basis = 2166136261u;
+  constexpr std::uint32_t fnv_prime = 16777619u;
+  const ::testing::TestInfo* const test =
+      ::testing::UnitTest::GetInstance()->current_test_info();
+  std::uint32_t hash = fnv_offset_basis;
   for (const char letter : std::string (test->test_suite_name()) + "." + test->name())
-    hash = (hash ^ static_cast<unsigned char> (letter)) * 16777619u;
+    hash = (hash ^ static_cast<unsigned char> (letter)) * fnv_prime;
   return hash;
 }
 
 double
-drawNormal (RandomGenerator& generator)
+drawGaussian (RandomGenerator& generator)
 {
   const double radius = std::sqrt (-2.0 * std::log (1.0 - drawUnit (generator)));
   return radius * std::cos (2.0 * pi * drawUnit (generator));
 }
 
 Eigen::Vector3d
-drawNormals (RandomGenerator& generator)
+drawGaussians (RandomGenerator& generator)
 {
   // Drawn one by one: compilers evaluate arguments in different orders.
   Eigen::Vector3d drawn;
   for (double& number : drawn)
-    number = drawNormal (generator);
+    number = drawGaussian (generator);
   return drawn;
 }
 
 Eigen::Quaterniond
 drawTurn (RandomGenerator& generator)
 {
-  const Eigen::Vector3d axis = drawNormals (generator);
-  return Eigen::Quaterniond (drawNormal (generator), axis.x(), axis.y(), axis.z())
+  const Eigen::Vector3d axis = drawGaussians (generator);
+  return Eigen::Quaterniond (drawGaussian (generator), axis.x(), axis.y(), axis.z())
       .normalized();
 }
 
@@ -49,7 +52,7 @@ drawPointOf (const Surface& surface, double noise, RandomGenerator& generator)
 {
   const double s = drawUnit (generator);
   const double t = drawUnit (generator);
-  const double height = noise > 0.0 ? noise * drawNormal (generator) : 0.0;
+  const double height = noise > 0.0 ? noise * drawGaussian (generator) : 0.0;
   return surface.at (s, t) + height * surface.normal();
 }
 
@@ -59,7 +62,7 @@ Scene::build()
   LabelledScene scene{
       pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(), {}, surfaces_};
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    const auto count = std::lround (surfaces_[i].area() / (spacing_ * spacing_));
+    const long count = std::lround (surfaces_[i].area() / (spacing_ * spacing_));
     for (long k = 0; k < count; ++k)
       add (scene, drawPointOf (surfaces_[i], noise_, generator_), static_cast<int> (i));
   }
@@ -74,15 +77,18 @@ Scene::addClutter (LabelledScene& scene)
 {
   Eigen::AlignedBox3d box;
   for (const Surface& surface : surfaces_)
-    for (const int corner : {0, 1, 2, 3})
-      box.extend (surface.at (corner & 1, corner >> 1));
-  const auto count = std::lround (clutter_ / (1.0 - clutter_) *
+    for (const double s : {0.0, 1.0})
+      for (const double t : {0.0, 1.0})
+        box.extend (surface.at (s, t));
+  // clutter_ is a share of all points, those of the clutter included.
+  const long count = std::lround (clutter_ / (1.0 - clutter_) *
                                   static_cast<double> (scene.cloud->size()));
   for (long i = 0; i < count; ++i) {
-    Eigen::Vector3d share; // one by one, as in drawNormals
-    for (double* axis : {&share.z(), &share.y(), &share.x()})
-      *axis = drawUnit (generator_);
-    add (scene, box.min() + share.cwiseProduct (box.sizes()), -1);
+    Eigen::Vector3d share; // of the box, along each axis
+    for (double* coordinate : {&share.z(), &share.y(), &share.x()})
+      *coordinate = drawUnit (generator_);
+    constexpr int label_of_clutter = -1;
+    add (scene, box.min() + share.cwiseProduct (box.sizes()), label_of_clutter);
   }
 }
 
@@ -108,15 +114,18 @@ roomSeenByCamera (std::uint32_t width, std::uint32_t height)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (width, height);
   cloud->is_dense = false;
-  const float focal = 0.8f * static_cast<float> (width);
+  constexpr float height_of_camera = 1.0f;                      // above the floor [m]
+  constexpr float depth_of_wall = 3.0f;                         // [m]
+  const float focal_length = 0.8f * static_cast<float> (width); // [pixels]
   for (std::uint32_t row = 0; row < height; ++row)
     for (std::uint32_t column = 0; column < width; ++column) {
-      const float x = (static_cast<float> (column) - 0.5f * width) / focal;
-      const float y = (static_cast<float> (row) - 0.5f * height) / focal;
-      const float depth = y > 0.0f ? std::min (3.0f, 1.0f / y) : 3.0f;
-      const bool lost = (row + column) % 10 == 0;
-      cloud->at (column, row) = lost ? pcl::PointXYZ (NAN, NAN, NAN)
-                                     : pcl::PointXYZ (x * depth, y * depth, depth);
+      const float x = (static_cast<float> (column) - 0.5f * width) / focal_length;
+      const float y = (static_cast<float> (row) - 0.5f * height) / focal_length;
+      const float depth =
+          y > 0.0f ? std::min (depth_of_wall, height_of_camera / y) : depth_of_wall;
+      const bool is_lost = (row + column) % 10 == 0;
+      cloud->at (column, row) = is_lost ? pcl::PointXYZ (NAN, NAN, NAN)
+                                        : pcl::PointXYZ (x * depth, y * depth, depth);
     }
   return cloud;
 }
@@ -162,30 +171,33 @@ angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
 }
 
 bool
-isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset)
+isNear (const pcl_ops::Plane& plane,
+        const Surface& truth,
+        double max_angle,
+        double max_distance)
 {
-  return angleBetween (plane.normal, truth.normal()) <= angle &&
-         std::abs (plane.distance (truth.center())) <= offset;
+  return angleBetween (plane.normal, truth.normal()) <= max_angle &&
+         std::abs (plane.distance (truth.center())) <= max_distance;
 }
 
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
                          const LabelledScene& scene,
-                         double angle,
-                         double offset)
+                         double max_angle,
+                         double max_distance)
 {
   EXPECT_EQ (planes.size(), scene.surfaces.size());
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const auto found =
         std::find_if (planes.begin(), planes.end(), [&] (const auto& plane) {
-          return isNear (plane.plane(), scene.surfaces[s], angle, offset);
+          return isNear (plane.plane(), scene.surfaces[s], max_angle, max_distance);
         });
     ASSERT_NE (found, planes.end()) << "surface " << s << " was not found";
-    const auto label = static_cast<int> (s);
-    std::size_t on_it = 0;
+    const int label = static_cast<int> (s);
+    std::size_t points_found = 0;
     for (const pcl::index_t i : found->inliers)
-      on_it += scene.labels[i] == label;
-    const auto all = std::count (scene.labels.begin(), scene.labels.end(), label);
-    EXPECT_GE (on_it, 0.9 * all) << "points of surface " << s;
+      points_found += scene.labels[i] == label;
+    const auto points = std::count (scene.labels.begin(), scene.labels.end(), label);
+    EXPECT_GE (points_found, 0.9 * points) << "points of surface " << s;
   }
 }

@@ -25,6 +25,9 @@ using pcl_ops::internal::drawUnit;
 using pcl_ops::internal::pi;
 using pcl_ops::internal::RandomGenerator;
 
+/** \brief Number of threads of calls whose result does not depend on it. */
+constexpr unsigned one_thread = 1;
+
 // clang-format off
 constexpr double operator"" _m (long double meters) { return static_cast<double> (meters); }
 constexpr double operator"" _m (unsigned long long meters) { return static_cast<double> (meters); }
@@ -40,14 +43,16 @@ constexpr double operator"" _deg (unsigned long long degrees) { return static_ca
 std::uint32_t
 seedOfTest ();
 
-/** \brief Standard normal draw (Box & Muller). */
+/** \brief Draw from the normal distribution of mean 0 and variance 1 (Box & Muller). */
 double
-drawNormal (RandomGenerator& generator);
+drawGaussian (RandomGenerator& generator);
 
-/** \brief Three independent standard normal draws. */
+/** \brief Three independent draws of \ref drawGaussian. Normalized they are a random
+ * direction, uniform on the sphere. */
 Eigen::Vector3d
-drawNormals (RandomGenerator& generator);
+drawGaussians (RandomGenerator& generator);
 
+/** \brief A random rotation, uniform over all rotations. */
 Eigen::Quaterniond
 drawTurn (RandomGenerator& generator);
 
@@ -129,14 +134,14 @@ public:
     const Eigen::Vector2d along = to - from;
     return surface ({from.x(), from.y(), 0}, {along.x(), along.y(), 0}, {0, 0, height});
   }
-  /** \brief Mean distance between neighboring points of a surface. */
+  /** \brief Mean distance between neighboring points of a surface [m]. */
   Scene&
   spacing (double meters)
   {
     spacing_ = meters;
     return *this;
   }
-  /** \brief Standard deviation of the points along their surface's normal. */
+  /** \brief Standard deviation of the points along their surface's normal [m]. */
   Scene&
   noise (double meters)
   {
@@ -197,7 +202,8 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr
 roomSeenByCamera (std::uint32_t width, std::uint32_t height);
 
 /** \brief Moments of columns x rows points evenly spread over a surface.
- * \param[in] noise points lie alternately this far before and behind the surface [m] */
+ * \param[in] noise points lie by turns this far in front of the surface and behind it,
+ * so this is their rms distance to it [m] */
 pcl_ops::Moments
 momentsOf (const Surface& surface, int columns, int rows, double noise = 0.0);
 
@@ -212,15 +218,18 @@ double
 angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second);
 
 /** \brief Whether the normals of the plane and the true surface differ by at most
- * \p angle [rad], whatever their signs, and the center of the surface is at most
- * \p offset [m] from the plane. */
+ * \p max_angle [rad], whatever their signs, and the center of the surface is at most
+ * \p max_distance [m] from the plane. */
 bool
-isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset);
+isNear (const pcl_ops::Plane& plane,
+        const Surface& truth,
+        double max_angle,
+        double max_distance);
 
 /** \brief Fails the test unless there are as many planes as surfaces, and each surface
  * has a plane near it (see \ref isNear) with at least 90 % of its points. */
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
                          const LabelledScene& scene,
-                         double angle = 1_deg,
-                         double offset = 1_cm);
+                         double max_angle = 1_deg,
+                         double max_distance = 1_cm);

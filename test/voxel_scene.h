@@ -5,13 +5,17 @@
 #include "grid_scene.h"
 #include "voxels/bounded_planes.h"
 
-// Each surface passes through the middle of 20 x 20 voxels of 10 cm.
+// Each surface passes through the middle of 20 x 20 voxels of 10 cm; a grid of points
+// on it has 6 x 6 points in each of them.
+constexpr std::size_t voxels_of_surface = 20 * 20;
+constexpr int grid_steps = 120;
+constexpr std::size_t points_of_surface = grid_steps * grid_steps;
 inline const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
 inline const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
 /** \brief Number of voxels with this plane index, which may be no_plane. */
 inline std::size_t
-voxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& planes)
+countVoxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& planes)
 {
   return static_cast<std::size_t> (
       std::count (planes.plane_of_voxel.begin(), planes.plane_of_voxel.end(), plane));
@@ -19,21 +23,22 @@ voxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& planes)
 
 /** \brief Points in voxels of 10 cm. Each voxel has the plane of its first point. */
 struct VoxelScene {
-  /** \param[in] surfaces one list of surfaces for each plane
-   * \param[in] noise each point is moved by up to this much along the normal [m] */
+  /** \param[in] surfaces one list of surfaces for each plane, all with a grid of
+   * grid_steps x grid_steps points
+   * \param[in] max_offset of points along the normal, as in \ref addGrid [m] */
   explicit VoxelScene (const std::vector<std::vector<Surface>>& surfaces,
-                       double noise = 0.0)
+                       double max_offset = 0.0)
   {
     std::vector<std::int32_t> plane_of_point;
     for (const std::vector<Surface>& plane : surfaces) {
       for (const Surface& surface : plane)
-        addGrid (points, surface, 120, noise);
+        addGrid (points, surface, grid_steps, max_offset);
       plane_of_point.resize (points.size(), static_cast<std::int32_t> (planes.size()));
       addPlane (pcl_ops::planeThrough (plane[0].center(), plane[0].normal()));
     }
     voxelize();
     const pcl_ops::internal::Indices voxels = voxelsOfPoints (grid());
-    for (std::size_t i = points.size(); i-- > 0;)
+    for (std::size_t i = points.size(); i-- > 0;) // the first point of a voxel is last
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   }
 
@@ -65,14 +70,13 @@ struct VoxelScene {
     return grid().moments[voxel].centroid();
   }
 
-  /** \brief Puts the voxels for whose centroid \p isSuch is true on a plane, or on
-   * no_plane. */
-  template <typename IsSuch>
+  /** \brief Puts the voxels whose centroid is selected on a plane, or on no_plane. */
+  template <typename IsSelected>
   void
-  label (std::int32_t plane, IsSuch&& isSuch)
+  label (std::int32_t plane, IsSelected&& isSelected)
   {
     for (std::size_t voxel = 0; voxel < grid().size(); ++voxel)
-      if (isSuch (centroid (voxel)))
+      if (isSelected (centroid (voxel)))
         planes.plane_of_voxel[voxel] = plane;
   }
 

@@ -29,8 +29,9 @@ constexpr bool has_thread_sanitizer = true;
 constexpr bool has_thread_sanitizer = false;
 #endif
 
-using Piece = std::pair<std::size_t, std::size_t>;
+using Piece = std::pair<std::size_t, std::size_t>; // begin and end
 
+/** \brief The pieces that parallelFor makes of \p size items, in ascending order. */
 std::vector<Piece>
 piecesOf (unsigned threads, std::size_t size, std::size_t grain)
 {
@@ -58,14 +59,14 @@ TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
 {
   constexpr unsigned threads = 6; // more than the test above has started
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds (30);
-  std::atomic<unsigned> arrived{0}, met_all{0};
+  std::atomic<unsigned> arrived{0}, threads_that_met_all{0};
   parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {
     // No thread leaves before all threads are there.
     for (++arrived; arrived < threads && std::chrono::steady_clock::now() < deadline;)
       std::this_thread::yield();
-    met_all += arrived == threads;
+    threads_that_met_all += arrived == threads;
   });
-  EXPECT_EQ (met_all, threads);
+  EXPECT_EQ (threads_that_met_all, threads);
 }
 
 TEST (ParallelFor, HasThreadsOfItsOwnInAProcessThatIsForkedOff)
@@ -76,11 +77,11 @@ TEST (ParallelFor, HasThreadsOfItsOwnInAProcessThatIsForkedOff)
   const pid_t child = fork();
   if (child == 0) {
     std::atomic<int> arrived{0};
-    std::promise<void> both;
-    std::shared_future<void> met = both.get_future().share();
+    std::promise<void> both_arrived;
+    std::shared_future<void> met = both_arrived.get_future().share();
     parallelFor (2, 2, 1, [&] (std::size_t, std::size_t) {
       if (++arrived == 2)
-        both.set_value();
+        both_arrived.set_value();
       met.wait_for (std::chrono::seconds (20));
     });
     const bool have_met =
@@ -98,9 +99,9 @@ TEST (ParallelFor, TakesAnyNumberOfThreads)
   EXPECT_EQ (piecesOf (1000000, 10000, 1).size(), 10000u);
 }
 
-// As on a machine that is busy with other programs.
 TEST (ParallelFor, DoesNotWaitForThreadsThatHaveNoTime)
 {
+  // The threads are busy, as on a machine with other programs.
   constexpr unsigned threads = 4;
   std::promise<void> all_done;
   const std::shared_future<void> until = all_done.get_future().share();

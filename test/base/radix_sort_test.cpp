@@ -11,7 +11,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief A key, and where it was before. */
+/** \brief A key, and its position before it was sorted. */
 using NumberedKey = std::pair<std::uint64_t, std::size_t>;
 
 void

@@ -19,27 +19,31 @@ TEST (DrawBelow, IsUnbiasedWhereAModuloOrAProductAloneWouldNotBe)
   // generator () % bound would fall into the first third half of the time, and
   // generator () * bound / 2^32 would be a multiple of three half of the time.
   constexpr std::uint32_t third = 1u << 30;
+  constexpr int draws = 30000;
+  constexpr int deviation = 82; // sqrt (draws * 1/3 * 2/3)
   RandomGenerator generator (seedOfTest());
   int in_first_third = 0, multiples_of_three = 0;
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < draws; ++i) {
     const std::uint32_t drawn = drawBelow (generator, 3 * third);
     in_first_third += drawn < third;
     multiples_of_three += drawn % 3 == 0;
   }
-  EXPECT_NEAR (in_first_third, 10000, 5 * 82);
-  EXPECT_NEAR (multiples_of_three, 10000, 5 * 82);
+  EXPECT_NEAR (in_first_third, draws / 3, 5 * deviation);
+  EXPECT_NEAR (multiples_of_three, draws / 3, 5 * deviation);
 }
 
 TEST (DrawUnit, IsUniformInTheHalfOpenUnitInterval)
 {
   RandomGenerator generator (seedOfTest());
-  std::array<int, 10> tenth{};
-  for (int i = 0; i < 10000; ++i) {
+  constexpr int draws = 10000;
+  constexpr int deviation = 30; // sqrt (draws * 1/10 * 9/10)
+  std::array<int, 10> in_tenth{};
+  for (int i = 0; i < draws; ++i) {
     const double drawn = drawUnit (generator);
     ASSERT_GE (drawn, 0.0);
     ASSERT_LT (drawn, 1.0);
-    ++tenth[static_cast<std::size_t> (10.0 * drawn)];
+    ++in_tenth[static_cast<std::size_t> (10.0 * drawn)];
   }
-  for (const int count : tenth)
-    EXPECT_NEAR (count, 1000, 5 * 30);
+  for (const int count : in_tenth)
+    EXPECT_NEAR (count, draws / 10, 5 * deviation);
 }

@@ -6,12 +6,22 @@
 #include <pcl_ops/buildings/floor_plan.h>
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using namespace pcl_ops;
+
+/** \brief A part of a wall without points. */
+struct Opening {
+  /** \brief Where it begins and ends along the wall [m]. */
+  double begin, end;
+  /** \brief Heights of its lower and its upper edge [m]. */
+  double sill, head;
+};
+
+constexpr double grid_spacing = 5_cm;
+constexpr double half_spacing = 0.025; // [m]
 
 /** \brief Horizontal and vertical rectangles. Each is a grid of points 5 cm apart and
  * a plane with a kind. */
@@ -20,6 +30,7 @@ struct Building {
   std::vector<PlaneSegment> planes = {};
   std::vector<PlaneKind> kinds = {};
 
+  /** \brief Adds a plane of these points. */
   Building&
   add (PlaneKind kind, const Vector3d& normal, const std::vector<Vector3d>& points)
   {
@@ -33,33 +44,37 @@ struct Building {
     return *this;
   }
 
+  /** \brief Adds a level rectangle. Its normal points up, that of a ceiling down.
+   * \param[in] low,high corners with the lowest and with the highest x and y [m] */
   Building&
   level (PlaneKind kind, double height, const Vector2d& low, const Vector2d& high)
   {
     std::vector<Vector3d> points;
-    for (double x = low.x() + 0.025; x < high.x(); x += 5_cm)
-      for (double y = low.y() + 0.025; y < high.y(); y += 5_cm)
+    for (double x = low.x() + half_spacing; x < high.x(); x += grid_spacing)
+      for (double y = low.y() + half_spacing; y < high.y(); y += grid_spacing)
         points.emplace_back (x, y, height);
-    return add (
-        kind, Vector3d (0.0, 0.0, kind == PlaneKind::Ceiling ? -1.0 : 1.0), points);
+    const double up_or_down = kind == PlaneKind::Ceiling ? -1.0 : 1.0;
+    return add (kind, Vector3d (0.0, 0.0, up_or_down), points);
   }
 
   /** \brief Adds a wall 2.5 m high. Its normal points to the left of the direction from
-   * \p from to \p to.
-   * \param[in] openings without points: begin and end along the wall, sill, head [m] */
+   * \p from to \p to. */
   Building&
   wall (const Vector2d& from,
         const Vector2d& to,
-        const std::vector<Eigen::Vector4d>& openings = {})
+        const std::vector<Opening>& openings = {})
   {
     const Vector2d along = (to - from).normalized();
     std::vector<Vector3d> points;
-    for (double s = 0.025; s < (to - from).norm(); s += 5_cm)
-      for (double z = 0.025; z < 2.5; z += 5_cm)
-        if (std::none_of (openings.begin(), openings.end(), [&] (const auto& hole) {
-              return s > hole[0] && s < hole[1] && z > hole[2] && z < hole[3];
-            }))
+    for (double s = half_spacing; s < (to - from).norm(); s += grid_spacing)
+      for (double z = half_spacing; z < 2.5; z += grid_spacing) {
+        const auto isInOpening = [&] (const Opening& opening) {
+          return s > opening.begin && s < opening.end && z > opening.sill &&
+                 z < opening.head;
+        };
+        if (std::none_of (openings.begin(), openings.end(), isInOpening))
           points.emplace_back (from.x() + s * along.x(), from.y() + s * along.y(), z);
+      }
     return add (PlaneKind::Wall, {-along.y(), along.x(), 0.0}, points);
   }
 
@@ -70,7 +85,8 @@ struct Building {
   }
 };
 
-inline const Eigen::Vector4d door (1.0, 1.9, 0.0, 2.05), window (1.0, 2.5, 0.9, 2.1);
+constexpr Opening door = {1.0, 1.9, 0.0, 2.05};
+constexpr Opening window = {1.0, 2.5, 0.9, 2.1};
 
 /** \brief Floor, ceiling and four walls from (0, 0) to (4, 3), the first with a door.
  */
@@ -88,20 +104,22 @@ roomOf4By3 ()
 /** \brief Two rooms of 4 m x 3 m and a wall of 10 cm between them, seen from both
  * sides, with an opening. */
 inline Building
-twoRooms (const Eigen::Vector4d& opening = door)
+twoRooms (const Opening& opening = door)
 {
   Building flat;
   for (const double x : {0.0, 4.1}) {
     flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
     flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
   }
-  const auto& [begin, end, sill, head] =
-      std::tie (opening[0], opening[1], opening[2], opening[3]);
+  // The same opening along the other side, which runs from y = 3 m to y = 0.
+  const Opening reversed = {
+      3 - opening.end, 3 - opening.begin, opening.sill, opening.head};
   flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
   flat.wall ({4, 0}, {4, 3}, {opening});
-  return flat.wall ({4.1, 3}, {4.1, 0}, {{3 - end, 3 - begin, sill, head}});
+  return flat.wall ({4.1, 3}, {4.1, 0}, {reversed});
 }
 
+/** \brief Number of openings of all walls. */
 inline std::size_t
 openingsOf (const FloorPlan& plan)
 {

@@ -11,7 +11,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** \brief A rectangle that is level along x. \param[in] rise along y, over its depth */
+/** \brief A rectangle with its lowest corner at (x, y, z) that is level along x.
+ * \param[in] depth extent along y, seen from above [m]
+ * \param[in] rise difference of the heights of its ends along y [m] */
 PlaneFromAbove
 rectangle (double x, double y, double z, double width, double depth, double rise = 0.0)
 {
@@ -26,7 +28,8 @@ rectangle (double x, double y, double z, double width, double depth, double rise
   return plane;
 }
 
-/** \brief Whether a level square of 10 m, 5 m high, goes on beside others. */
+/** \brief Whether a level square at a height of 5 m is a part of the ground, as it
+ * continues in one of the others. Its x and y go from 0 to 10 m. */
 bool
 isSquareContinued (std::vector<PlaneFromAbove> others)
 {
@@ -54,13 +57,13 @@ TEST (Continuation, IsWhereThatPlaneIsWithinAMeterOfTheHeight)
 
 TEST (Continuation, IsWhereThatPlaneHasNearlyTheSlope)
 {
-  const auto beside = [] (double degrees) {
+  const auto isContinuedBySlope = [] (double degrees) {
     const double rise = 8.0 * std::tan (degrees * M_PI / 180.0);
     // The rectangle begins at the end of the square's y axis, at the same height.
     return isSquareContinued ({rectangle (0, 10, 5, 10, 8, rise)});
   };
-  EXPECT_TRUE (beside (19.0));
-  EXPECT_FALSE (beside (21.0)) << "the other side of a gable";
+  EXPECT_TRUE (isContinuedBySlope (19.0));
+  EXPECT_FALSE (isContinuedBySlope (21.0)) << "the other side of a gable";
 }
 
 TEST (Continuation, IsNotAtAPlaneOfLessThan2SquareMeters)
@@ -71,21 +74,22 @@ TEST (Continuation, IsNotAtAPlaneOfLessThan2SquareMeters)
 
 TEST (Continuation, IsNotWhereSomethingFarBelowGoesOnUnderneath)
 {
-  const auto over_ground = [] (double depth) {
+  const auto isContinuedOverGround = [] (double depth) {
     return isSquareContinued (
         {rectangle (10, 0, 5, 10, 10), rectangle (-20, -20, 5 - depth, 60, 60)});
   };
-  EXPECT_FALSE (over_ground (2.0));
-  EXPECT_TRUE (over_ground (1.8));
+  EXPECT_FALSE (isContinuedOverGround (2.0));
+  EXPECT_TRUE (isContinuedOverGround (1.8));
 }
 
 TEST (Continuation, IsNotWhereStepsAreAtTwiceAsMuchOfTheOutline)
 {
-  // Flush at one of four sides; steps at one or at two others.
-  const PlaneFromAbove flush = rectangle (14, 5, 5, 10, 0.5);
+  // Planes of the same height at some of the outline, and a step at more than twice as
+  // much of it or at less.
+  const PlaneFromAbove narrow_flush = rectangle (14, 5, 5, 10, 0.5);
   const PlaneFromAbove step = rectangle (-14, -2, 0, 10.1, 14);
   EXPECT_TRUE (isSquareContinued ({rectangle (10.1, 0, 5, 10, 10), step}));
-  EXPECT_FALSE (isSquareContinued ({flush, step}));
+  EXPECT_FALSE (isSquareContinued ({narrow_flush, step}));
 }
 
 TEST (Continuation, IsOnATerraceOfASlope)
@@ -103,7 +107,7 @@ TEST (Continuation, IsNotOnARoofBesideAHigherOne)
 
 TEST (Continuation, IsNotBesideTheRidgeOfAnotherRoof)
 {
-  // Two sides of a gable: 4 m below it the ridge is 2.4 m higher.
+  // Two sides of a gable, whose ridge is 6 m higher than the eaves.
   const std::vector<PlaneFromAbove> gable = {rectangle (0, 0, 5, 10, 10, 6),
                                              rectangle (0, 10, 11, 10, 10, -6)};
   EXPECT_FALSE (isPartOfGround (gable.front(), gable));
@@ -127,6 +131,8 @@ TEST (Continuation, IsTheSameInEitherOrderOfCorners)
 
 TEST (Continuation, CountsAllSidesAlike)
 {
+  // A plane at the height of the square on each of its sides. Some are lowered to the
+  // ground: three of four or two of four.
   const std::vector<PlaneFromAbove> flush{rectangle (0, -10, 5, 10, 9),
                                           rectangle (11, 0, 5, 9, 10),
                                           rectangle (0, 11, 5, 10, 9),
@@ -149,12 +155,15 @@ TEST (Continuation, CountsAllSidesAlike)
 
 TEST (Lowest, IsWhatHasNoPlaneBelowMostOfIt)
 {
-  const auto is_lowest = [] (double width, double depth) {
+  // A square of 10 m with another plane below a part of it, this wide and this far
+  // below.
+  const auto isSquareLowest = [] (double width, double drop) {
+    constexpr double min_drop = 1.9;
     const std::vector<PlaneFromAbove> planes{rectangle (0, 0, 5, 10, 10),
-                                             rectangle (0, 0, 5 - depth, width, 10)};
-    return isLowest (planes.front(), planes, 1.9);
+                                             rectangle (0, 0, 5 - drop, width, 10)};
+    return isLowest (planes.front(), planes, min_drop);
   };
-  EXPECT_TRUE (is_lowest (4.0, 5.0));
-  EXPECT_FALSE (is_lowest (6.0, 5.0));
-  EXPECT_TRUE (is_lowest (6.0, 1.8)) << "less far below than counts";
+  EXPECT_TRUE (isSquareLowest (4.0, 5.0));
+  EXPECT_FALSE (isSquareLowest (6.0, 5.0));
+  EXPECT_TRUE (isSquareLowest (6.0, 1.8)) << "less far below than counts";
 }

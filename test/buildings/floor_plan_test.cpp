@@ -6,6 +6,19 @@
 
 namespace {
 
+/** \brief The points of a grid 5 cm apart on an upright rectangle along the x axis.
+ * \param[in] low,high smallest and largest x and z [m] */
+std::vector<Vector3d>
+uprightAlongX (double y, const Vector2d& low, const Vector2d& high)
+{
+  std::vector<Vector3d> points;
+  for (double x = low.x(); x < high.x(); x += grid_spacing)
+    for (double z = low.y(); z < high.y(); z += grid_spacing)
+      points.emplace_back (x, y, z);
+  return points;
+}
+
+/** \brief Length of all walls together [m]. */
 double
 sumOfLengths (const FloorPlan& plan)
 {
@@ -109,11 +122,8 @@ TEST (FloorPlan, OfARoomWithACupboardUpToItsWallIsThatOfTheRoom)
 TEST (FloorPlan, HasNoOpeningBehindFurniture)
 {
   Building furnished = roomOf4By3();
-  std::vector<Vector3d> front;
-  for (double x = 0.9_m; x < 2.0; x += 5_cm)
-    for (double z = 0.0; z < 2.0; z += 5_cm)
-      front.emplace_back (x, 0.4, z);
-  furnished.add (PlaneKind::Other, Vector3d::UnitY(), front);
+  furnished.add (
+      PlaneKind::Other, Vector3d::UnitY(), uprightAlongX (0.4, {0.9, 0.0}, {2.0, 2.0}));
   EXPECT_EQ (openingsOf (furnished.plan()), 0u);
 }
 
@@ -121,12 +131,10 @@ TEST (FloorPlan, HasAnOpeningBehindFurnitureWhereAnythingIsSeenThroughIt)
 {
   Building furnished = roomOf4By3();
   for (const double y : {0.4, -0.4}) { // before the door and in the next room
-    std::vector<Vector3d> front;
-    for (double x = 0.9_m; x < 2.0; x += 5_cm)
-      for (double z = 0.0; z < 2.0; z += 5_cm)
-        front.emplace_back (x, y, z);
-    // Not upright, so that it is no leaf of the door.
-    furnished.add (PlaneKind::Other, Vector3d (0, 1, 1).normalized(), front);
+    // Its normal is not level, so that it is no leaf of the door.
+    furnished.add (PlaneKind::Other,
+                   Vector3d (0, 1, 1).normalized(),
+                   uprightAlongX (y, {0.9, 0.0}, {2.0, 2.0}));
   }
   EXPECT_EQ (openingsOf (furnished.plan()), 1u);
 }
@@ -152,7 +160,9 @@ TEST (FloorPlan, HasAnOpeningWhereALeafIsSetBack)
 
 TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
 {
-  // The counter, at the height of the cut, has its back edge in the plane of the wall.
+  // An opening from x = 1 m to 2.5 m. A counter, at the height of the cut, has its back
+  // edge in the plane of the wall: from x = 1.4 m to 2.1 m there are points amid the
+  // opening.
   Building room;
   room.wall ({0, 0},
              {4, 0},
@@ -160,10 +170,7 @@ TEST (FloorPlan, HasAllOfAnOpeningWhereACounterBeforeItTouchesTheWall)
               {1.0, 2.5, 1.3, 2.1},
               {1.0, 1.4, 1.0, 1.4},
               {2.1, 2.5, 1.0, 1.4}});
-  std::vector<Vector3d> pane;
-  for (double x = 1.025; x < 2.5; x += 5_cm)
-    for (double z = 0.925; z < 2.1; z += 5_cm)
-      pane.emplace_back (x, -0.2, z);
+  const std::vector<Vector3d> pane = uprightAlongX (-0.2, {1.025, 0.925}, {2.5, 2.1});
   room.add (PlaneKind::Other, Vector3d::UnitY(), pane);
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
   const FloorPlan plan = room.plan();
@@ -177,10 +184,7 @@ TEST (FloorPlan, HasNoOpeningWhereAnotherPlaneFillsTheGap)
   // The back of a cupboard, 2 cm before the wall.
   Building room;
   room.wall ({0, 0}, {4, 0}, {{1.0, 2.5, 0.0, 2.1}});
-  std::vector<Vector3d> back;
-  for (double x = 1.025; x < 2.5; x += 5_cm)
-    for (double z = 0.025; z < 2.1; z += 5_cm)
-      back.emplace_back (x, 0.02, z);
+  const std::vector<Vector3d> back = uprightAlongX (0.02, {1.025, 0.025}, {2.5, 2.1});
   room.add (PlaneKind::Other, Vector3d::UnitY(), back);
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
   EXPECT_EQ (openingsOf (room.plan()), 0u);
@@ -278,7 +282,7 @@ TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
 {
   Building flat = twoRooms();
   const FloorPlan before = flat.plan();
-  // As if all planes had been seen from a place far away to the left and below.
+  // As if all planes had been seen from far away to the left and below.
   for (PlaneSegment& plane : flat.planes)
     if (plane.normal.dot (Vector3d (1.0, 0.5, 0.0)) > 0.0)
       plane.normal = -plane.normal;
@@ -383,18 +387,18 @@ TEST (FloorPlan, HasARoomUpToAWallBehindAFloorThatWasNotSeen)
 
 TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWall)
 {
-  // The cell between them goes on to the next wall, and is left out as a whole, though
-  // less than half of one side was seen.
-  for (const double seen : {2.0, 1.4}) {
+  // The cell between the sides, 0.3 m wide, goes on to the next wall. It is left out as
+  // a whole, though less than half of one side was seen.
+  for (const double seen_length : {2.0, 1.4}) {
     Building room;
     room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});
     room.wall ({0, 0}, {8, 0}).wall ({8, 0}, {8, 3});
     room.wall ({8, 3}, {0, 3}).wall ({0, 3}, {0, 0});
-    room.wall ({4, 0}, {4, 2}).wall ({4.3, seen}, {4.3, 0});
+    room.wall ({4, 0}, {4, 2}).wall ({4.3, seen_length}, {4.3, 0});
     double area = 0.0;
-    for (const PlanRoom& one : room.plan().rooms)
-      area += one.area;
-    EXPECT_NEAR (area, 24.0 - 0.3 * 3.0, 0.01) << seen;
+    for (const PlanRoom& found : room.plan().rooms)
+      area += found.area;
+    EXPECT_NEAR (area, 24.0 - 0.3 * 3.0, 0.01) << seen_length;
   }
 }
 
@@ -413,21 +417,21 @@ TEST (FloorPlan, HasARoomUpToTheEndsOfItsWallsWhereTheLastOneWasNotSeen)
 
 TEST (FloorPlan, HasAWallThatFurnitureHidesAtTheCutWhereTheRoomEnds)
 {
-  // The last wall of 4 m x 3 m was seen over 1.9 m alone.
-  const Eigen::Vector4d furniture (0.0, 3.0, 0.0, 1.9);
-  const auto plan_with = [&] (double floor_to) {
+  // Of the last wall only the part above 1.9 m was seen.
+  const Opening hidden_by_furniture = {0.0, 3.0, 0.0, 1.9};
+  const auto planWithFloorTo = [&] (double floor_end) {
     Building room;
-    room.level (PlaneKind::Floor, 0.0, {0, 0}, {floor_to, 3});
+    room.level (PlaneKind::Floor, 0.0, {0, 0}, {floor_end, 3});
     room.wall ({0, 0}, {4, 0}).wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
-    return room.wall ({4, 0}, {4, 3}, {furniture}).plan();
+    return room.wall ({4, 0}, {4, 3}, {hidden_by_furniture}).plan();
   };
-  const FloorPlan plan = plan_with (3.5);
+  const FloorPlan plan = planWithFloorTo (3.5);
   EXPECT_EQ (plan.walls.size(), 4u);
   EXPECT_EQ (openingsOf (plan), 0u);
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_NEAR (plan.rooms[0].area, 12.0, 0.01);
   EXPECT_TRUE (plan.rooms[0].unseen.empty());
-  EXPECT_EQ (plan_with (6.0).walls.size(), 3u) << "a lintel: the floor goes on";
+  EXPECT_EQ (planWithFloorTo (6.0).walls.size(), 3u) << "a lintel: the floor goes on";
 }
 
 TEST (FloorPlan, HasNoWallThatBeginsTooHighOverTheCutForFurniture)
@@ -477,8 +481,9 @@ TEST (FloorPlan, OfARoomAroundAShaftHasAHole)
   ASSERT_EQ (plan.rooms.size(), 1u);
   EXPECT_EQ (plan.rooms[0].rings.size(), 2u);
   EXPECT_NEAR (plan.rooms[0].area, 32.0, 0.01);
-  const Vector2d off = plan.rooms[0].middle - Vector2d (3.0, 3.0);
-  EXPECT_GT (off.cwiseAbs().maxCoeff(), 1.0) << "not in the shaft";
+  const Vector2d center_of_shaft (3.0, 3.0);
+  const Vector2d from_center = plan.rooms[0].middle - center_of_shaft;
+  EXPECT_GT (from_center.cwiseAbs().maxCoeff(), 1.0) << "not in the shaft";
 }
 
 TEST (FloorPlan, CutsOverTheLowestFloorWhereverThatIs)
@@ -505,7 +510,7 @@ TEST (FloorPlan, OfAnUpperStoryIsOverItsFloor)
 
 TEST (FloorPlan, HasARoomOverTablesSlabsAndRampsWithoutAFloor)
 {
-  const auto rooms_over = [] (PlaneKind kind) {
+  const auto roomsOver = [] (PlaneKind kind) {
     Building room;
     room.level (kind, 0.5, {0, 0}, {4, 3});
     room.wall ({0, 0}, {4, 0}).wall ({4, 0}, {4, 3});
@@ -513,8 +518,8 @@ TEST (FloorPlan, HasARoomOverTablesSlabsAndRampsWithoutAFloor)
     return room.plan().rooms.size();
   };
   for (const PlaneKind kind : {PlaneKind::Table, PlaneKind::Slab, PlaneKind::Ramp})
-    EXPECT_EQ (rooms_over (kind), 1u) << toString (kind);
-  EXPECT_EQ (rooms_over (PlaneKind::Other), 0u);
+    EXPECT_EQ (roomsOver (kind), 1u) << toString (kind);
+  EXPECT_EQ (roomsOver (PlaneKind::Other), 0u);
 }
 
 TEST (FloorPlan, HasARoomWhoseFloorIsHiddenInTheMiddle)

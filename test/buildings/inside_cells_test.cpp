@@ -10,6 +10,24 @@ namespace {
 
 using CellsInside = std::vector<char>;
 
+/** \brief A cell of 20 m^2 that is all covered. */
+const CellEvidence covered_room{20.0, 0.0, 0.0};
+
+/** \brief A strip of 4 m that was not seen.
+ * \param[in] rim length of its border where nothing is [m] */
+CellEvidence
+unseenStrip (double width, double rim = 0.0)
+{
+  return {0.0, 4.0 * width, rim};
+}
+
+/** \brief Two cells in the list with a common side of 4 m without a wall. */
+CellBorder
+openBorder (std::size_t first, std::size_t second)
+{
+  return {first, second, 4.0};
+}
+
 /** \brief A cell of 4 m^2 of which a share is covered. */
 CellEvidence
 coveredBy (double share)
@@ -21,34 +39,33 @@ coveredBy (double share)
 
 TEST (CellsInside, AreThoseMostlyCoveredWhereWallsAreBetween)
 {
-  EXPECT_EQ (cellsInside ({coveredBy (0.6), coveredBy (0.4)}, {{0, 1, 0.0}}),
+  const CellBorder wall = {0, 1, 0.0};
+  EXPECT_EQ (cellsInside ({coveredBy (0.6), coveredBy (0.4)}, {wall}),
              CellsInside ({1, 0}));
 }
 
 TEST (CellsInside, GoOnOverAStripThatWasNotSeenUpToAWall)
 {
-  // 4 m of a border without a wall, to a strip of 0.3 m and to one of 0.6 m.
-  const CellEvidence room{20.0, 0.0, 0.0};
-  EXPECT_EQ (cellsInside ({room, {0.0, 1.2, 0.0}}, {{0, 1, 4.0}}),
+  EXPECT_EQ (cellsInside ({covered_room, unseenStrip (0.3)}, {openBorder (0, 1)}),
              CellsInside ({1, 1}));
-  EXPECT_EQ (cellsInside ({room, {0.0, 2.4, 0.0}}, {{0, 1, 4.0}}),
+  EXPECT_EQ (cellsInside ({covered_room, unseenStrip (0.6)}, {openBorder (0, 1)}),
              CellsInside ({1, 0}));
 }
 
 TEST (CellsInside, DoNotGoOnToWhereNothingIs)
 {
-  const CellEvidence room{20.0, 0.0, 0.0};
-  EXPECT_EQ (cellsInside ({room, {0.0, 1.2, 4.0}}, {{0, 1, 4.0}}),
+  constexpr double rim = 4.0;
+  EXPECT_EQ (cellsInside ({covered_room, unseenStrip (0.3, rim)}, {openBorder (0, 1)}),
              CellsInside ({1, 0}));
 }
 
 TEST (CellsInside, CrossSeveralStripsToAWall)
 {
-  // Strips of 0.1 m, one behind the other: each alone would only move the border.
-  const CellEvidence room{20.0, 0.0, 0.0};
-  const CellEvidence strip{0.0, 0.4, 0.0};
-  EXPECT_EQ (cellsInside ({room, strip, strip, strip},
-                          {{0, 1, 4.0}, {1, 2, 4.0}, {2, 3, 4.0}}),
+  // Strips of 0.1 m, one behind the other. If the room ended after one of them, its
+  // border would be as long as before.
+  const CellEvidence strip = unseenStrip (0.1);
+  EXPECT_EQ (cellsInside ({covered_room, strip, strip, strip},
+                          {openBorder (0, 1), openBorder (1, 2), openBorder (2, 3)}),
              CellsInside ({1, 1, 1, 1}));
 }
 

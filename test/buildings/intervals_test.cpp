@@ -21,19 +21,23 @@ endsOfIntervals (const Intervals& intervals)
 
 } // namespace
 
-TEST (Intervals, OfPlacesEndAtGapsThatAreLarger)
+TEST (Intervals, OfPositionsEndAtLargerGaps)
 {
-  EXPECT_EQ (endsOfIntervals (intervalsOf ({7, 0, 1, 2, 5, 6}, 2.0)),
+  constexpr double max_gap = 2.0;
+  EXPECT_EQ (endsOfIntervals (intervalsOf ({7, 0, 1, 2, 5, 6}, max_gap)),
              (IntervalEnds{{0, 2}, {5, 7}}));
-  EXPECT_EQ (endsOfIntervals (intervalsOf ({0, 2, 4}, 2.0)), (IntervalEnds{{0, 4}}));
-  EXPECT_TRUE (intervalsOf ({}, 2.0).empty());
+  EXPECT_EQ (endsOfIntervals (intervalsOf ({0, 2, 4}, max_gap)),
+             (IntervalEnds{{0, 4}}));
+  EXPECT_TRUE (intervalsOf ({}, max_gap).empty());
 }
 
 TEST (Intervals, OfTwoListsAreOneWhereTheyOverlapOrNearlyTouch)
 {
-  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{1, 2}, {6, 7}}, 0.5)),
+  double max_gap = 0.5;
+  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{1, 2}, {6, 7}}, max_gap)),
              (IntervalEnds{{0, 5}, {6, 7}, {8, 9}}));
-  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{4, 7}}, 1.0)),
+  max_gap = 1.0;
+  EXPECT_EQ (endsOfIntervals (unionOf ({{0, 5}, {8, 9}}, {{4, 7}}, max_gap)),
              (IntervalEnds{{0, 9}}));
 }
 

@@ -13,13 +13,13 @@ using Eigen::Vector2d;
 
 namespace {
 
-// 4 m x 3 m, not at zero.
+// Of 4 m x 3 m, and not at zero.
 const Eigen::AlignedBox2d plan_box (Vector2d (10, 20), Vector2d (14, 23));
 const PlanLine line_across = {{11, 0}, {0, 1}};
 const PlanLine line_along = {{0, 22}, {1, 0}};
 const PlanLine line_through_corners = {{10, 20}, Vector2d (4, 3).normalized()};
 
-/** \brief By rising size, to the square millimeter. */
+/** \brief Areas of cells, ascending, rounded to 1e-6 m^2. */
 std::vector<double>
 areasOfCells (const std::vector<PlanCell>& cells)
 {
@@ -30,6 +30,7 @@ areasOfCells (const std::vector<PlanCell>& cells)
   return areas;
 }
 
+/** \brief Number of sides of all cells that lie on a line, by its index or no_line. */
 std::size_t
 sidesOnLine (std::size_t line, const std::vector<PlanCell>& cells)
 {

@@ -9,14 +9,18 @@
 
 namespace {
 
-/** \brief How many there are of something below a limit and above it. */
+/** \brief A limit of a quantity, and how many parts a plan has below it and above it.
+ */
 struct PlanLimit {
   std::string of;
+  /** \brief Values of the quantity a little below and a little above the limit. */
   double below, above;
   std::size_t number_below, number_above;
+  /** \brief Returns the number of parts for a value of the quantity. */
   std::function<std::size_t (double)> number;
 };
 
+/** \brief Fails unless the numbers below and above each limit are these. */
 void
 expectPlanLimits (const std::vector<PlanLimit>& limits)
 {
@@ -26,7 +30,8 @@ expectPlanLimits (const std::vector<PlanLimit>& limits)
   }
 }
 
-/** \brief Points of an upright or level piece of furniture. */
+/** \brief Adds a piece of furniture: a rectangle with a corner and two edges from it.
+ */
 Building&
 addPiece (Building& building,
           const Vector3d& normal,
@@ -35,8 +40,8 @@ addPiece (Building& building,
           const Vector3d& second)
 {
   std::vector<Vector3d> points;
-  for (double s = 0.025; s < first.norm(); s += 5_cm)
-    for (double t = 0.025; t < second.norm(); t += 5_cm)
+  for (double s = half_spacing; s < first.norm(); s += grid_spacing)
+    for (double t = half_spacing; t < second.norm(); t += grid_spacing)
       points.push_back (corner + s * first.normalized() + t * second.normalized());
   return building.add (PlaneKind::Other, normal, points);
 }
@@ -50,6 +55,7 @@ fourWalls ()
   return walls.wall ({4, 3}, {0, 3}).wall ({0, 3}, {0, 0});
 }
 
+/** \brief Number of walls of which both sides were seen. */
 std::size_t
 thickWallsOf (const FloorPlan& plan)
 {
@@ -63,122 +69,124 @@ thickWallsOf (const FloorPlan& plan)
 
 TEST (PlanLimits, OfPartsOfOneWall)
 {
-  const auto before = [] (double meters) {
+  const auto wallsOfParts = [] (double meters) {
     Building parts;
     parts.wall ({0, 0}, {2, 0}).wall ({2, meters}, {4, meters});
     return parts.plan().walls.size();
   };
-  const auto turned = [] (double degrees) {
+  const auto wallsOfTurnedParts = [] (double degrees) {
     const Vector2d along (std::cos (degrees * 1_deg), std::sin (degrees * 1_deg));
     Building parts;
     parts.wall ({0, 0}, {2, 0}).wall ({2, 0}, Vector2d (2, 0) + 0.6 * along);
     return parts.plan().walls.size();
   };
-  expectPlanLimits ({{"distance", 4_cm, 6_cm, 1, 2, before},
-                     {"angle, which is 4 degrees", 3.5, 4.5, 1, 2, turned}});
+  expectPlanLimits (
+      {{"distance", 4_cm, 6_cm, 1, 2, wallsOfParts},
+       {"angle, which is 4 degrees", 3.5, 4.5, 1, 2, wallsOfTurnedParts}});
 }
 
 TEST (PlanLimits, OfWallsThatMeet)
 {
   // A wall that ends 20 cm before another one is drawn to it, unless they are nearly
   // parallel.
-  const auto is_drawn_at = [] (double degrees) {
+  const auto wallsDrawnToCorner = [] (double degrees) {
     const Vector2d along (std::cos (degrees * 1_deg), std::sin (degrees * 1_deg));
-    const Vector2d meet (3, 0);
+    const Vector2d meeting_point (3, 0);
     Building walls;
-    walls.wall ({0, 0}, {6, 0}).wall (meet + 0.2 * along, meet + 3.0 * along);
+    walls.wall ({0, 0}, {6, 0})
+        .wall (meeting_point + 0.2 * along, meeting_point + 3.0 * along);
     return walls.plan().walls.at (1).length() > 2.9 ? 1u : 0u;
   };
-  expectPlanLimits ({{"15 degrees", 13.0, 17.0, 0, 1, is_drawn_at}});
+  expectPlanLimits ({{"15 degrees", 13.0, 17.0, 0, 1, wallsDrawnToCorner}});
 }
 
 TEST (PlanLimits, OfWallsThatAreSeenAtTheCut)
 {
-  const auto walls_seen_for = [] (double meters) {
+  const auto wallsSeenFor = [] (double meters) {
     Building hidden; // the floor goes on: it may be a lintel
     hidden.level (PlaneKind::Floor, 0.0, {0, -2}, {4, 2});
     hidden.wall ({0, 0}, {4, 0}, {{meters, 4.0, 0.5, 2.0}});
     return hidden.plan().walls.size();
   };
-  expectPlanLimits ({{"a quarter of its length", 0.9, 1.1, 0, 1, walls_seen_for}});
+  expectPlanLimits ({{"a quarter of its length", 0.9, 1.1, 0, 1, wallsSeenFor}});
 }
 
 TEST (PlanLimits, OfTheTwoSidesOfAWall)
 {
-  const auto apart = [] (double meters) {
+  const auto thickWallsApart = [] (double meters) {
     Building wall;
     wall.wall ({0, 0}, {4, 0}).wall ({4, -meters}, {0, -meters});
     return thickWallsOf (wall.plan());
   };
-  const auto beside = [] (double meters) {
+  const auto thickWallsBeside = [] (double meters) {
     Building wall;
     wall.wall ({0, 0}, {4, 0}).wall ({8.0 - meters, -0.2}, {4.0 - meters, -0.2});
     return thickWallsOf (wall.plan());
   };
-  expectPlanLimits ({{"thickest, 0.7 m", 0.65, 0.75, 2, 0, apart},
-                     {"30 cm beside each other", 0.25, 0.45, 0, 2, beside}});
+  expectPlanLimits ({{"thickest, 0.7 m", 0.65, 0.75, 2, 0, thickWallsApart},
+                     {"30 cm beside each other", 0.25, 0.45, 0, 2, thickWallsBeside}});
 }
 
 TEST (PlanLimits, OfWhatHidesADoor)
 {
-  const auto openings_behind = [] (double meters) {
+  const auto openingsBehind = [] (double meters) {
     Building room = roomOf4By3();
     addPiece (room, Vector3d::UnitY(), {0.9, meters, 0}, {1.1, 0, 0}, {0, 0, 2});
     return openingsOf (room.plan());
   };
-  const auto openings_below = [] (double over_cut) {
+  const auto openingsBelow = [] (double over_cut) {
     Building room = roomOf4By3();
     const Vector3d corner (0.9, 0.4, 1.2 + over_cut - 0.025);
     addPiece (room, Vector3d::UnitY(), corner, {1.1, 0, 0}, {0, 0, 0.5});
     return openingsOf (room.plan());
   };
-  const auto openings_before = [] (double meters) {
+  const auto openingsBefore = [] (double meters) {
     Building room = roomOf4By3();
     // Level, so that it is no leaf.
     const Vector3d corner (0.9, -meters - 0.025, 1.2);
     addPiece (room, Vector3d::UnitZ(), corner, {1.1, 0, 0}, {0, 0.04, 0});
     return openingsOf (room.plan());
   };
-  expectPlanLimits ({{"80 cm before it", 0.75, 0.85, 0, 1, openings_behind},
-                     {"10 cm over the cut", 0.08, 0.12, 0, 1, openings_below},
-                     {"5 cm within the wall", 0.04, 0.06, 0, 1, openings_before}});
+  expectPlanLimits ({{"80 cm before it", 0.75, 0.85, 0, 1, openingsBehind},
+                     {"10 cm over the cut", 0.08, 0.12, 0, 1, openingsBelow},
+                     {"5 cm within the wall", 0.04, 0.06, 0, 1, openingsBefore}});
 }
 
 TEST (PlanLimits, OfTheLowestFloor)
 {
   // A pit of some square meters beside a floor of 12: the cut is 1.2 m over it or over
   // the floor.
-  const auto cuts_in_pit = [] (double width) {
+  const auto cutsInPit = [] (double width) {
     Building hall = roomOf4By3();
     hall.level (PlaneKind::Floor, -1.0, {10, 0}, {12, width});
     return hall.plan().height < 1_m ? 1u : 0u;
   };
-  expectPlanLimits ({{"a fifth of the floor", 1.1, 1.3, 0, 1, cuts_in_pit}});
+  expectPlanLimits ({{"a fifth of the floor", 1.1, 1.3, 0, 1, cutsInPit}});
 }
 
 TEST (PlanLimits, OfWhatCoversARoom)
 {
-  const auto rooms_over = [] (double below) {
+  const auto roomsOver = [] (double below) {
     Building room = fourWalls();
     room.level (PlaneKind::Floor, 0.0, {9, 9}, {11, 11});
     room.level (PlaneKind::Slab, -below, {0, 0}, {4, 3});
     return room.plan().rooms.size();
   };
-  const auto rooms_under = [] (double over_cut) {
+  const auto roomsUnder = [] (double over_cut) {
     Building room = fourWalls();
     room.level (PlaneKind::Ceiling, 1.225 + over_cut, {0, 0}, {4, 3});
     return room.plan().rooms.size();
   };
-  const auto rooms_that_are = [] (double width) {
+  const auto roomsOfWidth = [] (double width) {
     Building corridor;
     corridor.level (PlaneKind::Floor, 0.0, {0, 0}, {6, width});
     corridor.wall ({0, 0}, {6, 0}).wall ({6, 0}, {6, width});
     corridor.wall ({6, width}, {0, width}).wall ({0, width}, {0, 0});
     return corridor.plan().rooms.size();
   };
-  expectPlanLimits ({{"60 cm below the floor", 0.55, 0.65, 1, 0, rooms_over},
-                     {"6 m over the cut", 5.9, 6.1, 1, 0, rooms_under},
-                     {"some 35 cm wide", 0.3, 0.45, 0, 1, rooms_that_are}});
+  expectPlanLimits ({{"60 cm below the floor", 0.55, 0.65, 1, 0, roomsOver},
+                     {"6 m over the cut", 5.9, 6.1, 1, 0, roomsUnder},
+                     {"some 35 cm wide", 0.3, 0.45, 0, 1, roomsOfWidth}});
 }
 
 TEST (PlanLimits, OfRoofsBesideTheWalls)

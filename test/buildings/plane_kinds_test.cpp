@@ -14,6 +14,9 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+/** \brief A sensor far above: all normals point up, as in a survey. */
+const Vector3d far_above (0.0, 0.0, 1e3);
+
 } // namespace
 
 TEST (PlaneKinds, OfARoomAreFloorCeilingAndWalls)
@@ -27,7 +30,7 @@ TEST (PlaneKinds, AreTheSameInFeetAndForATiltedUpAxis)
   Rectangles room = shell();
   const Eigen::Quaterniond turn (
       Eigen::AngleAxisd (1.0, Vector3d (1, 2, 3).normalized()));
-  constexpr double feet = 1.0 / 0.3048;
+  constexpr double feet = 1.0 / 0.3048; // of a meter
   for (PlaneSegment& plane : room.planes) {
     plane.centroid = feet * (turn * plane.centroid);
     plane.normal = turn * plane.normal;
@@ -52,7 +55,7 @@ TEST (PlaneKinds, AreTheSameInReverseOrderOfPlanes)
   room.level (0.72, 1.4, 0.8, 1.0, 1.0).add ({1, 0.4, 0}, {1.2, 0, 0}, {0, 0, 1.8});
   room.add ({4.02, 1, 0.4}, {0, 0.3, 0}, {0, 0, 0.3}); // a part of a wall
   Rectangles house;
-  house.sensor = {0, 0, 1e3};
+  house.sensor = far_above;
   house.level (0.0, 60_m, 40_m, -20.0, -20.0).add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5});
   house.level (5.0, 6_m, 6_m, 20.0, 0.0).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
   Rectangles cellar = shell();
@@ -86,21 +89,22 @@ TEST (PlaneKinds, OfTheFrontOfACupboardIsNoWall)
 
 TEST (PlaneKinds, OfAWallBesideTheEndOfALargerOneIsAWall)
 {
-  // 40 cm nearer to the room than the larger wall, and lower.
-  const auto kind_at = [] (double x) {
+  // 40 cm nearer to the room than the larger wall, which goes from x = 0 to 4 m, and
+  // lower.
+  const auto kindAt = [] (double x) {
     Rectangles room;
     room.level (0.0, 8_m, 3_m).add ({0, 3, 0}, {4, 0, 0}, {0, 0, 2.4});
     room.add ({x, 2.6, 0}, {2, 0, 0}, {0, 0, 1.8});
     return room.lastKind();
   };
-  EXPECT_EQ (kind_at (5_m), "wall") << "beside it";
-  EXPECT_EQ (kind_at (1_m), "other") << "before it";
+  EXPECT_EQ (kindAt (5_m), "wall") << "beside it";
+  EXPECT_EQ (kindAt (1_m), "other") << "before it";
 }
 
 TEST (PlaneKinds, OfALevelAboveAStoryIsARoofWhereNoWallRisesFromIt)
 {
   Rectangles house;
-  house.sensor = {0, 0, 1e3};
+  house.sensor = far_above;
   house.level (2.8, 6_m, 5_m).level (0.0, 6_m, 5_m).level (2.5, 6_m, 5_m);
   house.add ({0, 0, 0}, {6, 0, 0}, {0, 0, 2.5});
   EXPECT_EQ (house.kinds().front(), "roof");
@@ -129,7 +133,7 @@ TEST (PlaneKinds, OfASmallPartOfAWallIsThatOfTheWall)
 TEST (PlaneKinds, OfTwoStoriesAreTwoFloorsAndTwoCeilings)
 {
   Rectangles house;
-  house.sensor = {0, 0, 1e3}; // all normals point up: where scans are from is not known
+  house.sensor = far_above;
   for (const double floor : {0.0, 2.8}) {
     house.level (floor, 6_m, 5_m).level (floor + 2.5, 6_m, 5_m);
     house.add ({0, 0, floor}, {6, 0, 0}, {0, 0, 2.5});
@@ -141,7 +145,7 @@ TEST (PlaneKinds, OfTwoStoriesAreTwoFloorsAndTwoCeilings)
 TEST (PlaneKinds, OfAHouseFromAboveAreGroundWallsAndRoof)
 {
   Rectangles house;
-  house.sensor = {0, 0, 1e3};
+  house.sensor = far_above;
   house.level (0.0, 60_m, 40_m, -20.0, -20.0);
   house.add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5}).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
   house.level (5.0, 6_m, 6_m, 20.0, 0.0); // the flat roof of another one
@@ -151,17 +155,17 @@ TEST (PlaneKinds, OfAHouseFromAboveAreGroundWallsAndRoof)
 TEST (PlaneKinds, OfAHillsideIsOther)
 {
   Rectangles survey;
-  survey.sensor = {0, 0, 1e3};
+  survey.sensor = far_above;
   survey.level (0.0, 60_m, 40_m).add ({0, 0, 5}, {30, 0, 0}, {0, 20, 6});
   ASSERT_EQ (survey.lastKind(), "roof");
   PlaneSegment& slope = survey.planes.back();
-  const auto has_rms = [&slope] (double rms) {
+  const auto setRms = [&slope] (double rms) {
     slope.moments = Moments::of (
         1000.0, slope.centroid, rms * rms * slope.normal * slope.normal.transpose());
   };
-  has_rms (0.5);
+  setRms (0.5);
   EXPECT_EQ (survey.lastKind(), "other") << "of half a meter, whatever the noise";
-  has_rms (0.2);
+  setRms (0.2);
   EXPECT_EQ (survey.lastKind(), "roof") << "where the noise is not known";
   slope.noise = 0.05;
   EXPECT_EQ (survey.lastKind(), "other") << "its rms is four noises";
@@ -171,20 +175,21 @@ TEST (PlaneKinds, OfAHillsideIsOther)
 
 TEST (PlaneKinds, OfASlopeThatGoesOnAtItsEndsIsOther)
 {
-  // A valley of 40 m, and a hillside of 20 degrees in three strips above one another.
-  const auto strip = [] (Rectangles& hills, double from) {
+  // A valley of 40 m, and a hillside of 20 degrees in three strips, each above the one
+  // before.
+  const auto addStrip = [] (Rectangles& hills, double from) {
     hills.add ({0, from, 0.36 * from}, {40, 0, 0}, {0, 9, 0.36 * 9});
   };
   Rectangles hills;
-  hills.sensor = {0, 0, 1e3};
+  hills.sensor = far_above;
   hills.level (0.0, 40_m, 40_m, 0.0, -40.0);
   for (const double from : {0.0, 10.0, 20.0})
-    strip (hills, from);
+    addStrip (hills, from);
   EXPECT_EQ (hills.kinds()[2], "other");
   Rectangles roof;
-  roof.sensor = {0, 0, 1e3};
+  roof.sensor = far_above;
   roof.level (0.0, 40_m, 40_m, 0.0, -40.0);
-  strip (roof, 10.0);
+  addStrip (roof, 10.0);
   EXPECT_EQ (roof.kinds()[1], "roof") << "alone";
 }
 
@@ -192,7 +197,7 @@ TEST (PlaneKinds, OfTwoSidesOfAGableAreRoofs)
 {
   for (const double rise : {0.5, 4.0}) { // of 7 and of 45 degrees
     Rectangles house;
-    house.sensor = {0, 0, 1e3};
+    house.sensor = far_above;
     house.level (0.0, 40_m, 40_m, -15.0, -15.0);
     house.add ({0, 0, 3}, {10, 0, 0}, {0, 4, rise});
     house.add ({0, 8, 3}, {10, 0, 0}, {0, -4, rise});
@@ -203,8 +208,8 @@ TEST (PlaneKinds, OfTwoSidesOfAGableAreRoofs)
 TEST (PlaneKinds, OfARoofWithoutItsGroundIsARoof)
 {
   Rectangles roof;
-  roof.sensor = {0, 0, 1e3};
-  roof.level (0.0, 2_m, 2_m, 30.0, 0.0); // a place of the ground elsewhere
+  roof.sensor = far_above;
+  roof.level (0.0, 2_m, 2_m, 30.0, 0.0); // a piece of the ground elsewhere
   roof.add ({0, 0, 5}, {10, 0, 0}, {0, 4, 2});
   roof.add ({0, 8, 5}, {10, 0, 0}, {0, -4, 2});
   EXPECT_EQ (roof.kinds(), (Names{"floor", "roof", "roof"}));
@@ -213,7 +218,7 @@ TEST (PlaneKinds, OfARoofWithoutItsGroundIsARoof)
 TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
 {
   Rectangles terraces; // steps of a field, each lower by half a meter
-  terraces.sensor = {0, 0, 1e3};
+  terraces.sensor = far_above;
   for (const double step : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
     terraces.level (0.5 * step, 30_m, 10_m, 0.0, 10.0 * step);
   EXPECT_EQ (terraces.kinds()[5], "other");
@@ -222,7 +227,7 @@ TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
 TEST (PlaneKinds, OfAFieldFarAboveAnotherOneIsAFloor)
 {
   Rectangles fields;
-  fields.sensor = {0, 0, 1e3};
+  fields.sensor = far_above;
   fields.level (0.0, 60_m, 60_m).level (9.0, 40_m, 60_m, 70.0, 0.0);
   EXPECT_EQ (fields.lastKind(), "floor") << "nothing is below it";
   fields.planes.back().moments =
@@ -352,7 +357,7 @@ TEST (PlaneKinds, OfARoomAreTheSameForASensorThatLeans)
   Rectangles room = shell();
   room.level (0.72, 1.4, 0.8, 1.0, 1.0);
   for (const double degrees : {5.0, 8.0, 11.0}) {
-    // The sensor's own axis, which it takes for up.
+    // The up axis is taken for that of the sensor, which leans.
     const Eigen::AngleAxisd lean (degrees * M_PI / 180.0, Vector3d::UnitX());
     const Vector3d up = lean * Vector3d::UnitZ();
     for (PlaneSegment& plane : room.planes)
@@ -370,7 +375,7 @@ TEST (PlaneKinds, OfWallsAreWallsThoughSomeGroundFarAwaySlopes)
   Rectangles street;
   street.sensor = {0, 0, 0};
   street.add ({-3, 4, -1}, {6, 0, 0}, {0, 0.3, 3});  // leans by 6 degrees
-  street.add ({40, -3, -4}, {8, 0, 1.2}, {0, 6, 0}); // 48 m2, 8 degrees
+  street.add ({40, -3, -4}, {8, 0, 1.2}, {0, 6, 0}); // 48 m^2, 8 degrees
   EXPECT_EQ (street.kindsFromSensor().front(), "wall");
 }
 

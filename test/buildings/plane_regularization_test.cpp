@@ -13,12 +13,13 @@ namespace {
 
 constexpr double noise = 3_mm;
 
-/** \brief Noisy squares of 2 m, each with a normal and a place. */
+/** \brief Noisy squares of 2 m x 2 m as a detector returns them. */
 struct Squares {
   pcl::PointCloud<pcl::PointXYZ> cloud = {};
   std::vector<PlaneSegment> planes = {};
   RandomGenerator generator = RandomGenerator (seedOfTest());
 
+  /** \brief Adds a square of steps x steps points. */
   Squares&
   add (const Vector3d& normal, const Vector3d& center, int steps = 40)
   {
@@ -29,7 +30,7 @@ struct Squares {
         inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
         cloud.push_back (toPoint (
             center + (2.0 * i / steps - 1.0) * u + (2.0 * j / steps - 1.0) * v +
-            noise * drawNormal (generator) * normal.normalized()));
+            noise * drawGaussian (generator) * normal.normalized()));
       }
     planes.push_back (planeOfPoints (cloud, inliers, normal.normalized()));
     const std::optional<PlaneFit> fit = fitPlane (planes.back().moments);
@@ -46,7 +47,7 @@ struct Squares {
   }
 };
 
-/** \brief Three sides of a box and one across, as noise has them. */
+/** \brief A floor, two opposite walls and a wall across them, with noise. */
 Squares
 box ()
 {
@@ -127,14 +128,14 @@ TEST (PlaneRegularization, KeepsPartsApartThatAreThreeTimesTheNoiseOfBothFromEac
   // The noise of both is sqrt (2) * 3 mm; three times that are 13 mm.
   PlaneRegularizationParameters far;
   far.max_displacement = 1e3;
-  const auto are_level = [&] (double before) {
+  const auto areOnOneLevel = [&] (double distance) {
     Squares parts;
-    parts.add ({1, 0, 0}, {0, 0, 1}).add ({1, 0, 0}, {before, 5, 1});
+    parts.add ({1, 0, 0}, {0, 0, 1}).add ({1, 0, 0}, {distance, 5, 1});
     const RegularizedPlanes found = parts.regularized (far);
     return found.moves[0].level == found.moves[1].level;
   };
-  EXPECT_TRUE (are_level (10_mm));
-  EXPECT_FALSE (are_level (16_mm));
+  EXPECT_TRUE (areOnOneLevel (10_mm));
+  EXPECT_FALSE (areOnOneLevel (16_mm));
 }
 
 TEST (PlaneRegularization, LeavesARoofOf30DegreesAsItIs)

@@ -20,6 +20,7 @@ struct Rectangles {
   std::vector<PlaneSegment> planes = {};
   std::vector<PlaneExtent> extents = {};
 
+  /** \brief Adds the rectangle with a corner and two edges from it. */
   Rectangles&
   add (const Vector3d& corner, const Vector3d& first, const Vector3d& second)
   {
@@ -45,18 +46,22 @@ struct Rectangles {
     return *this;
   }
 
+  /** \brief Adds a level rectangle with its lowest corner at (x, y, height). */
   Rectangles&
   level (double height, double width, double depth, double x = 0.0, double y = 0.0)
   {
     return add ({x, y, height}, {width, 0, 0}, {0, depth, 0});
   }
 
+  /** \brief The name of the kind of each plane.
+   * \param[in] viewpoint position of the sensor, if planeKinds is to know it */
   std::vector<std::string>
   kinds (const std::optional<Vector3d>& viewpoint = {},
          const Vector3d& up = Vector3d::UnitZ()) const
   {
+    constexpr double meter = 1.0;
     std::vector<std::string> names;
-    for (const PlaneKind kind : planeKinds (planes, extents, up, 1.0, viewpoint))
+    for (const PlaneKind kind : planeKinds (planes, extents, up, meter, viewpoint))
       names.emplace_back (toString (kind));
     return names;
   }

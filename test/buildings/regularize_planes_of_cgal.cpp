@@ -14,7 +14,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/** \brief Three noisy sides of a box, of 2 m each. */
+/** \brief Three noisy sides of a box with edges of 2 m. */
 struct Box {
   std::vector<PlaneSegment> planes = {};
   std::vector<Kernel::Point_3> points = {};
@@ -29,11 +29,11 @@ struct Box {
                      v = Vector3d::Unit ((axis + 2) % 3);
       Moments moments;
       for (int i = 0; i < 900; ++i) {
-        const Vector3d place = 2.0 * drawUnit (generator) * u +
+        const Vector3d point = 2.0 * drawUnit (generator) * u +
                                2.0 * drawUnit (generator) * v +
-                               5_mm * drawNormal (generator) * normal;
-        moments.add (place.x(), place.y(), place.z());
-        points.emplace_back (place.x(), place.y(), place.z());
+                               5_mm * drawGaussian (generator) * normal;
+        moments.add (point.x(), point.y(), point.z());
+        points.emplace_back (point.x(), point.y(), point.z());
         plane_of_point.push_back (axis);
       }
       const PlaneFit fit = *fitPlane (moments);
@@ -44,6 +44,7 @@ struct Box {
     }
   }
 
+  /** \brief The normals of the planes after CGAL regularized them. */
   std::vector<Vector3d>
   normalsOfCgal (double max_angle) const
   {

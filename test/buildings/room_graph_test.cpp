@@ -23,14 +23,14 @@ TEST (RoomGraph, HasTheRoomsBeforeAndBehindADoorOnBothSidesOfItsWall)
   const FloorPlan plan = twoRooms().plan();
   const std::vector<PlanOpening> doors = allOpenings (plan);
   ASSERT_EQ (doors.size(), 2u);
-  for (const PlanOpening& one : doors) {
-    EXPECT_TRUE (one.isDoor());
-    const bool is_of_left = one.from.x() < 4.05;
-    const bool is_left_before =
-        plan.rooms.at (one.room_before.value()).middle.x() < 4.0;
-    EXPECT_EQ (is_left_before, is_of_left);
-    EXPECT_NE (one.room_before, one.room_behind);
-    EXPECT_TRUE (one.room_behind);
+  for (const PlanOpening& opening : doors) {
+    EXPECT_TRUE (opening.isDoor());
+    const bool is_on_left_side = opening.from.x() < 4.05; // the middle of the wall
+    const bool is_left_room_before =
+        plan.rooms.at (opening.room_before.value()).middle.x() < 4.0;
+    EXPECT_EQ (is_left_room_before, is_on_left_side);
+    EXPECT_NE (opening.room_before, opening.room_behind);
+    EXPECT_TRUE (opening.room_behind);
   }
   EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms{1});
   EXPECT_EQ (plan.roomsBehindDoorsOf (1), Rooms{0});
@@ -51,20 +51,26 @@ TEST (RoomGraph, HasTheRoomBehindAWallOfWhichOneSideWasSeen)
 
 TEST (RoomGraph, HasNoWayThroughAWindow)
 {
-  const FloorPlan plan = twoRooms ({1.0, 1.9, 0.9, 2.0}).plan();
+  const Opening with_high_sill = {1.0, 1.9, 0.9, 2.0};
+  const FloorPlan plan = twoRooms (with_high_sill).plan();
   const std::vector<PlanOpening> windows = allOpenings (plan);
   ASSERT_EQ (windows.size(), 2u);
-  for (const PlanOpening& one : windows) {
-    EXPECT_FALSE (one.isDoor());
-    EXPECT_TRUE (one.room_before && one.room_behind) << "one looks into the other";
+  for (const PlanOpening& opening : windows) {
+    EXPECT_FALSE (opening.isDoor());
+    EXPECT_TRUE (opening.room_before && opening.room_behind)
+        << "one looks into the other";
   }
   EXPECT_EQ (plan.roomsBehindDoorsOf (0), Rooms());
 }
 
 TEST (RoomGraph, HasAWayOverAThreshold)
 {
-  EXPECT_EQ (twoRooms ({1.0, 1.9, 0.2, 2.0}).plan().roomsBehindDoorsOf (0), Rooms{1});
-  EXPECT_EQ (twoRooms ({1.0, 1.9, 0.3, 2.0}).plan().roomsBehindDoorsOf (0), Rooms());
+  const auto roomsBehind = [] (double sill) {
+    const Opening opening = {1.0, 1.9, sill, 2.0};
+    return twoRooms (opening).plan().roomsBehindDoorsOf (0);
+  };
+  EXPECT_EQ (roomsBehind (0.2), Rooms{1});
+  EXPECT_EQ (roomsBehind (0.3), Rooms());
 }
 
 TEST (RoomGraph, HasNoRoomBehindADoorThatLeadsOut)
@@ -102,5 +108,5 @@ TEST (UnseenPartsOfRooms, AreThoseOfTheOutlineWithoutAWall)
   const auto& [from, to] = plan.rooms[0].unseen[0];
   EXPECT_TRUE (from.isApprox (Vector2d (4.0, 1.0), 0.01)) << from.transpose();
   EXPECT_TRUE (to.isApprox (Vector2d (4.0, 3.0), 0.01)) << to.transpose();
-  EXPECT_NEAR (plan.rooms[0].enclosed, 12.0 / 14.0, 0.01) << "the rest";
+  EXPECT_NEAR (plan.rooms[0].enclosed, 12.0 / 14.0, 0.01) << "all but 2 m of 14 m";
 }

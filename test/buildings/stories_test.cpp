@@ -8,17 +8,23 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-// The side that a level plane was seen from.
+// LevelPlane::faces_down: the side that it was seen from.
 const bool from_below = true;
 const bool from_above = false;
+// LevelPlane::is_below_sensor.
+const bool below_sensor = true;
 
-/** \brief Height of the floor and of the ceiling of each, -1 without one. */
+constexpr double no_ceiling = -1.0;
+
+/** \brief The heights of the floor and of the ceiling of each story, or no_ceiling.
+ * \param[in] planes height [m], area [m^2] and side of each
+ * \param[in] lowest height of the lowest plane [m] */
 std::vector<std::pair<double, double>>
 heightsOfStories (const std::vector<LevelPlane>& planes, double lowest = 0.0)
 {
   std::vector<std::pair<double, double>> heights;
   for (const Story& story : storiesOf (levelsOf (planes), lowest))
-    heights.emplace_back (story.floor, story.ceiling.value_or (-1.0));
+    heights.emplace_back (story.floor, story.ceiling.value_or (no_ceiling));
   return heights;
 }
 
@@ -44,12 +50,13 @@ TEST (Levels, FaceToWhereMostOfTheirAreaDoes)
       levelsOf ({{0.0, 0.2, from_above}, {0.1, 0.3, from_below}}).front().faces_down);
   EXPECT_FALSE (
       levelsOf ({{0.0, 0.3, from_above}, {0.1, 0.2, from_below}}).front().faces_down);
-  EXPECT_TRUE (levelsOf ({{0.0, 0.2, from_above}, {0.1, 0.3, from_above, true}})
+  EXPECT_TRUE (levelsOf ({{0.0, 0.2, from_above}, {0.1, 0.3, from_above, below_sensor}})
                    .front()
                    .is_below_sensor);
-  EXPECT_FALSE (levelsOf ({{0.0, 0.3, from_above}, {0.1, 0.2, from_above, true}})
-                    .front()
-                    .is_below_sensor);
+  EXPECT_FALSE (
+      levelsOf ({{0.0, 0.3, from_above}, {0.1, 0.2, from_above, below_sensor}})
+          .front()
+          .is_below_sensor);
 }
 
 TEST (Stories, HaveAFloorAndACeiling)
@@ -67,7 +74,7 @@ TEST (Stories, BeginAtTheLowestPlaneWhereNoFloorWasSeen)
 {
   EXPECT_EQ (heightsOfStories ({{2.5, 12.0, from_below}}, 0.25),
              (StoryHeights{{0.25, 2.5}}));
-  EXPECT_EQ (heightsOfStories ({}, 0.25), (StoryHeights{{0.25, -1.0}}));
+  EXPECT_EQ (heightsOfStories ({}, 0.25), (StoryHeights{{0.25, no_ceiling}}));
 }
 
 TEST (Stories, HaveNoFloorAtATableTop)

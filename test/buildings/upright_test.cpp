@@ -14,6 +14,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/** \brief Up axes of any direction and length; the first and the last are along z. */
 const std::vector<Vector3d> all_ups{{0.0, 0.0, 1.0},
                                     {0.3, -0.4, 0.8},
                                     {0.0, -1.0, 0.0},

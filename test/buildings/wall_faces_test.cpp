@@ -7,7 +7,17 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-/** \brief Adds a grid of an upright plane at some y. */
+constexpr double cut_height = 1.2; // [m]
+
+/** \brief The face of a wall along the x axis whose front is towards +y.
+ * \param[in] plane index of its plane */
+WallFace
+faceAlongX (const PlanPoints& points, std::size_t plane)
+{
+  return faceOf ({0, 1, 0}, points, plane, cut_height);
+}
+
+/** \brief Adds a grid of points on an upright plane 2 m high, from one x to another. */
 void
 addUpright (double y, double from, double to, PlanPoints& points)
 {
@@ -23,12 +33,12 @@ TEST (WallFaces, KeepTheirEndsThoughALeafIsSeenBeyondTheGap)
   PlanPoints points;
   addUpright (0.0, 0.0, 1_m, points);
   addUpright (0.0, 2_m, 4_m, points);
-  const WallFace wall = faceOf ({0, 1, 0}, points, 0, 1.2);
+  const WallFace wall = faceAlongX (points, 0);
   PlanPoints of_leaf; // set back by 10 cm, and a centimeter wider than the gap
   addUpright (-0.1, 0.99, 2.01, of_leaf);
-  const WallFace leaf = faceOf ({0, 1, 0}, of_leaf, 1, 1.2);
+  const WallFace leaf = faceAlongX (of_leaf, 1);
   const std::vector<WallFace> walls = withoutRecesses ({wall, leaf}, {});
-  ASSERT_EQ (walls.size(), 1u) << "the leaf is none";
+  ASSERT_EQ (walls.size(), 1u) << "the leaf is no wall";
   ASSERT_EQ (walls[0].cut.size(), 2u);
   // Parts of the cut along the line of the wall.
   for (std::size_t i = 0; i < 2; ++i) {
@@ -43,11 +53,11 @@ TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
   addUpright (0.0, 0.0, 1_m, points);
   addUpright (0.0, 2_m, 4_m, points);
   for (double x = 1_m; x < 1.4; x += 1_cm) // a counter at the height of the cut
-    points.emplace_back (x, 0.0, 1.2);
+    points.emplace_back (x, 0.0, cut_height);
   PlanPoints of_leaf;
   addUpright (-0.1, 1_m, 2_m, of_leaf);
-  const std::vector<WallFace> walls = withoutRecesses (
-      {faceOf ({0, 1, 0}, points, 0, 1.2), faceOf ({0, 1, 0}, of_leaf, 1, 1.2)}, {});
+  const std::vector<WallFace> walls =
+      withoutRecesses ({faceAlongX (points, 0), faceAlongX (of_leaf, 1)}, {});
   ASSERT_EQ (walls.size(), 1u);
   double length = 0.0;
   for (const auto& [from, to] : walls[0].cut)
@@ -57,22 +67,25 @@ TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
 
 TEST (WallFaces, OfFurnitureStandBeforeAWallThatIsSeenAboveThem)
 {
-  const auto kept = [] (double distance, double top, double side, double low = 0.0) {
-    PlanPoints of_front; // up to 2 m
-    addUpright (distance, 1_m, 2_m, of_front);
-    PlanPoints of_wall;
-    for (double x = 0.0; x < 4.0; x += 5_cm)
-      for (double z = low + 0.025; z < top; z += 5_cm)
-        of_wall.emplace_back (x, 0.0, z);
-    return withoutFurniture ({faceOf ({0, 1, 0}, of_wall, 0, 1.2),
-                              faceOf ({0, side, 0}, of_front, 1, 1.2)})
-        .size();
-  };
-  EXPECT_EQ (kept (0.4, 2.5, 1.0), 1u);
-  EXPECT_EQ (kept (0.4, 2.0, 1.0), 2u) << "the wall is as low";
-  EXPECT_EQ (kept (1.5, 2.5, 1.0), 2u) << "no furniture is so deep";
-  EXPECT_EQ (kept (0.4, 2.5, -1.0), 2u) << "the side of another room";
-  EXPECT_EQ (kept (0.4, 5.0, 1.0, 2.8), 2u) << "a wall of the next story";
+  // The number of faces that are kept of a front 2 m high, at a distance before a wall
+  // from low to top. side: 1 if both face the same way, else -1.
+  const auto facesKept =
+      [] (double distance, double top, double side, double low = 0.0) {
+        PlanPoints of_front;
+        addUpright (distance, 1_m, 2_m, of_front);
+        PlanPoints of_wall;
+        for (double x = 0.0; x < 4.0; x += 5_cm)
+          for (double z = low + 0.025; z < top; z += 5_cm)
+            of_wall.emplace_back (x, 0.0, z);
+        return withoutFurniture ({faceAlongX (of_wall, 0),
+                                  faceOf ({0, side, 0}, of_front, 1, cut_height)})
+            .size();
+      };
+  EXPECT_EQ (facesKept (0.4, 2.5, 1.0), 1u);
+  EXPECT_EQ (facesKept (0.4, 2.0, 1.0), 2u) << "the wall is as low";
+  EXPECT_EQ (facesKept (1.5, 2.5, 1.0), 2u) << "no furniture is so deep";
+  EXPECT_EQ (facesKept (0.4, 2.5, -1.0), 2u) << "the side of another room";
+  EXPECT_EQ (facesKept (0.4, 5.0, 1.0, 2.8), 2u) << "a wall of the next story";
 }
 
 TEST (WallFaces, OnOneLineAreOneOfAllTheirPlanes)
@@ -81,9 +94,8 @@ TEST (WallFaces, OnOneLineAreOneOfAllTheirPlanes)
   addUpright (0.0, 0.0, 2_m, left);
   addUpright (0.0, 2.5, 4_m, right);
   addUpright (1_m, 0.0, 2_m, across);
-  const std::vector<WallFace> joined = joinFaces ({faceOf ({0, 1, 0}, left, 7, 1.2),
-                                                   faceOf ({0, 1, 0}, across, 3, 1.2),
-                                                   faceOf ({0, 1, 0}, right, 5, 1.2)});
+  const std::vector<WallFace> joined =
+      joinFaces ({faceAlongX (left, 7), faceAlongX (across, 3), faceAlongX (right, 5)});
   ASSERT_EQ (joined.size(), 2u);
   EXPECT_EQ (joined[0].planes, (std::vector<std::size_t>{3}));
   EXPECT_EQ (joined[1].planes, (std::vector<std::size_t>{5, 7}));
@@ -94,68 +106,66 @@ TEST (WallFaces, OfNoPointsAreNone)
   PlanPoints points;
   addUpright (0.0, 0.0, 1_m, points);
   const std::vector<WallFace> joined =
-      joinFaces ({faceOf ({0, 1, 0}, {}, 0, 1.2), faceOf ({0, 1, 0}, points, 1, 1.2)});
+      joinFaces ({faceAlongX ({}, 0), faceAlongX (points, 1)});
   ASSERT_EQ (joined.size(), 1u);
   EXPECT_EQ (joined[0].planes, std::vector<std::size_t>{1});
 }
 
 TEST (WallFaces, AreCutWithin5CentimetersOfTheHeight)
 {
-  const auto is_cut = [] (double top) {
+  const auto isCut = [] (double top) {
     PlanPoints points; // 1 cm apart, up to somewhere below the cut
     for (double x = 0.0; x < 1.0; x += 1_cm)
       for (double z = top; z > top - 0.5; z -= 1_cm)
         points.emplace_back (x, 0.0, z);
-    return !faceOf ({0, 1, 0}, points, 0, 1.2).cut.empty();
+    return !faceAlongX (points, 0).cut.empty();
   };
-  EXPECT_TRUE (is_cut (1.16));
-  EXPECT_FALSE (is_cut (1.14));
+  EXPECT_TRUE (isCut (1.16));
+  EXPECT_FALSE (isCut (1.14));
 }
 
 TEST (WallFaces, AreCutWithinThreeSpacingsWherePointsAreFarApart)
 {
-  const auto is_cut = [] (double top) {
+  const auto isCut = [] (double top) {
     PlanPoints points; // 10 cm apart, up to somewhere below the cut
     for (double x = 0.0; x < 3.0; x += 10_cm)
       for (double z = top; z > top - 2.0; z -= 10_cm)
         points.emplace_back (x, 0.0, z);
-    return !faceOf ({0, 1, 0}, points, 0, 1.2).cut.empty();
+    return !faceAlongX (points, 0).cut.empty();
   };
-  EXPECT_TRUE (is_cut (0.95));
-  EXPECT_FALSE (is_cut (0.8));
+  EXPECT_TRUE (isCut (0.95));
+  EXPECT_FALSE (isCut (0.8));
 }
 
 TEST (WallFaces, HaveNoGapsUpTo25CentimetersOrSixSpacings)
 {
-  const auto parts = [] (double spacing, double gap) {
+  const auto partsSeen = [] (double spacing, double gap) {
     PlanPoints points;
     for (double x = 0.0; x < 4.0; x += spacing)
       for (double z = 0.0; z < 2.5; z += spacing)
         if (x <= 2.0 || x >= 2.0 + gap)
           points.emplace_back (x, 0.0, z);
-    return faceOf ({0, 1, 0}, points, 0, 1.2).seen.size();
+    return faceAlongX (points, 0).seen.size();
   };
-  EXPECT_EQ (parts (1_cm, 22_cm), 1u);
-  EXPECT_EQ (parts (1_cm, 28_cm), 2u);
-  EXPECT_EQ (parts (10_cm, 45_cm), 1u);
-  EXPECT_EQ (parts (10_cm, 85_cm), 2u);
+  EXPECT_EQ (partsSeen (1_cm, 22_cm), 1u);
+  EXPECT_EQ (partsSeen (1_cm, 28_cm), 2u);
+  EXPECT_EQ (partsSeen (10_cm, 45_cm), 1u);
+  EXPECT_EQ (partsSeen (10_cm, 85_cm), 2u);
 }
 
 TEST (WallFaces, AreNoLeavesLessThan2CentimetersBehindOrMoreThan45)
 {
-  const auto walls_with_leaf = [] (double behind) {
+  const auto wallsWithLeaf = [] (double behind) {
     PlanPoints points;
     addUpright (0.0, 0.0, 1_m, points);
     addUpright (0.0, 2_m, 4_m, points);
     PlanPoints of_leaf;
     addUpright (-behind, 1_m, 2_m, of_leaf);
-    return withoutRecesses ({faceOf ({0, 1, 0}, points, 0, 1.2),
-                             faceOf ({0, 1, 0}, of_leaf, 1, 1.2)},
-                            {})
+    return withoutRecesses ({faceAlongX (points, 0), faceAlongX (of_leaf, 1)}, {})
         .size();
   };
-  EXPECT_EQ (walls_with_leaf (15_mm), 2u);
-  EXPECT_EQ (walls_with_leaf (25_mm), 1u);
-  EXPECT_EQ (walls_with_leaf (43_cm), 1u);
-  EXPECT_EQ (walls_with_leaf (47_cm), 2u);
+  EXPECT_EQ (wallsWithLeaf (15_mm), 2u);
+  EXPECT_EQ (wallsWithLeaf (25_mm), 1u);
+  EXPECT_EQ (wallsWithLeaf (43_cm), 1u);
+  EXPECT_EQ (wallsWithLeaf (47_cm), 2u);
 }

@@ -7,8 +7,9 @@ using namespace pcl_ops::internal::buildings;
 
 namespace {
 
-/** \brief Adds a floor from the x axis to 1 m beside it. \param[in] side 1: where y is
- * above 0; -1: below */
+/** \brief Adds a floor from the x axis to 1 m beside it.
+ * \param[in] side 1: where y is above 0; -1: where y is below 0
+ * \param[in] length along the x axis [m] */
 void
 addFloor (double side, double length, PlanPoints& points)
 {
@@ -17,8 +18,9 @@ addFloor (double side, double length, PlanPoints& points)
       points.emplace_back (x, side * y, 0.0);
 }
 
-/** \brief Whether a wall of 4 m along the x axis with its front towards +y has floors
- * behind it. \param[in] before, behind lengths of the floors on both sides [m] */
+/** \brief Whether a wall of 4 m along the x axis, with its front towards +y, has floors
+ * behind it and none before it.
+ * \param[in] before,behind lengths of the floors on both sides [m] */
 bool
 isFloorBehind (double before, double behind)
 {
@@ -81,18 +83,18 @@ TEST (WallFronts, StayWhereNextToNoFloorIsSeen)
 TEST (WallFronts, OfAThinWallAreThoseOfItsOwnRoom)
 {
   // Floors begin at both sides of a wall of 10 cm, wherever the squares of a grid are.
-  for (double at = 0.0; at < 5_cm; at += 1_cm) {
+  for (double y = 0.0; y < 5_cm; y += 1_cm) {
     PlanPoints level;
     PlanPoints wall;
     for (double x = 0.02; x < 4.0; x += 4_cm) {
-      for (double off = 0.0; off < 1.0; off += 4_cm) {
-        level.emplace_back (x, at - off, 0.0);
-        level.emplace_back (x, at + 10_cm + off, 0.0);
+      for (double from_wall = 0.0; from_wall < 1.0; from_wall += 4_cm) {
+        level.emplace_back (x, y - from_wall, 0.0);
+        level.emplace_back (x, y + 10_cm + from_wall, 0.0);
       }
       for (double z = 0.02; z < 2.5; z += 4_cm)
-        wall.emplace_back (x, at, z);
+        wall.emplace_back (x, y, z);
     }
-    EXPECT_TRUE (RoomSides ({&level}).areBehind ({0.0, 1.0}, wall)) << at;
-    EXPECT_FALSE (RoomSides ({&level}).areBehind ({0.0, -1.0}, wall)) << at;
+    EXPECT_TRUE (RoomSides ({&level}).areBehind ({0.0, 1.0}, wall)) << y;
+    EXPECT_FALSE (RoomSides ({&level}).areBehind ({0.0, -1.0}, wall)) << y;
   }
 }

@@ -11,13 +11,14 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// The nearest neighbors of each point by brute force, by distance, then by index.
+/** \brief The nearest neighbors of each point by brute force: for each point the
+ * indices of \p number others, by distance, then by index. */
 Indices
 nearestOfEach (const Coordinates& points, std::size_t number)
 {
   Indices nearest;
   for (std::uint32_t own = 0; own < points.size(); ++own) {
-    std::vector<std::pair<float, std::uint32_t>> others;
+    std::vector<std::pair<float, std::uint32_t>> others; // squared distance, index
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       const float x = points.x[i] - points.x[own];
       const float y = points.y[i] - points.y[own];
@@ -36,16 +37,17 @@ void
 expectAllNearest (const Coordinates& points, std::size_t number)
 {
   const PointTree tree (points);
-  EXPECT_EQ (findAllNearest (tree, number, 1), nearestOfEach (points, number));
+  EXPECT_EQ (findAllNearest (tree, number, one_thread), nearestOfEach (points, number));
 }
 
-// Adds points drawn uniformly in a cube from corner to corner + edge.
+/** \brief Adds points drawn uniformly in a cube whose coordinates go from \p lowest to
+ * \p lowest + \p edge along each axis. */
 void
-addDrawn (std::size_t number, float corner, float edge, Coordinates& points)
+addDrawn (std::size_t number, float lowest, float edge, Coordinates& points)
 {
   RandomGenerator generator (seedOfTest());
   const auto draw = [&] {
-    return corner + edge * static_cast<float> (drawUnit (generator));
+    return lowest + edge * static_cast<float> (drawUnit (generator));
   };
   for (std::size_t i = 0; i < number; ++i) {
     const float x = draw();
@@ -139,7 +141,7 @@ TEST (AllNearest, AreTheSameForAnyNumberOfThreads)
   Coordinates points;
   addDrawn (20000, 0.0f, 1.0f, points);
   const PointTree tree (points);
-  EXPECT_EQ (findAllNearest (tree, 10, 4), findAllNearest (tree, 10, 1));
+  EXPECT_EQ (findAllNearest (tree, 10, 4), findAllNearest (tree, 10, one_thread));
 }
 
 TEST (AllNearest, AreFoundAmongPointsAsFarApartAsNumbersGo)

@@ -9,8 +9,9 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief 300 points, and after them copies of the first 50. */
 Coordinates
-somePoints ()
+pointsWithCopies ()
 {
   Coordinates points;
   RandomGenerator generator (seedOfTest());
@@ -27,8 +28,8 @@ somePoints ()
 
 TEST (DistinctPlaces, HaveEqualPointsOnce)
 {
-  const Coordinates points = somePoints();
-  const DistinctPlaces places = distinctPlaces (points, 1);
+  const Coordinates points = pointsWithCopies();
+  const DistinctPlaces places = distinctPlaces (points, one_thread);
   EXPECT_EQ (places.size(), 300u);
   for (std::size_t i = 0; i < points.size(); ++i)
     ASSERT_EQ (places[places.of_input[i]], points[i]);
@@ -36,8 +37,8 @@ TEST (DistinctPlaces, HaveEqualPointsOnce)
 
 TEST (DistinctPlaces, ComeInTheSameOrderForAnyOrderOfPoints)
 {
-  Coordinates points = somePoints();
-  const DistinctPlaces places = distinctPlaces (points, 1);
+  Coordinates points = pointsWithCopies();
+  const DistinctPlaces places = distinctPlaces (points, one_thread);
   for (std::vector<float>* axis : {&points.x, &points.y, &points.z})
     std::reverse (axis->begin(), axis->end());
   const DistinctPlaces again = distinctPlaces (points, 2);
@@ -49,5 +50,5 @@ TEST (DistinctPlaces, OfZerosAreOne)
 {
   Coordinates zeros;
   zeros.resize (20);
-  EXPECT_EQ (distinctPlaces (zeros, 1).size(), 1u);
+  EXPECT_EQ (distinctPlaces (zeros, one_thread).size(), 1u);
 }

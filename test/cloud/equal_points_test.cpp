@@ -7,11 +7,14 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Points that are alone at their places, and more at (x, 0, 0). */
+constexpr std::uint32_t lone_points = 1000;
+
+/** \brief Points that are alone at their places, and after them \p number points at
+ * (x, 0, 0). */
 Coordinates
-pointsAnd (std::size_t number, float x)
+lonePointsAnd (std::size_t number, float x)
 {
-  Coordinates points = pointsInACube (1000, 4.0);
+  Coordinates points = pointsInACube (lone_points, 4.0);
   for (std::size_t i = 0; i < number; ++i)
     points.add (x, 0.0f, 0.0f);
   return points;
@@ -21,32 +24,33 @@ pointsAnd (std::size_t number, float x)
 
 TEST (FirstAtPlace, IsNotLookedForWhereAllPointsAreAlone)
 {
-  EXPECT_TRUE (firstAtPlace (pointsAnd (0, 0.0f), 1).empty());
+  EXPECT_TRUE (firstAtPlace (lonePointsAnd (0, 0.0f), one_thread).empty());
+  constexpr int edge = 22;
   Coordinates lattice; // whole numbers have few bits that differ
-  for (int i = 0; i < 22 * 22 * 22; ++i)
-    lattice.add (i % 22, i / 22 % 22, i / 22 / 22);
-  EXPECT_TRUE (firstAtPlace (lattice, 1).empty());
+  for (int i = 0; i < edge * edge * edge; ++i)
+    lattice.add (i % edge, i / edge % edge, i / edge / edge);
+  EXPECT_TRUE (firstAtPlace (lattice, one_thread).empty());
 }
 
 TEST (FirstAtPlace, IsNoReadingWhereManyShareOnePlace)
 {
   for (const float x : {0.0f, 17.5f}) {
-    const FirstAtPlace first = firstAtPlace (pointsAnd (50, x), 1);
+    const FirstAtPlace first = firstAtPlace (lonePointsAnd (50, x), one_thread);
     ASSERT_EQ (first.size(), 1050u);
     for (std::uint32_t i = 0; i < 1050; ++i)
-      EXPECT_EQ (first[i], i < 1000 ? i : no_reading);
+      EXPECT_EQ (first[i], i < lone_points ? i : no_reading);
   }
 }
 
 TEST (FirstAtPlace, IsThePointItselfWhereFewHaveEqualsBesideMissingReadings)
 {
-  Coordinates points = pointsAnd (50, 0.0f);
+  Coordinates points = lonePointsAnd (50, 0.0f); // 50 missing readings
   for (std::size_t i = 0; i < 20; ++i)
     points.add (points.x[i], points.y[i], points.z[i]);
-  const FirstAtPlace first = firstAtPlace (points, 1);
+  const FirstAtPlace first = firstAtPlace (points, one_thread);
   ASSERT_EQ (first.size(), 1070u);
   for (std::uint32_t i = 0; i < 1070; ++i)
-    EXPECT_EQ (first[i], i < 1000 || i >= 1050 ? i : no_reading);
+    EXPECT_EQ (first[i], i < lone_points || i >= 1050 ? i : no_reading);
 }
 
 TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
@@ -55,7 +59,7 @@ TEST (FirstAtPlace, IsOneOfThePointsWhereAllHaveEquals)
   Coordinates twice = points;
   for (std::size_t i = 0; i < points.size(); ++i)
     twice.add (points.x[i], points.y[i], points.z[i]);
-  const FirstAtPlace first = firstAtPlace (twice, 1);
+  const FirstAtPlace first = firstAtPlace (twice, one_thread);
   ASSERT_EQ (first.size(), 2000u);
   for (std::uint32_t i = 0; i < 2000; ++i)
     EXPECT_EQ (first[i], i % 1000);
@@ -68,7 +72,7 @@ TEST (FirstAtPlace, TellsApartPlacesWithTheSameHash)
   Coordinates points = pointsInACube (places, 4.0);
   for (std::uint32_t i = 0; i < places; ++i)
     points.add (points.x[i], points.y[i], points.z[i]);
-  const FirstAtPlace first = firstAtPlace (points, 1);
+  const FirstAtPlace first = firstAtPlace (points, one_thread);
   ASSERT_EQ (first.size(), 2 * places);
   for (std::uint32_t i = 0; i < 2 * places; ++i)
     ASSERT_EQ (first[i], i % places) << i;
@@ -76,15 +80,15 @@ TEST (FirstAtPlace, TellsApartPlacesWithTheSameHash)
 
 TEST (FirstAtPlace, TakesZeroAndMinusZeroForOnePlace)
 {
-  Coordinates points = pointsAnd (50, 0.0f);
-  for (std::size_t i = 1000; i < 1050; i += 2)
+  Coordinates points = lonePointsAnd (50, 0.0f);
+  for (std::size_t i = lone_points; i < points.size(); i += 2)
     points.y[i] = -0.0f;
-  EXPECT_EQ (firstAtPlace (points, 1)[1001], no_reading);
+  EXPECT_EQ (firstAtPlace (points, one_thread)[lone_points + 1], no_reading);
 }
 
 TEST (FirstAtPlace, IsNoReadingOfPointsThatAreNotFinite)
 {
-  Coordinates points = pointsAnd (50, 0.0f);
+  Coordinates points = lonePointsAnd (50, 0.0f);
   points.x[7] = NAN;
-  EXPECT_EQ (firstAtPlace (points, 1)[7], no_reading);
+  EXPECT_EQ (firstAtPlace (points, one_thread)[7], no_reading);
 }

@@ -10,7 +10,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// The key of a coordinate in voxels of 0.1 m by default.
+/** \brief The voxel key of a coordinate [m]. */
 std::int32_t
 keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 {
@@ -62,7 +62,7 @@ TEST (MortonCode, WithoutItsLast12BitsIsOneOfVoxelsOf16TimesTheEdge)
 TEST (MortonCode, GivesTheCoordinatesBackPlusTheirOffset)
 {
   for (const std::int32_t x : {0, 1, 0x12345, key_limit, -key_limit}) {
-    const VoxelKey key = numbersOf (mortonCode (x, -x, 7));
+    const VoxelKey key = shiftedKeyOf (mortonCode (x, -x, 7));
     EXPECT_EQ (key.x, key_offset + x);
     EXPECT_EQ (key.y, key_offset - x);
     EXPECT_EQ (key.z, key_offset + 7);
@@ -71,7 +71,7 @@ TEST (MortonCode, GivesTheCoordinatesBackPlusTheirOffset)
 
 TEST (MortonCode, OfKeysNearZeroSharesItsUpperBits)
 {
-  // Up to 100 the lowest 9 bits of each of the three coordinates differ.
+  // Keys from -100 to 100 differ in the lowest 9 bits of each of the three coordinates.
   for (const std::int32_t x : {-100, 0, 100})
     EXPECT_EQ (mortonCode (x, -x, x) >> 27, mortonCode (0, 0, 0) >> 27);
 }

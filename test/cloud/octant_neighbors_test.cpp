@@ -8,6 +8,8 @@ using namespace pcl_ops;
 
 namespace {
 
+/** \brief Points in a rectangle of 1 m x 0.1 m, the denser the nearer to its left side.
+ */
 PlanarPoints
 scattered (int number)
 {
@@ -40,6 +42,7 @@ nearestIn (std::size_t octant, std::uint32_t point, const PlanarPoints& points)
 TEST (OctantOf, CountsEighthsOfATurnFromX)
 {
   for (std::size_t octant = 0; octant < octants; ++octant) {
+    // 20 degrees from the beginning of the octant.
     const double angle = (45.0 * static_cast<double> (octant) + 20.0) * 1.0_deg;
     EXPECT_EQ (octantOf ({std::cos (angle), std::sin (angle)}), octant);
   }
@@ -66,17 +69,17 @@ TEST (OctantTree, FindsTheNearestPointInEachOctant)
 TEST (OctantTree, HasEachPointInOneGroup)
 {
   const PlanarPoints points = scattered (100);
-  std::vector<int> times (points.size(), 0);
-  for (const OctantTree::Group& group : OctantTree (points).groups (1))
+  std::vector<int> groups_with_point (points.size(), 0);
+  for (const OctantTree::Group& group : OctantTree (points).groups (one_thread))
     for (const std::uint32_t point : group.points)
-      ++times[point];
-  EXPECT_EQ (times, std::vector<int> (points.size(), 1));
+      ++groups_with_point[point];
+  EXPECT_EQ (groups_with_point, std::vector<int> (points.size(), 1));
 }
 
 TEST (OctantTree, FindsNoNeighborOfAGroupInTheGroup)
 {
   const PlanarPoints points = scattered (100);
-  for (const OctantTree::Group& group : OctantTree (points).groups (1))
+  for (const OctantTree::Group& group : OctantTree (points).groups (one_thread))
     for (const std::uint32_t neighbor : group.neighbors.points)
       EXPECT_EQ (std::count (group.points.begin(), group.points.end(), neighbor), 0);
 }

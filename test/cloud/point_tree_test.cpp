@@ -23,11 +23,12 @@ drawnPoints (std::size_t number)
   return points;
 }
 
-// The nearest neighbors of a point, by distance, then by index.
+/** \brief The nearest points of a point, itself included, by distance, then by index.
+ */
 std::vector<std::uint32_t>
 nearestByBruteForce (const Coordinates& points, std::uint32_t query, std::size_t wanted)
 {
-  std::vector<std::pair<float, std::uint32_t>> all;
+  std::vector<std::pair<float, std::uint32_t>> all; // squared distance, index
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const float x = points.x[i] - points.x[query];
     const float y = points.y[i] - points.y[query];
@@ -41,6 +42,8 @@ nearestByBruteForce (const Coordinates& points, std::uint32_t query, std::size_t
   return nearest;
 }
 
+/** \brief The same by the tree.
+ * \param[in] position of the point in PointTree::order */
 std::vector<std::uint32_t>
 nearestOf (const PointTree& tree, std::size_t position, std::size_t wanted)
 {

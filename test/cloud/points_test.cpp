@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/point_types.h>
-
-#include <gtest/gtest.h>
-
 #include "cloud/points.h"
+#include "scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +19,7 @@ cloudOf (std::initializer_list<pcl::PointXYZ> points)
   return cloud;
 }
 
+/** \brief A point in the frame of the input cloud. */
 Eigen::Vector3d
 inInputFrame (const Points& points, std::size_t i)
 {
@@ -34,9 +32,9 @@ TEST (FinitePoints, DropsNanAndInfinityWhateverIsDenseSays)
 {
   auto cloud = cloudOf (
       {{NAN, 0, 0}, {1, 2, 3}, {0, INFINITY, 0}, {4, 5, 6}, {0, 0, -INFINITY}});
-  for (const bool dense : {true, false}) {
-    cloud.is_dense = dense;
-    const Points points = finitePoints (CloudView (cloud), 1);
+  for (const bool is_dense : {true, false}) {
+    cloud.is_dense = is_dense;
+    const Points points = finitePoints (CloudView (cloud), one_thread);
     EXPECT_EQ (points.index, (pcl::Indices{1, 3}));
     EXPECT_EQ (points.size(), 2u);
   }
@@ -51,8 +49,8 @@ TEST (FinitePoints, ShareAFrameWithOthersOfTheirSurroundings)
       cloudOf ({{far, 0, 0}, {far + 2, 0, 0}, {far, 2, 0}, {far + 2, 2, 0}});
   const auto middles =
       cloudOf ({{far + 1, 0, 0}, {far + 1, 2, 0}, {far, 1, 0}, {far + 2, 1, 0}});
-  const Eigen::Vector3d origin = finitePoints (CloudView (corners), 1).origin;
-  EXPECT_EQ (finitePoints (CloudView (middles), 1).origin, origin);
+  const Eigen::Vector3d origin = finitePoints (CloudView (corners), one_thread).origin;
+  EXPECT_EQ (finitePoints (CloudView (middles), one_thread).origin, origin);
   EXPECT_NEAR (origin.x(), far, 32.0) << "near enough for single precision";
 }
 
@@ -62,9 +60,9 @@ TEST (FinitePoints, HaveTheSameOriginInAnyOrder)
   pcl::PointCloud<pcl::PointXYZ> cloud;
   for (int i = 0; i < 600; ++i)
     cloud.push_back ({static_cast<float> (i % 7 == 0 ? 5000 + i : i), 0, 0});
-  const Eigen::Vector3d origin = finitePoints (CloudView (cloud), 1).origin;
+  const Eigen::Vector3d origin = finitePoints (CloudView (cloud), one_thread).origin;
   std::sort (cloud.begin(), cloud.end(), [] (auto& a, auto& b) { return a.x < b.x; });
-  EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin, origin);
+  EXPECT_EQ (finitePoints (CloudView (cloud), one_thread).origin, origin);
 }
 
 TEST (FinitePoints, HaveTheirOriginNearEqualOnesAndBesideMissingOnes)
@@ -72,37 +70,38 @@ TEST (FinitePoints, HaveTheirOriginNearEqualOnesAndBesideMissingOnes)
   const float far = 1e6f;
   pcl::PointCloud<pcl::PointXYZ> cloud;
   cloud.resize (1000, pcl::PointXYZ (far, far, far));
-  EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin.x(), far);
+  EXPECT_EQ (finitePoints (CloudView (cloud), one_thread).origin.x(), far);
   for (std::size_t i = 1; i < cloud.size(); ++i)
     cloud[i].x = NAN;
-  EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin.x(), far);
+  EXPECT_EQ (finitePoints (CloudView (cloud), one_thread).origin.x(), far);
 }
 
 TEST (FinitePoints, HaveTheirOriginAtAMultipleOfAStep)
 {
+  constexpr double step = 1.25;
   const auto cloud = cloudOf ({{17, 2, -9}, {18, 3, -8}, {18, 2, -7}});
-  const Points points = finitePoints (CloudView (cloud), 1, nullptr, 1.25);
+  const Points points = finitePoints (CloudView (cloud), one_thread, nullptr, step);
   for (const double coordinate : points.origin)
-    EXPECT_EQ (std::remainder (coordinate, 1.25), 0.0);
+    EXPECT_EQ (std::remainder (coordinate, step), 0.0);
   EXPECT_EQ (inInputFrame (points, 0), Eigen::Vector3d (17, 2, -9));
 }
 
 TEST (FinitePoints, KnowWhereTheyCameFrom)
 {
-  const float far = 1e6f; // in a cloud far from its zero they are small numbers
+  const float far = 1e6f;
   const auto cloud =
       cloudOf ({{far + 1, -far, 3}, {far + 4, -far, 6}, {far + 7, -far, 9}});
   for (const pcl::Indices& given :
        {pcl::Indices{0, 1, 2}, pcl::Indices{2, 0, 1, 1}, pcl::Indices{1, 2}}) {
-    const Points points = finitePoints (CloudView (cloud), 1, &given);
-    const bool are_all = given.size() > 2;
+    const Points points = finitePoints (CloudView (cloud), one_thread, &given);
+    const bool are_all = given.size() > 2; // else all but the first point
     EXPECT_EQ (points.index.empty(), are_all) << "of the whole cloud none is needed";
     ASSERT_EQ (points.size(), are_all ? 3u : 2u);
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_EQ (points.indexOf (i), static_cast<pcl::index_t> (are_all ? i : i + 1));
       EXPECT_EQ (inInputFrame (points, i).cast<float>(),
                  cloud[points.indexOf (i)].getVector3fMap());
-      EXPECT_LE (points[i].norm(), 100.0);
+      EXPECT_LE (points[i].norm(), 100.0) << "small numbers far from zero";
     }
   }
 }
@@ -111,12 +110,12 @@ TEST (DistinctPoints, KnowWhereTheyCameFromAndWhereTheirCopiesAre)
 {
   const pcl::PointXYZ one (1, 2, 3), two (4, 5, 6), three (7, 8, 9);
   const auto cloud = cloudOf ({one, one, two, one, three, two, three});
-  const Points points = distinctPoints (CloudView (cloud), 1);
+  const Points points = distinctPoints (CloudView (cloud), one_thread);
   EXPECT_EQ (points.index, (pcl::Indices{0, 2, 4}));
   ASSERT_EQ (points.size(), 3u);
   EXPECT_EQ (inInputFrame (points, 1), Eigen::Vector3d (4, 5, 6));
   EXPECT_EQ (inInputFrame (points, 2), Eigen::Vector3d (7, 8, 9));
-  std::vector<std::pair<pcl::index_t, std::uint32_t>> copies;
+  std::vector<std::pair<pcl::index_t, std::uint32_t>> copies; // index, its point
   for (const Copy& copy : points.copies)
     copies.emplace_back (copy.index, copy.point);
   EXPECT_EQ (copies, (decltype (copies){{1, 0}, {3, 0}, {5, 1}, {6, 2}}));
@@ -127,7 +126,7 @@ TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
   auto cloud = cloudOf ({{1e7f, 1e7f, 1e7f}});
   for (int i = 0; i < 20; ++i)
     cloud.push_back ({0.1f * static_cast<float> (i), 0.3f, 0.7f});
-  const Points points = finitePoints (CloudView (cloud), 1);
+  const Points points = finitePoints (CloudView (cloud), one_thread);
   for (std::size_t i = 1; i < points.size(); ++i)
     EXPECT_NEAR (
         (inInputFrame (points, i) - cloud[i].getVector3fMap().cast<double>()).norm(),

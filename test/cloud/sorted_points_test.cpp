@@ -7,13 +7,14 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief The runs of points on the x axis, in voxels of 1 m. */
 PointRuns
-runsAlongX (const std::vector<float>& along_x)
+runsAlongX (const std::vector<float>& xs)
 {
   Coordinates points;
-  for (const float x : along_x)
+  for (const float x : xs)
     points.add (x, 0.0f, 0.0f);
-  return sortedRuns (points, 1.0, 1);
+  return sortedRuns (points, 1_m, one_thread);
 }
 
 } // namespace
@@ -53,14 +54,14 @@ TEST (SortedRuns, AscendAndCoverEveryPointOnce)
   // Points near each other, and points so far apart that codes need all their bits.
   Coordinates points = pointsInACube (40000, 4.0);
   points.add (1e9f, -1e9f, 1e9f);
-  std::vector<int> covered (points.size(), 0);
-  MortonCode last = 0;
-  const PointRuns runs = sortedRuns (points, 0.1, 1);
+  std::vector<int> runs_with_point (points.size(), 0);
+  MortonCode previous_code = 0;
+  const PointRuns runs = sortedRuns (points, 0.1, one_thread);
   for (const PointRun& run : runs) {
-    EXPECT_LE (last, run.code());
-    last = run.code();
+    EXPECT_LE (previous_code, run.code());
+    previous_code = run.code();
     for (std::uint32_t i = run.first(); i < run.end(); ++i)
-      ++covered[i];
+      ++runs_with_point[i];
   }
-  EXPECT_EQ (covered, std::vector<int> (points.size(), 1));
+  EXPECT_EQ (runs_with_point, std::vector<int> (points.size(), 1));
 }

@@ -7,6 +7,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief Whether two voxels touch, also at a corner, or are the same. */
 bool
 isNeighbor (const VoxelKey& a, const VoxelKey& b)
 {
@@ -18,15 +19,16 @@ isNeighbor (const VoxelKey& a, const VoxelKey& b)
 
 TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 {
-  // From sparse, nearly every voxel without neighbors, to dense, nearly all occupied.
+  // In small voxels hardly any has an occupied neighbor, in large ones nearly all
+  // have 26.
   for (const double edge : {0.2, 0.5, 1.5}) {
-    const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1);
-    const VoxelNeighbors neighbors = connected (grid.codes, 1).neighbors;
-    ASSERT_EQ (neighbors.places.size(), grid.size());
+    const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, one_thread);
+    const VoxelNeighbors neighbors = connected (grid.codes, one_thread).neighbors;
+    ASSERT_EQ (neighbors.occupied.size(), grid.size());
     for (std::size_t a = 0; a < grid.size(); ++a) {
       Indices expected;
       for (std::size_t b = 0; b < grid.size(); ++b)
-        if (isNeighbor (numbersOf (grid.codes[a]), numbersOf (grid.codes[b])))
+        if (isNeighbor (shiftedKeyOf (grid.codes[a]), shiftedKeyOf (grid.codes[b])))
           expected.push_back (static_cast<std::uint32_t> (b));
       Indices found (neighbors[a].begin(), neighbors[a].end());
       std::sort (found.begin(), found.end());
@@ -37,11 +39,12 @@ TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 
 TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
 {
-  // On both sides of the middle of the largest possible grid.
+  // Two voxels that touch at the middle of the largest possible grid, where all voxels
+  // of a power of two times the edge end.
   const std::int32_t middle = (1 << 19) - key_offset;
   const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
                                       mortonCode (middle, middle, middle)};
-  const VoxelNeighbors neighbors = connected (codes, 1).neighbors;
+  const VoxelNeighbors neighbors = connected (codes, one_thread).neighbors;
   for (const std::size_t voxel : {0, 1})
     EXPECT_EQ (Indices (neighbors[voxel].begin(), neighbors[voxel].end()),
                (Indices{0, 1}));
@@ -50,9 +53,9 @@ TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
 TEST (VoxelNeighbors, OfOneVoxelAreItself)
 {
   for (const MortonCode code : {MortonCode (0), mortonCode (5, -6, 7)}) {
-    const VoxelNeighbors neighbors = connected ({code}, 1).neighbors;
-    ASSERT_EQ (neighbors.places.size(), 1u);
+    const VoxelNeighbors neighbors = connected ({code}, one_thread).neighbors;
+    ASSERT_EQ (neighbors.occupied.size(), 1u);
     EXPECT_EQ (Indices (neighbors[0].begin(), neighbors[0].end()), (Indices{0}));
   }
-  EXPECT_EQ (connected ({}, 1).neighbors.places.size(), 0u);
+  EXPECT_EQ (connected ({}, one_thread).neighbors.occupied.size(), 0u);
 }

@@ -10,12 +10,13 @@ using namespace pcl_ops::internal;
 TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
 {
   const Surface board{{0, 0, 0}, {5, 0, 0}, {0, 4, 0}};
-  const Surface far_away{{1000, 0, 0}, {5, 0, 0}, {0, 4, 0}};
+  const Surface board_far_away{{1000, 0, 0}, {5, 0, 0}, {0, 4, 0}};
   for (const Coordinates& points :
-       {gridsOf ({board}, 400), gridsOf ({board, far_away}, 400)})
+       {gridsOf ({board}, 400), gridsOf ({board, board_far_away}, 400)})
     for (const double wanted : {300.0, 2000.0, 10000.0}) {
       const double size = voxelSizeFor (points, wanted);
-      const auto voxels = static_cast<double> (voxelize (points, size, 1).size());
+      const auto voxels =
+          static_cast<double> (voxelize (points, size, one_thread).size());
       EXPECT_NEAR (voxels / wanted, 1.0, 0.35) << wanted;
     }
 }
@@ -34,13 +35,13 @@ TEST (VoxelSize, IsTheSameInAnyOrderOfPointsAndForCoordinatesRoundedOtherwise)
 {
   const Coordinates points = pointsInACube (50000, 4.0);
   Coordinates reversed;
-  Coordinates rounded = points;
+  Coordinates rounded_otherwise = points;
   for (std::size_t i = points.size(); i-- > 0;)
     reversed.add (points.x[i], points.y[i], points.z[i]);
-  for (float& x : rounded.x)
+  for (float& x : rounded_otherwise.x)
     x += 1e-6f;
   for (double wanted = 500.0; wanted < 1500.0; wanted += 100.0)
-    for (const Coordinates& others : {reversed, rounded})
+    for (const Coordinates& others : {reversed, rounded_otherwise})
       EXPECT_EQ (voxelSizeFor (others, wanted), voxelSizeFor (points, wanted));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A point type PCL does not know needs the bodies of all templates.
+// PCL's templates are not compiled for a point type of the user's own: this macro makes
+// their bodies visible.
 #define PCL_NO_PRECOMPILE
 #include "scene.h"
 #include <pcl_ops/oriented_point_sampling.h>

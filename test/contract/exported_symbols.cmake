@@ -18,10 +18,11 @@ if(NOT result EQUAL 0)
   message(FATAL_ERROR "nm cannot read ${LIBRARY}")
 endif()
 
-# Brackets, semicolons and braces mean something to CMake's lists.
+# Square brackets and semicolons have a meaning in CMake's lists. Braces stand for lambdas and
+# unnamed types.
 string(REGEX REPLACE "\\[[^]\n]*\\]|;" "" symbols "${symbols}")
 string(REGEX REPLACE "::{[^}\n]*}" "" symbols "${symbols}")
-# Template arguments and parameters may be of any type: what is left are names.
+# Remove template arguments and parameters, from the inside out; only names remain.
 set(before "")
 while(NOT symbols STREQUAL before)
   set(before "${symbols}")

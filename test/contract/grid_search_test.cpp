@@ -28,6 +28,7 @@ randomCloud (std::size_t size, const std::function<PointXYZ (RandomGenerator&)>&
   return cloud;
 }
 
+/** A point drawn uniformly in a cube centered at zero. */
 PointXYZ
 drawInCube (RandomGenerator& generator, double edge)
 {
@@ -60,31 +61,31 @@ clouds ()
   (*broken)[1].z = INFINITY;
   beside_strays->push_back ({1e7f, 0, 0});
   beside_strays->push_back ({-1e12f, 1e12f, 0});
-  const auto draw_clusters = [] (auto& g) {
+  const auto drawClusters = [] (auto& g) {
     return drawInCube (g, drawUnit (g) < 0.9 ? 1_mm : 1000_m);
   };
-  const auto draw_duplicates = [] (auto& g) {
+  const auto drawDuplicates = [] (auto& g) {
     const auto i = static_cast<float> (drawBelow (g, 7));
     return PointXYZ (i, 2.0f * i, -i);
   };
-  const auto draw_line = [] (auto& g) {
+  const auto drawLine = [] (auto& g) {
     const auto t = static_cast<float> (drawUnit (g));
     return PointXYZ (t, 2.0f * t, 3.0f * t);
   };
   // The same relative distance between neighbors at every scale.
-  const auto draw_steps = [] (auto& g) {
+  const auto drawSteps = [] (auto& g) {
     return drawInCube (g, std::pow (10.0, 12.0 * drawUnit (g) - 9.0));
   };
-  const auto draw_equal = [] (auto&) { return PointXYZ (1, 2, 3); };
+  const auto drawEqual = [] (auto&) { return PointXYZ (1, 2, 3); };
   Scene surfaces = room().spacing (10_cm);
   return {{"UniformVolume", uniformVolume()},
           {"Surfaces", surfaces.build().cloud},
           {"OnePoint", onePoint()},
-          {"Clusters", randomCloud (4000, draw_clusters)},
-          {"Duplicates", randomCloud (2000, draw_duplicates)},
-          {"AllEqual", randomCloud (1000, draw_equal)},
-          {"Line", randomCloud (2000, draw_line)},
-          {"EverySmallerSteps", randomCloud (2000, draw_steps)},
+          {"Clusters", randomCloud (4000, drawClusters)},
+          {"Duplicates", randomCloud (2000, drawDuplicates)},
+          {"AllEqual", randomCloud (1000, drawEqual)},
+          {"Line", randomCloud (2000, drawLine)},
+          {"EverySmallerSteps", randomCloud (2000, drawSteps)},
           {"FarFromZero", surfaces.movedBy ({1e6, -2e6, 1e6}).build().cloud},
           {"NotFinite", broken},
           {"VolumeBesideStrayPoints", beside_strays}};
@@ -108,6 +109,7 @@ squaredDistance (const PointXYZ& first, const PointXYZ& second)
   return dx * dx + dy * dy + dz * dz;
 }
 
+/** What nearestKSearch finds; what was in its outputs before has to be replaced. */
 Neighbors
 nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int k)
 {
@@ -119,14 +121,18 @@ nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int
   return found;
 }
 
+constexpr unsigned no_limit = 0;
+
+/** What radiusSearch finds; what was in its outputs before has to be replaced. */
 Neighbors
 within (const pcl::search::Search<PointXYZ>& search,
         const PointXYZ& query,
         double radius,
-        unsigned most = 0)
+        unsigned max_neighbors = no_limit)
 {
   Neighbors found{{99, 98, 97}, {-1.0f}};
-  search.radiusSearch (query, radius, found.indices, found.squared_distances, most);
+  search.radiusSearch (
+      query, radius, found.indices, found.squared_distances, max_neighbors);
   return found;
 }
 
@@ -134,15 +140,15 @@ within (const pcl::search::Search<PointXYZ>& search,
 Neighbors
 bruteForce (const Cloud& cloud, const PointXYZ& query, float squared_radius = INFINITY)
 {
-  std::vector<std::pair<float, int>> all;
+  std::vector<std::pair<float, int>> all; // squared distance, index
   for (int i = 0; i < static_cast<int> (cloud.size()); ++i)
     if (pcl::isFinite (cloud[i]) && squaredDistance (cloud[i], query) <= squared_radius)
       all.emplace_back (squaredDistance (cloud[i], query), i);
   std::sort (all.begin(), all.end());
   Neighbors found;
-  for (const auto& [distance, index] : all) {
+  for (const auto& [squared_distance, index] : all) {
     found.indices.push_back (index);
-    found.squared_distances.push_back (distance);
+    found.squared_distances.push_back (squared_distance);
   }
   return found;
 }
@@ -181,9 +187,10 @@ TEST (GridSearch, FindsWhatLookingAtAllPointsFinds)
         const std::set<int> different (found.indices.begin(), found.indices.end());
         EXPECT_EQ (different.size(), found.indices.size());
         for (std::size_t i = 0; i < found.indices.size(); ++i) {
-          const float distance = found.squared_distances[i];
-          EXPECT_EQ (distance, all.squared_distances[i]);
-          EXPECT_EQ (distance, squaredDistance ((*cloud)[found.indices[i]], query));
+          const float squared_distance = found.squared_distances[i];
+          EXPECT_EQ (squared_distance, all.squared_distances[i]);
+          EXPECT_EQ (squared_distance,
+                     squaredDistance ((*cloud)[found.indices[i]], query));
         }
       }
       for (const double radius : {0_m, 1_mm, 10_cm, 1_m, 1e6_m})
@@ -205,7 +212,8 @@ TEST (GridSearch, GivesTheNearestOfThoseWithinTheRadius)
 TEST (GridSearch, TakesTheLowestIndexOfEquallyNearPointsWhereverTheyAre)
 {
   for (const float side : {-1.0f, 1.0f}) {
-    // A point 1 m from the query on either side of it, before many that are farther.
+    // The first and the last point are 1 m from the query, on opposite sides of it; all
+    // others are farther.
     const auto cloud = randomCloud (300, [&] (auto& g) {
       const PointXYZ drawn = drawInCube (g, 1_m);
       return PointXYZ (drawn.x + (drawn.x < 0.0f ? -1.1f : 1.1f), drawn.y, drawn.z);
@@ -220,7 +228,8 @@ TEST (GridSearch, TakesTheLowestIndexOfEquallyNearPointsWhereverTheyAre)
 
 TEST (GridSearch, UnsortedGivesTheSameNeighbors)
 {
-  Search sorted (true), unsorted (true);
+  constexpr bool is_sorted = true;
+  Search sorted (is_sorted), unsorted (is_sorted);
   unsorted.setSortedResults (false);
   const auto cloud = uniformVolume();
   sorted.setInputCloud (cloud);
@@ -266,9 +275,9 @@ TEST (NearestCandidates, StopTakingWhatIsFartherOrAsFarWithHigherIndices)
 {
   NearestCandidates candidates (1, INFINITY);
   EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (5.0f), 0));
-  const std::vector<float> near (50, 1.0f);
+  const std::vector<float> squared_distances (50, 1.0f);
   const pcl::Indices indices (50, 7);
-  candidates.add (near.data(), indices.data(), 50);
+  candidates.add (squared_distances.data(), indices.data(), indices.size());
   EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (5.0f), 0));
   EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (1.0f), 8));
   EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (1.0f), 6));

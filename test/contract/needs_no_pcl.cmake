@@ -6,7 +6,7 @@
 # cmake -DNM=nm -DCORE=libpcl_ops_core.a [-DMODULE=_pcl_ops.so] -P needs_no_pcl.cmake
 cmake_minimum_required(VERSION 3.16)
 
-# Runs a program; its lines are in result.
+# lines_of(result COMMAND...): runs a command and sets result to the list of its output's lines.
 function(lines_of result)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output RESULT_VARIABLE status)
   if(NOT status EQUAL 0)

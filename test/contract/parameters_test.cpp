@@ -6,6 +6,7 @@
 
 #include <iomanip>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace {
@@ -14,27 +15,36 @@ using namespace pcl_ops::python;
 using OpsParameters = pcl_ops::OrientedPointSamplingParameters;
 using FspfParameters = pcl_ops::FastSamplingPlaneFilteringParameters;
 using KhtParameters = pcl_ops::KernelHoughTransformParameters;
+
 /** \brief A row of parameters.tsv. */
 struct Row {
-  std::string name, value, value_in_paper, words;
+  std::string name, value, value_in_paper;
+  /** \brief A part of the message of validate about a wrong value. */
+  std::string words;
+  /** \brief Values that validate refuses, and values that it takes. */
   std::vector<double> wrong, right;
 };
 
-/** \brief Rows of one parameter struct; for a detector also the rows common to all. */
+/** \brief Rows of parameters.tsv whose first column is one of these. */
 std::vector<Row>
-rowsOf (const std::string& parameters, bool is_detector)
+rowsOf (const std::set<std::string>& owners)
 {
   std::vector<Row> rows;
-  for (std::vector<std::string> row : tableIn (PCL_OPS_PARAMETERS)) {
-    row.resize (7);
-    if (row[0] == parameters || (is_detector && row[0] == "all"))
-      rows.push_back (
-          {row[1], row[2], row[3], row[4], numbersIn (row[5]), numbersIn (row[6])});
+  for (std::vector<std::string> columns : tableIn (PCL_OPS_PARAMETERS)) {
+    columns.resize (7);
+    if (owners.count (columns[0]) > 0)
+      rows.push_back ({columns[1],
+                       columns[2],
+                       columns[3],
+                       columns[4],
+                       numbersIn (columns[5]),
+                       numbersIn (columns[6])});
   }
   return rows;
 }
 
-/** \brief Lengthens a direction, and sets the last of several numbers. */
+/** \brief Sets a parameter to a value; of an interval the larger end, of a size the
+ * tolerance, of a direction its length. */
 template <typename T>
 void
 setTo (double value, T& member)
@@ -51,7 +61,7 @@ setTo (double value, T& member)
     member = {1.0, 2.0, value};
 }
 
-/** \brief Message of validate after one of valid parameters is set to a value. */
+/** \brief The message of validate after one parameter is set to a value. */
 template <typename Parameters>
 std::string
 problemWith (Parameters parameters, const std::string& changed, double value)
@@ -63,6 +73,9 @@ problemWith (Parameters parameters, const std::string& changed, double value)
   return validate (parameters);
 }
 
+/** \brief Fails unless each parameter takes its right values and refuses its wrong
+ * ones.
+ * \param[in] good parameters that are valid */
 template <typename Parameters>
 void
 expectRanges (const std::vector<Row>& rows, const Parameters& good)
@@ -98,6 +111,7 @@ print (const std::string& name, const T& value, std::ostream& out)
     out << "none";
 }
 
+/** \brief The value of each parameter as text, by name. */
 using Values = std::map<std::string, std::string>;
 
 template <typename Parameters>
@@ -114,13 +128,14 @@ valuesOf (Parameters parameters)
   return values;
 }
 
-/** \brief Every field of every preset is in the table: defaults change results. */
+/** \brief Fails unless the table has each parameter of a detector, with its default,
+ * its value in the paper, and its right and wrong values. */
 template <typename Parameters>
 void
 expectDetector (const std::string& name)
 {
   SCOPED_TRACE (name);
-  const std::vector<Row> rows = rowsOf (name, true);
+  const std::vector<Row> rows = rowsOf ({name, "all"});
   Values defaults, of_paper;
   for (const Row& row : rows)
     if (!row.value.empty()) {
@@ -142,11 +157,11 @@ TEST (Parameters, AreThoseOfTheTable)
   expectDetector<KhtParameters> ("kht");
   pcl_ops::PlaneFilter filter;
   filter.min_area = filter.min_width = 1.0;
-  expectRanges (rowsOf ("filter", false), filter);
-  expectRanges (rowsOf ("matching", false), pcl_ops::PlaneMatchingParameters());
-  expectRanges (rowsOf ("edges", false), pcl_ops::PlaneEdgeParameters());
-  expectRanges (rowsOf ("up_axis", false), pcl_ops::UpAxisParameters());
-  for (const Row& row : rowsOf ("up_axis", false))
+  expectRanges (rowsOf ({"filter"}), filter);
+  expectRanges (rowsOf ({"matching"}), pcl_ops::PlaneMatchingParameters());
+  expectRanges (rowsOf ({"edges"}), pcl_ops::PlaneEdgeParameters());
+  expectRanges (rowsOf ({"up_axis"}), pcl_ops::UpAxisParameters());
+  for (const Row& row : rowsOf ({"up_axis"}))
     EXPECT_EQ (valuesOf (pcl_ops::UpAxisParameters()).at (row.name), row.value);
 }
 
@@ -165,7 +180,12 @@ TEST (Parameters, NeedADistanceThresholdButForSurfels)
 
 TEST (Parameters, RefuseANoiseOfTheWholeThatNoCloudHas)
 {
-  const pcl_ops::CloudNoise right{1000.0, {1.5, 1.0}, 2.0, 0.01, {{3, 0.02}}};
+  pcl_ops::CloudNoise right;
+  right.points = 1000.0;
+  right.growth = {1.5, 1.0};
+  right.common_errors = 2.0;
+  right.usual = 0.01;
+  right.usual_of_octave = {{3, 0.02}};
   const auto is_refused = [] (const pcl_ops::CloudNoise& noise) {
     OpsParameters parameters;
     parameters.noise_of_whole = noise;
@@ -190,12 +210,13 @@ TEST (MeasureNoise, IsThatOfACloudAndOfNoneWithoutPoints)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   EXPECT_EQ (pcl_ops::measureNoise (cloud, {}).points, 0.0);
-  // A floor of points 1 cm apart; the pattern of their heights has 0 and 2 mm.
+  // A floor of points 1 cm apart, whose heights are 0 or 2 mm in an irregular pattern.
   for (int i = 0; i < 100; ++i)
     for (int k = 0; k < 100; ++k)
       cloud.push_back ({0.01f * i, 0.01f * k, 2e-3f * ((3 * i + 5 * k) % 7 % 2)});
-  const pcl_ops::CloudNoise noise = pcl_ops::measureNoise (cloud, {}, 20'000);
-  EXPECT_EQ (noise.points, 20'000.0);
+  constexpr std::size_t points_of_whole = 20'000;
+  const pcl_ops::CloudNoise noise = pcl_ops::measureNoise (cloud, {}, points_of_whole);
+  EXPECT_EQ (noise.points, points_of_whole);
   EXPECT_NEAR (noise.usual, 1e-3, 3e-4);
   OpsParameters wrong;
   wrong.k = 0;

@@ -18,8 +18,8 @@
 #include <stdexcept>
 #include <thread>
 
-// What holds for all three detectors by default, and for OPS on leaves, on voxels and
-// as in the paper.
+// What holds for all three detectors by default, and for OPS on voxels and as in the
+// paper.
 
 using pcl_ops::PlaneSegment;
 
@@ -41,7 +41,9 @@ cloudsWithoutAPlane ()
   const auto line = [] (float i) {
     return pcl::PointXYZ (0.01f * i, 1 - 0.02f * i, 3 + 0.005f * i);
   };
-  const auto clutter = [&] (float) { return toPoint (10.0 * drawNormals (generator)); };
+  const auto clutter = [&] (float) {
+    return toPoint (10.0 * drawGaussians (generator));
+  };
   return {{"a point", cloudOf (1, curve)},
           {"two points", cloudOf (2, curve)},
           {"three points", cloudOf (3, curve)},
@@ -51,7 +53,8 @@ cloudsWithoutAPlane ()
           {"a line", cloudOf (5000, line)}};
 }
 
-/** \brief The largest planes are those of the scene; clutter may be a small one. */
+/** \brief Fails unless the largest planes are those of the scene; there may be small
+ * ones of clutter. */
 void
 expectHasEverySurface (std::vector<PlaneSegment> planes, const LabelledScene& scene)
 {
@@ -83,10 +86,11 @@ template <typename Detector>
 void
 expectRefused (Detector& detector, const std::string& message)
 {
-  std::vector<PlaneSegment> planes (9);
-  std::vector<pcl::ModelCoefficients> coefficients (9);
-  std::vector<pcl::PointIndices> inliers (9), clusters (9);
-  typename Detector::PlanarRegions regions (9);
+  constexpr std::size_t some = 9; // outputs that are not empty before
+  std::vector<PlaneSegment> planes (some);
+  std::vector<pcl::ModelCoefficients> coefficients (some);
+  std::vector<pcl::PointIndices> inliers (some), clusters (some);
+  typename Detector::PlanarRegions regions (some);
   pcl::PointIndices of_largest;
   pcl::ModelCoefficients largest;
   of_largest.indices = {1, 2, 3};
@@ -113,7 +117,7 @@ expectRefused (Detector& detector, const std::string& message)
 
 } // namespace
 
-/** \brief A detector on a room, in which all detectors find every surface. */
+/** \brief A detector whose input is a room; each detector finds all surfaces of it. */
 template <typename Detector>
 class PlaneDetector : public ::testing::Test {
 protected:
@@ -134,6 +138,7 @@ struct PublishedOps : Ops {
   PublishedOps() : Ops (paperOn (nullptr)) {}
 };
 
+/** \brief OPS on voxels, with enough samples for a small scene. */
 struct OpsOnVoxels : Ops {
   OpsOnVoxels() : Ops (voxelsOn (nullptr)) {}
 };
@@ -199,12 +204,12 @@ TYPED_TEST (PlaneDetector, GivesTheSamePlanesByEveryOverload)
   ASSERT_TRUE (this->detector.segment (of_largest, largest)); // as SACSegmentation
   EXPECT_EQ (of_largest.indices, planes.at (0).inliers);
   EXPECT_EQ (largest.values, coefficients[0].values);
-  pcl::PointIndices by_name;
-  pcl::ModelCoefficients by_its_name;
-  ASSERT_TRUE (this->detector.segmentLargest (by_name, by_its_name));
-  EXPECT_EQ (by_name.indices, of_largest.indices);
-  EXPECT_EQ (by_its_name.values, largest.values);
-  EXPECT_EQ (by_name.header.frame_id, "camera");
+  pcl::PointIndices inliers_by_name;
+  pcl::ModelCoefficients coefficients_by_name;
+  ASSERT_TRUE (this->detector.segmentLargest (inliers_by_name, coefficients_by_name));
+  EXPECT_EQ (inliers_by_name.indices, of_largest.indices);
+  EXPECT_EQ (coefficients_by_name.values, largest.values);
+  EXPECT_EQ (inliers_by_name.header.frame_id, "camera");
 }
 
 TYPED_TEST (PlaneDetector, ReturnsNoPlaneWithFewerPointsThanTheMinimum)
@@ -277,7 +282,7 @@ TYPED_TEST (PlaneDetector, SortsPlanesByFallingSizeAndTheirDisjointIndices)
 
 TYPED_TEST (PlaneDetector, PointsNormalsTowardsTheSensor)
 {
-  // In the room's middle and on the walls' far side.
+  // A sensor in the room's middle, and one behind both walls and below the floor.
   for (const float side : {1.0f, -1.0f}) {
     Eigen::Vector4f& sensor = this->room.cloud->sensor_origin_;
     sensor << side * 2, side * 1.5f, side * 1.2f, 0;
@@ -361,13 +366,15 @@ TYPED_TEST (PlaneDetector, IsTheSameForAnyNumberOfThreadsAndForACopy)
 TYPED_TEST (PlaneDetector, TakesTimeForItsStagesAndNoMoreThanTheDetection)
 {
   planesOf (this->detector);
-  const auto& t = this->detector.getStageDurations();
-  for (const double stage : {t.search, t.extraction, t.assignment, t.merging})
+  const pcl_ops::StageDurations& took = this->detector.getStageDurations();
+  for (const double stage :
+       {took.search, took.extraction, took.assignment, took.merging})
     EXPECT_GT (stage, 0.0);
-  EXPECT_EQ (t.normals > 0.0, (std::is_base_of_v<Ops, TypeParam>))
-      << "the others need none";
-  EXPECT_LE (t.search + t.normals + t.extraction + t.assignment + t.merging,
-             t.detection);
+  const bool needs_normals = std::is_base_of_v<Ops, TypeParam>;
+  EXPECT_EQ (took.normals > 0.0, needs_normals);
+  EXPECT_LE (took.search + took.normals + took.extraction + took.assignment +
+                 took.merging,
+             took.detection);
 }
 
 TYPED_TEST (PlaneDetector, DropsPointsThatAreNotFinite)
@@ -399,7 +406,7 @@ TYPED_TEST (PlaneDetector, UsesTheGivenIndicesAloneInAllFormsOfPclAndAnyOrder)
   ASSERT_EQ (floor.size(), 1u);
   EXPECT_TRUE (
       std::includes (given.begin(), given.end(), floor[0].begin(), floor[0].end()));
-  // Among so many points, a few may be farther off than the noise allows.
+  // Of so many points a few are farther off than the noise allows.
   EXPECT_GE (static_cast<double> (floor[0].size()),
              0.999 * static_cast<double> (given.size()));
   detector.setIndices (pcl::IndicesConstPtr (new pcl::Indices (given)));
@@ -414,15 +421,16 @@ TYPED_TEST (PlaneDetector, UsesTheGivenIndicesAloneInAllFormsOfPclAndAnyOrder)
 
 TYPED_TEST (PlaneDetector, TakesRowsAndColumnsOfAnOrganizedCloud)
 {
-  this->use (roomSeenByCamera (160, 120));
+  constexpr int width = 160;
+  this->use (roomSeenByCamera (width, 120));
   this->detector.setIndices (70, 10, 50, 140); // rows 70 to 119, columns 10 to 149
   const auto planes = inliersOf (this->detector);
   ASSERT_FALSE (planes.empty());
   for (const pcl::Indices& inliers : planes)
     for (const pcl::index_t i : inliers) {
-      ASSERT_GE (i / 160, 70);
-      ASSERT_GE (i % 160, 10);
-      ASSERT_LT (i % 160, 150);
+      ASSERT_GE (i / width, 70);
+      ASSERT_GE (i % width, 10);
+      ASSERT_LT (i % width, 150);
     }
 }
 
@@ -531,7 +539,8 @@ TEST (OpsOf, ASamplingRateThatDrawsNoPointFindsNone)
 
 TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 {
-  // A third of the points is farther away. The final fit moves a plane a little.
+  // A third of the points is farther away than the threshold, their standard deviation.
+  // The final fit moves a plane a little.
   const auto cloud = room().noise (1_cm).spacing (2_cm).build().cloud;
   for (Ops ops : {opsOn (cloud), voxelsOn (cloud)}) {
     ops.setDistanceThreshold (1_cm);
@@ -541,7 +550,8 @@ TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
       for (const pcl::index_t i : plane.inliers)
         ASSERT_LT (std::abs (plane.plane().distance (
                        (*cloud)[i].getVector3fMap().cast<double>())),
-                   1.1e-2);
+                   1.1e-2)
+            << "and a little for the final fit";
   }
 }
 
@@ -550,22 +560,25 @@ TEST (OpsOf, CoordinatesOfAThousandKilometersFindsWhatIsThere)
   // Single precision has steps of 6 cm there, which a hall tolerates. In a room the
   // paper's parameters find all surfaces. Other parameters may find fewer planes, but
   // each plane found is a true surface.
-  const Eigen::Vector3d place (1e6, -1e6, 1e6);
+  const Eigen::Vector3d shift (1e6, -1e6, 1e6);
   const auto hall = Scene()
                         .floor (40_m, 30_m)
                         .wall ({0, 0}, {40, 0}, 25_m)
                         .wall ({0, 0}, {0, 30}, 25_m)
                         .spacing (20_cm)
-                        .movedBy (place)
+                        .movedBy (shift)
                         .build();
-  const auto small = room().movedBy (place).spacing (2_cm).build();
-  const std::tuple<Ops, LabelledScene, std::size_t> rows[] = {
-      {opsOn (hall.cloud), hall, 3},
-      {voxelsOn (hall.cloud), hall, 3},
-      {paperOn (hall.cloud), hall, 3},
-      {opsOn (small.cloud), small, 0},
-      {voxelsOn (small.cloud), small, 0},
-      {paperOn (small.cloud), small, 3}};
+  const auto small = room().movedBy (shift).spacing (2_cm).build();
+  const struct {
+    Ops ops;
+    LabelledScene scene;
+    std::size_t min_planes;
+  } rows[] = {{opsOn (hall.cloud), hall, 3},
+              {voxelsOn (hall.cloud), hall, 3},
+              {paperOn (hall.cloud), hall, 3},
+              {opsOn (small.cloud), small, 0},
+              {voxelsOn (small.cloud), small, 0},
+              {paperOn (small.cloud), small, 3}};
   for (auto [ops, scene, min_planes] : rows) {
     const auto planes = planesOf (ops);
     EXPECT_GE (planes.size(), min_planes);
@@ -623,18 +636,22 @@ TEST (DetectPlanes, ThrowsWhatIsWrongWithABuffer)
 {
   using Parameters = pcl_ops::OrientedPointSamplingParameters;
   const std::vector<float> buffer (100);
-  const pcl_ops::CloudView points (buffer.data(), 4, 16, 6);
+  constexpr std::size_t first = 4, step = 16, number = 6; // bytes, bytes, points
+  const pcl_ops::CloudView points (buffer.data(), first, step, number);
   Parameters wrong;
   wrong.sampling_rate = 0.0;
   EXPECT_THROW (detectPlanes (pcl_ops::CloudView(), Parameters()),
                 std::invalid_argument);
   EXPECT_THROW (detectPlanes (points, wrong), std::invalid_argument);
-  for (const auto& [offset, step] : {std::pair (5, 16), {4, 18}})
-    EXPECT_THROW (pcl_ops::CloudView (buffer.data(), offset, step, 6),
-                  std::invalid_argument)
-        << "no aligned floats";
+  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), first + 1, step, number),
+                std::invalid_argument)
+      << "the floats are not aligned";
+  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), first, step + 2, number),
+                std::invalid_argument)
+      << "the floats are not aligned";
   EXPECT_THROW (pcl_ops::CloudView (nullptr, 0, 12, 100), std::invalid_argument);
   EXPECT_NO_THROW (pcl_ops::CloudView (nullptr, 0, 12, 0));
-  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), 0, 0, std::size_t (1) << 31),
+  constexpr std::size_t too_many_for_indices = std::size_t (1) << 31;
+  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), 0, 0, too_many_for_indices),
                 std::invalid_argument);
 }

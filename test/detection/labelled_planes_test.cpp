@@ -8,7 +8,8 @@ using namespace pcl_ops::internal;
 
 TEST (MergePlanesOf, FitsThePlanesToTheirPointsAndRelabelsThem)
 {
-  // Plane 0 is a line, 1 and 2 are two halves of one floor, and a point is on none.
+  // The points of plane 0 lie on a line; planes 1 and 2 are two halves of one floor,
+  // the last point of which is on no plane.
   Points points;
   for (int i = 0; i < 10; ++i)
     points.add (static_cast<float> (i), 7.0f, 7.0f);
@@ -21,8 +22,8 @@ TEST (MergePlanesOf, FitsThePlanesToTheirPointsAndRelabelsThem)
   labels.back() = expected.back() = no_plane;
   MergingParameters merging;
   merging.distance_threshold = 5_cm;
-  const LabelledPlanes found =
-      mergePlanesOf ({labels, momentsOfLabels (points, labels, 3, 1)}, merging, 2);
+  const LabelledPlanes found = mergePlanesOf (
+      {labels, momentsOfLabels (points, labels, 3, one_thread)}, merging, 2);
   EXPECT_EQ (found.labels, expected);
   EXPECT_EQ (found.planes_before_merging, 3u);
   ASSERT_EQ (found.planes.fits.size(), 1u);
@@ -46,26 +47,32 @@ TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
 
 TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPlane)
 {
-  // A floor of 100 points, half as many on the ceiling, each of those five times, and
-  // readings that a sensor wrote as zeros.
+  // Missing readings that a sensor wrote as zeros, a floor of 100 points, and a ceiling
+  // of 50 points, each of them five times.
+  constexpr int missing = 200;
+  constexpr int on_floor = 100;
+  constexpr int on_ceiling = 50;
+  constexpr int copies = 5;
   pcl::PointCloud<pcl::PointXYZ> cloud;
   const auto addPlane = [&] (int number, float z) {
     for (int i = 0; i < number; ++i)
       cloud.push_back ({static_cast<float> (i % 10), static_cast<float> (i / 10), z});
   };
-  cloud.resize (200, pcl::PointXYZ (0.0f, 0.0f, 0.0f));
-  addPlane (100, -1.0f);
-  for (int copy = 0; copy < 5; ++copy)
-    addPlane (50, 2.0f);
+  cloud.resize (missing, pcl::PointXYZ (0.0f, 0.0f, 0.0f));
+  addPlane (on_floor, -1.0f);
+  for (int copy = 0; copy < copies; ++copy)
+    addPlane (on_ceiling, 2.0f);
   const auto detect = [] (const Points& points, auto&) {
-    EXPECT_EQ (points.size(), 150u);
+    EXPECT_EQ (points.size(), static_cast<std::size_t> (on_floor + on_ceiling));
     Labels labels;
     for (std::size_t i = 0; i < points.size(); ++i)
       labels.push_back (points.origin.z() + points.z[i] < 0.0 ? 0 : 1);
     MergingParameters keep_apart;
     keep_apart.enabled = false;
     LabelledPlanes found =
-        mergePlanesOf ({labels, momentsOfLabels (points, labels, 2, 1)}, keep_apart, 1);
+        mergePlanesOf ({labels, momentsOfLabels (points, labels, 2, one_thread)},
+                       keep_apart,
+                       one_thread);
     found.noises = {1_mm, 2_cm};
     return found;
   };
@@ -74,13 +81,13 @@ TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPla
   const std::vector<PlaneSegment> planes =
       detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes;
   ASSERT_EQ (planes.size(), 2u);
-  EXPECT_NEAR (planes[0].centroid.z(), 2.0, 1e-9) << "the larger one of points";
-  EXPECT_EQ (planes[0].moments.count, 250.0);
-  EXPECT_EQ (planes[1].moments.count, 100.0);
+  EXPECT_NEAR (planes[0].centroid.z(), 2.0, 1e-9) << "the ceiling, with its copies";
+  EXPECT_EQ (planes[0].moments.count, copies * on_ceiling);
+  EXPECT_EQ (planes[1].moments.count, on_floor);
   EXPECT_EQ (planes[0].noise, 2_cm);
   EXPECT_EQ (planes[1].noise, 1_mm);
-  for (int i = 0; i < 250; ++i)
-    EXPECT_EQ (planes[0].inliers.at (i), 300 + i);
+  for (int i = 0; i < copies * on_ceiling; ++i)
+    EXPECT_EQ (planes[0].inliers.at (i), missing + on_floor + i);
 }
 
 TEST (MergingOf, TakesThetaHWhereMergingHasNoDistanceOfItsOwn)

@@ -30,7 +30,7 @@ randomPlanes (std::size_t count)
   std::vector<Plane> planes;
   for (std::size_t i = 0; i < count; ++i)
     planes.push_back (
-        {drawNormals (generator).normalized(), drawUnit (generator) - 0.5});
+        {drawGaussians (generator).normalized(), drawUnit (generator) - 0.5});
   return planes;
 }
 
@@ -59,7 +59,7 @@ TEST (AssignPoints, GivesEachPointToAPlaneNearEnough)
 {
   using Rule = AssignmentRule;
   const struct {
-    std::vector<float> points;
+    std::vector<float> points; // their heights
     std::vector<Plane> planes;
     double threshold;
     std::vector<Rule> rules;
@@ -93,9 +93,9 @@ TEST (AssignPoints, GivesEachPointToAPlaneNearEnough)
 TEST (AssignPoints, AgreesWithBruteForce)
 {
   const Coordinates points = pointsInACube (40000, 2_m);
-  const auto planes = randomPlanes (12);
-  for (const auto rule : {AssignmentRule::Nearest, AssignmentRule::First}) {
-    const Labels labels = assignPoints (points, planes, 10_cm, rule, 1);
+  const std::vector<Plane> planes = randomPlanes (12);
+  for (const AssignmentRule rule : {AssignmentRule::Nearest, AssignmentRule::First}) {
+    const Labels labels = assignPoints (points, planes, 10_cm, rule, one_thread);
     int different = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
       different += labels[i] != labelByBruteForce (points[i], planes, 10_cm, rule);
@@ -106,14 +106,14 @@ TEST (AssignPoints, AgreesWithBruteForce)
 TEST (MomentsOfLabels, AreThoseOfThePointsOfEachLabel)
 {
   const Coordinates points = pointsInACube (40000, 2_m);
-  const Labels labels =
-      assignPoints (points, randomPlanes (3), 10_cm, AssignmentRule::Nearest, 1);
+  const Labels labels = assignPoints (
+      points, randomPlanes (3), 10_cm, AssignmentRule::Nearest, one_thread);
   std::vector<Moments> expected (3);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (labels[i] != no_plane)
       expected[static_cast<std::size_t> (labels[i])].add (
           points.x[i], points.y[i], points.z[i]);
-  const auto moments = momentsOfLabels (points, labels, 3, 1);
+  const auto moments = momentsOfLabels (points, labels, 3, one_thread);
   for (std::size_t p = 0; p < 3; ++p) {
     EXPECT_EQ (moments[p].count, expected[p].count);
     EXPECT_TRUE (moments[p].sum.isApprox (expected[p].sum, 1e-9));

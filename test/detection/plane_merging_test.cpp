@@ -8,7 +8,11 @@ using namespace pcl_ops;
 
 namespace {
 
-constexpr MergingParameters usual{true, 7_deg, 5_cm, {}};
+constexpr double max_angle = 7_deg;
+constexpr double max_distance = 5_cm;
+
+/** \brief The parameters of the paper: no noise factor. */
+constexpr MergingParameters as_in_paper{true, max_angle, max_distance, {}};
 
 /** \brief A square of 1 m x 1 m about a center, tilted about the y axis. */
 Surface
@@ -19,7 +23,9 @@ square (const Eigen::Vector3d& center, double tilt = 0.0, double edge = 1_m)
   return {center - 0.5 * first - 0.5 * second, first, second};
 }
 
-/** \brief Moments of points at a distance [m] before and behind a square. */
+/** \brief Moments of 10 x 10 points of a square.
+ * \param[in] noise points lie by turns this far in front of the square and behind it [m]
+ */
 Moments
 noisySquare (const Eigen::Vector3d& center,
              double noise,
@@ -40,7 +46,7 @@ exactSquare (const Eigen::Vector3d& center, double tilt = 0.0, int steps = 10)
 MergingParameters
 byNoise (double noise_factor)
 {
-  return {true, 7_deg, 0.0, noise_factor};
+  return {true, max_angle, 0.0, noise_factor};
 }
 
 PlaneFit
@@ -57,22 +63,27 @@ TEST (AreCoplanar, ByTheAngleAndBothDistancesWhateverTheSignOfTheNormals)
   const struct {
     const char* plane;
     PlaneFit fit;
-    bool are_one;
+    bool are_coplanar;
   } rows[] = {{"another part of the floor", fitOf ({5, 3, 0}), true},
               {"one through its centroid", fitOf ({0, 0, 0}, 6_deg), true},
               {"a steeper one", fitOf ({0, 0, 0}, 8_deg), false},
               {"one 20 cm up after 10 m, which passes through the floor's centroid",
                fitOf ({10, 0, 0.2}, -std::atan (0.02)),
                false}};
-  EXPECT_LT (std::abs (rows[3].fit.plane.distance (floor.centroid)), 1_mm);
-  for (const auto& [plane, fit, are_one] : rows) {
+  const PlaneFit& through_centroid_of_floor = rows[3].fit;
+  EXPECT_LT (std::abs (through_centroid_of_floor.plane.distance (floor.centroid)),
+             1_mm);
+  for (const auto& [plane, fit, are_coplanar] : rows) {
     PlaneFit flipped = fit;
     flipped.plane = {-fit.plane.normal, -fit.plane.offset};
-    EXPECT_EQ (pcl_ops::detail::areCoplanar (floor, fit, 7_deg, 5_cm), are_one)
+    EXPECT_EQ (pcl_ops::detail::areCoplanar (floor, fit, max_angle, max_distance),
+               are_coplanar)
         << plane;
-    EXPECT_EQ (pcl_ops::detail::areCoplanar (fit, floor, 7_deg, 5_cm), are_one)
+    EXPECT_EQ (pcl_ops::detail::areCoplanar (fit, floor, max_angle, max_distance),
+               are_coplanar)
         << plane;
-    EXPECT_EQ (pcl_ops::detail::areCoplanar (floor, flipped, 7_deg, 5_cm), are_one)
+    EXPECT_EQ (pcl_ops::detail::areCoplanar (floor, flipped, max_angle, max_distance),
+               are_coplanar)
         << plane;
   }
 }
@@ -93,7 +104,7 @@ TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
   const struct {
     Moments first, second;
     double noise_factor;
-    std::size_t planes;
+    std::size_t merged_planes;
   } rows[] = {{noisy, above, 1.8, 2},
               {noisy, above, 2.1, 1},
               {noisy, tilted, 2.0, 2},
@@ -101,9 +112,9 @@ TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
               {thick, rough, 2.0, 1},
               {flat, beside, 1.5, 1}};
   for (std::size_t row = 0; row < std::size (rows); ++row) {
-    const auto& [first, second, noise_factor, planes] = rows[row];
+    const auto& [first, second, noise_factor, merged_planes] = rows[row];
     EXPECT_EQ (mergePlanes ({first, second}, byNoise (noise_factor)).fits.size(),
-               planes)
+               merged_planes)
         << row;
   }
 }
@@ -113,8 +124,8 @@ TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
   // A small piece 10 m from a wall: noise tilts it by 2 degrees, 35 cm over 10 m.
   const Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
   const Moments piece = noisySquare ({10, 0, 0}, 1_cm, 30_cm, 2_deg);
-  EXPECT_FALSE (
-      pcl_ops::detail::areCoplanar (*fitPlane (wall), *fitPlane (piece), 7_deg, 5_cm));
+  EXPECT_FALSE (pcl_ops::detail::areCoplanar (
+      *fitPlane (wall), *fitPlane (piece), max_angle, max_distance));
   EXPECT_EQ (mergePlanes ({wall, piece}, byNoise (1.5)).fits.size(), 1u);
 }
 
@@ -122,7 +133,7 @@ TEST (Merge, IsTheFitOfAllPoints)
 {
   const Moments first = exactSquare ({0, 0, 0});
   Moments all = exactSquare ({0.5, 1, 2_cm}, 3_deg);
-  const auto merged = mergePlanes ({first, all}, usual);
+  const auto merged = mergePlanes ({first, all}, as_in_paper);
   all += first;
   ASSERT_EQ (merged.fits.size(), 1u);
   EXPECT_EQ (merged.moments[0].count, 200.0);
@@ -132,11 +143,12 @@ TEST (Merge, IsTheFitOfAllPoints)
 
 TEST (Merge, ChainsThroughPlanesThatPassOnlyPairwise)
 {
-  // 8 degrees from end to end, which is too much; 5 and 3 between neighbors.
+  // The first and the last lean by 8 degrees to each other, which is too much;
+  // neighbors by 5 and by 3 degrees.
   const std::vector<Moments> bend{exactSquare ({0, 0, 0}, 0_deg, 20),
                                   exactSquare ({0, 0, 0}, 5_deg, 19),
                                   exactSquare ({0, 0, 0}, 8_deg, 5)};
-  EXPECT_EQ (mergePlanes (bend, usual).merged_into, (Labels{0, 0, 0}));
+  EXPECT_EQ (mergePlanes (bend, as_in_paper).merged_into, (Labels{0, 0, 0}));
 }
 
 TEST (Merge, GoesOnUntilNoPairPassesTheTest)
@@ -145,19 +157,19 @@ TEST (Merge, GoesOnUntilNoPairPassesTheTest)
   std::vector<Moments> planes;
   for (int i = 0; i < 60; ++i)
     planes.push_back (
-        exactSquare ({5 * drawUnit (generator), 0, drawNormal (generator)},
-                     10_deg * drawNormal (generator)));
-  const auto merged = mergePlanes (planes, usual);
+        exactSquare ({5 * drawUnit (generator), 0, drawGaussian (generator)},
+                     10_deg * drawGaussian (generator)));
+  const auto merged = mergePlanes (planes, as_in_paper);
   EXPECT_LT (merged.fits.size(), planes.size());
   for (std::size_t i = 0; i < merged.fits.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      EXPECT_FALSE (
-          pcl_ops::detail::areCoplanar (merged.fits[i], merged.fits[j], 7_deg, 5_cm));
+      EXPECT_FALSE (pcl_ops::detail::areCoplanar (
+          merged.fits[i], merged.fits[j], max_angle, max_distance));
 }
 
 TEST (Merge, LeavesPlanesAloneWhereDisabled)
 {
-  MergingParameters off = usual;
+  MergingParameters off = as_in_paper;
   off.enabled = false;
   const auto merged = mergePlanes (
       {exactSquare ({0, 0, 0}, 0_deg, 5), exactSquare ({5, 3, 0}, 0_deg, 9)}, off);
@@ -174,7 +186,7 @@ TEST (Merge, SortsPlanesByFallingSizeAndDropsSetsThatAreNone)
                                     exactSquare ({0, 0, 1}, 0_deg, 9),
                                     Moments(),
                                     exactSquare ({0, 0, 2}, 0_deg, 7)},
-                                   usual);
+                                   as_in_paper);
   EXPECT_EQ (merged.merged_into, (Labels{2, no_plane, 0, no_plane, 1}));
   ASSERT_EQ (merged.fits.size(), 3u);
   EXPECT_EQ (merged.moments[0].count, 81.0);

@@ -16,8 +16,8 @@ import unittest
 SOURCES, COMPILER, FLAGS = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 PAGES = [SOURCES / "README.md", *sorted((SOURCES / "src/doc").glob("*.md"))]
 
-# What a reader has by then: a cloud and the detector of the first example, and where a page
-# goes on from planes, these. Headers beyond that are the block's own business.
+# What blocks without a main function may use: a cloud and a detector as in the first example,
+# and planes. Each block includes its other headers itself.
 GIVEN_HEADER = "#include <pcl_ops/oriented_point_sampling.h>\n"
 GIVEN = """
 void
@@ -53,7 +53,7 @@ def body_of(block):
 class Blocks(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        # Compiled once: it takes most of the time of a block.
+        # Precompiled, as compiling this header would take most of the time of a block.
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.given = pathlib.Path(cls.folder.name, "given.h")

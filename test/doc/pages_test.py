@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What README.md and the pages of src/doc say can be done, is done.
+"""The commands of README.md and of the pages of src/doc run, their links lead somewhere, and their
+numbers are those of the CSV files.
 
 python3 pages_test.py SOURCES PROGRAMS: the project's folder, and that of its programs.
 python3 pages_test.py SOURCES --fill: writes the numbers of src/doc/comparison.csv into tables.
@@ -19,17 +20,19 @@ import unittest
 SOURCES, PROGRAMS = pathlib.Path(sys.argv[1]), sys.argv[2]
 README = SOURCES / "README.md"
 PAGES = [README, *sorted((SOURCES / "src/doc").glob("*.md"))]
-ROOM = " --seed 1 --width 160 --height 120"
-# Commands that need no display, no data of others and no minutes.
+ROOM_OPTIONS = "--seed 1 --width 160 --height 120"
+# Beginnings of the commands that are run: these need no display, no data of others and no minutes.
 RUN = ("pcl_ops_simulate ", "pcl_ops_segment ", "cat room.pcd | ", "pcl_ops_tiles ",
        "pcl_ops_evaluate compare ", "pcl_ops_evaluate ground ", "pcl_ops_evaluate planes ",
        "pcl_ops_evaluate track ",
        "printf ")
 
-# What the tables of comparisons call the columns and rows of src/doc/comparison.csv.
+# Columns of src/doc/comparison.csv by their titles in tables of the pages: the column, a factor and
+# the number of decimals, or None for two significant digits.
 MEASURES = {"class.": ("classification_accuracy", 100, 1),
             "segm.": ("segmentation_accuracy", 100, 1), "F 0.5": ("f_score", 1, 2),
             "F 0.75": ("f_score_75", 1, 2), "s": ("seconds_per_million_points", 1, None)}
+# Data sets and methods of src/doc/comparison.csv by their titles in tables of the pages.
 DATA_SETS = {"rooms": "rooms", "rooms, raw depth": "rooms-raw", "frames": "sunrgbd",
              "frames, raw depth": "sunrgbd-raw", "64 beams": "streets", "32 beams": "streets-32",
              "16 beams": "streets-16", "roofs": "roofs", "CAD": "cad", "surveys": "survey",
@@ -50,22 +53,23 @@ OURS = ("ops", "ops-3-30", "kht", "fspf")
 # Pages with such tables, and how many.
 COMPARISONS = {README: 1, SOURCES / "src/doc/accuracy.md": 4}
 # Sentences of README with figures: a pattern with a group for each, and the table's cell it is.
-GROWING = "CGAL region growing"
+REGION_GROWING = "CGAL region growing"
 CLAIMS = [
     (r"CGAL's region growing, told their noise, has an F of (\S+) in a room of ScanNet and of "
      r"(\S+) in an office of NavVis",
-     [("ScanNet", GROWING, "F 0.5"), ("NavVis", GROWING, "F 0.5")])]
-# What else is a figure of accuracy or time: a decimal fraction, a percentage, a time.
+     [("ScanNet", REGION_GROWING, "F 0.5"), ("NavVis", REGION_GROWING, "F 0.5")])]
+# A figure of accuracy or time: a decimal fraction, a percentage, a time.
 FIGURE = re.compile(r"(?<![\w.])(?:\d*\.\d+|\d[\d,]*(?= ?(?:%|ms|s|seconds|minutes)\b| %))")
-# Rows of scenes with faults: data set, number of clouds, F at both overlaps or a dash.
+# Rows of the table of difficult scenes: data set, number of clouds, F at both overlaps or a dash.
 FAULTS = re.compile(r"^\| `([a-z-]+):1-(\d+)` \| (-|[\d.]+/[\d.]+) \|", re.MULTILINE)
 # Rows of the table of stability, and the columns of accuracy.csv.
 CHANGES = {"moved": "moved", "turned": "turned", "1 % of the points left out": "thinned",
            "jitter of .1 mm": "jittered", "rounded to whole millimeters": "rounded"}
-# Rows of detectors on changed clouds: the number, and both ends of five agreements.
+# Rows of the table of steadiness: a detector, its number, and the median and the worst tenth of
+# the agreements of five changes.
 STEADY = re.compile(r"(?m)^\| (.+?) (\| \.\d+(?: \| [\d.]+/[\d.]+){5} \|)$")
 NUMBER = re.compile(r"The number of the default is (\.\d+) over all (\d+) clouds of the (\d+) sets")
-# The overlap that F is counted at.
+# Figures in sentences that are no results: the overlap from which a plane counts as found.
 DEFINITIONS = {"0.5"}
 
 
@@ -76,7 +80,7 @@ def compared():
 
 
 def comparison_tables(page):
-    """Tables whose first cell says what is in their cells, as lists of rows of cells."""
+    """The tables whose first cell names measures, each as a list of rows of cells."""
     for block in re.findall(r"(?:^\|.*\n)+", page.read_text(), re.MULTILINE):
         rows = [[cell.strip() for cell in line.strip("|").split("|")]
                 for line in block.splitlines()]
@@ -85,11 +89,12 @@ def comparison_tables(page):
 
 
 def measures_of(cell):
+    """The titles of measures in the first cell of a table: those of "F 0.5 / s [better]"."""
     return re.sub(r" \[.*?\]|, better.*", "", cell).split(" / ")
 
 
 def expected_cell(rows, measures):
-    """The best values of the rows of a method in the comparison."""
+    """The best values of the rows of a method; a dash if it has none."""
     rows = [row for row in rows if row["f_score"]]
     texts = []
     for name, factor, decimals in (MEASURES[measure] for measure in measures):
@@ -100,6 +105,10 @@ def expected_cell(rows, measures):
 
 
 def expected_row(header, label, table):
+    """The cells that the row of a method should have.
+
+    table: see compared
+    """
     names = METHODS[label], METHODS[label] + "-measured"
     cells = []
     for column in header[1:]:
@@ -126,7 +135,7 @@ def without_code(text):
 
 
 def fill_tables(page):
-    """Brings a page's tables of comparisons up to date."""
+    """Writes the numbers of the comparison into the tables of a page."""
     table, text = compared(), page.read_text()
     for header, _, *rows in comparison_tables(page):
         for row in rows:
@@ -149,11 +158,13 @@ def faults_scores():
 
 
 def thousandths(value):
+    """A share as ".123"."""
     return f"{float(value):.3f}".removeprefix("0")
 
 
 def stored_number():
-    """The one number over all sets, the number of clouds, and of sets, as the page has them."""
+    """The one number over all sets (scripts/accuracy), and the numbers of clouds and of sets, as
+    texts."""
     sets = [row for row in stored_accuracy().values() if row["clouds"]]
     truth = [float(row["f_score"]) for row in sets if row["f_score"]]
     thin = [float(row["on_planes_share"]) - 2.0 * float(row["thick_length_share"])
@@ -164,13 +175,13 @@ def stored_number():
 
 
 def stability_cells(change):
-    """The median and the worst tenth of agreement over real clouds."""
+    """The median and the worst tenth of the agreements of a change over real clouds."""
     stored = stored_accuracy()
     return [thousandths(stored[row][CHANGES[change]]) for row in ("real-median", "real-tenth")]
 
 
 def steadiness_cells(label):
-    """Of the setting of a detector that has the higher number."""
+    """The cells of a detector, by that of its settings that has the higher number."""
     with open(SOURCES / "src/doc/steadiness.csv", newline="", encoding="utf-8") as stream:
         rows = [row for row in csv.DictReader(stream)
                 if row["detector"].removesuffix("-measured") == METHODS[label]]
@@ -181,7 +192,7 @@ def steadiness_cells(label):
 
 
 def fill_accuracy(page):
-    """Writes what scripts/accuracy stored."""
+    """Writes what scripts/accuracy stored into a page."""
     scores = faults_scores()
     text = FAULTS.sub(lambda row: f"| `{row[1]}:1-{row[2]}` | {scores[row[1]][1]} |",
                       page.read_text())
@@ -217,11 +228,11 @@ def smaller(command):
         return command
     if "--scene walk" in command:
         return command + " --frames 5 --width 80 --height 60"
-    return command + (" --points 5000" if "--scene" in command else ROOM[9:])
+    return command + (" --points 5000" if "--scene" in command else " --width 160 --height 120")
 
 
 def sections_of(page):
-    """What links name headings by: small letters, digits and _, hyphens for blanks."""
+    """The names of headings in links: small letters, digits and _, hyphens for blanks."""
     return [re.sub(r"[^a-z0-9_ -]", "", heading.lower()).replace(" ", "-")
             for heading in re.findall(r"^#+ (.*)", page.read_text(), re.MULTILINE)]
 
@@ -239,11 +250,11 @@ class Pages(unittest.TestCase):
             commands = [smaller(c) for c in code_of(page, "sh") if c.startswith(RUN)]
             if not commands:
                 continue
-            # The clouds the pages speak of: room.pcd and a folder of scans.
+            # The clouds that the commands of the pages read: room.pcd and a folder of scans.
             with self.subTest(page.name), tempfile.TemporaryDirectory() as folder:
                 os.mkdir(os.path.join(folder, "scans"))
                 for cloud in ("room", "scans/first", "scans/second"):
-                    self.run_in(folder, f"pcl_ops_simulate {cloud}.pcd{ROOM}")
+                    self.run_in(folder, f"pcl_ops_simulate {cloud}.pcd {ROOM_OPTIONS}")
                 for command in commands:
                     self.run_in(folder, command)
 

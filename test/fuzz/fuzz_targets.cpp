@@ -37,8 +37,8 @@ constexpr std::size_t max_points_of_a_shape = 400;
 using Planes = std::vector<PlaneSegment>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief Reads numbers from bytes one after the other, and zeros after the last byte:
- * any bytes are a valid input. */
+/** \brief Reads numbers from bytes one after the other, and zeros after the last byte,
+ * so that any bytes are a valid input. */
 class ByteReader {
 public:
   explicit ByteReader (const Bytes& bytes) : bytes_ (bytes) {}
@@ -78,13 +78,16 @@ const std::map<std::string, std::vector<double>>&
 otherValues ()
 {
   static const auto values = [] {
-    std::map<std::string, std::vector<double>> all;
+    // Columns of parameters.tsv; the last ones may be empty and are then left out.
+    constexpr std::size_t name_column = 1;
+    constexpr std::size_t values_column = 7;
+    std::map<std::string, std::vector<double>> values_of_name;
     for (std::vector<std::string> row : tableIn (PCL_OPS_PARAMETERS)) {
-      row.resize (8);
-      if (!row[7].empty())
-        all[row[1]] = numbersIn (row[7]);
+      row.resize (values_column + 1);
+      if (!row[values_column].empty())
+        values_of_name[row[name_column]] = numbersIn (row[values_column]);
     }
-    return all;
+    return values_of_name;
   }();
   return values;
 }
@@ -103,19 +106,19 @@ vary (ByteReader& bytes, Parameters& parameters)
     const auto chosen = bytes.take<std::uint8_t>();
     if (chosen < 128)
       return;
-    const auto other_of = [&] (const auto& all) { return all[chosen % all.size()]; };
+    const auto chosenOf = [&] (const auto& all) { return all[chosen % all.size()]; };
     if constexpr (std::is_enum_v<Value>)
-      value = other_of (std::get<python::Words<Value>> (python::words)).second;
+      value = chosenOf (std::get<python::Words<Value>> (python::words)).second;
     else if constexpr (std::is_same_v<Value, bool>)
       value = chosen % 2 == 1;
     else if constexpr (std::is_same_v<Value, Eigen::Vector3f>)
-      value.x() = other_of (otherValues().at (name));
+      value.x() = chosenOf (otherValues().at (name));
     else
-      value = static_cast<Value> (other_of (otherValues().at (name)));
+      value = static_cast<Value> (chosenOf (otherValues().at (name)));
   });
 }
 
-/** One shape: where, how large, how many points, and a seed for the rest. */
+/** A kind of points with a position, a size and a number, and a seed for the rest. */
 struct Shape {
   enum Kind {
     Plane,
@@ -139,7 +142,7 @@ struct Shape {
   , generator (bytes.take<std::uint16_t>())
   {
     for (int axis = 0; axis < 3; ++axis)
-      place[axis] = 0.05 * bytes.take<std::int8_t>();
+      center[axis] = 0.05 * bytes.take<std::int8_t>();
     size = 0.02 * (1 + bytes.take<std::uint8_t>());
     const double tilt = bytes.take<std::uint8_t>() * pi / 128.0;
     const double turn = bytes.take<std::uint8_t>() * pi / 128.0;
@@ -147,6 +150,7 @@ struct Shape {
             Eigen::AngleAxisd (tilt, Eigen::Vector3d::UnitX());
   }
 
+  /** Draws a number from -size to size. */
   double
   draw ()
   {
@@ -179,9 +183,9 @@ struct Shape {
   Kind kind;
   std::size_t count;
   RandomGenerator generator;
-  Eigen::Vector3d place;
-  double size;
-  Eigen::Quaterniond frame;
+  Eigen::Vector3d center;   // [m]
+  double size;              // half the edge of most shapes, 0.02 to 5.12 [m]
+  Eigen::Quaterniond frame; // rotation from the frame of the shape
 };
 
 void
@@ -189,7 +193,9 @@ addShape (ByteReader& bytes, Cloud& cloud)
 {
   Shape shape (bytes);
   if (shape.kind == Shape::FarPoint)
-    cloud.push_back (toPoint (std::pow (10.0, 38.0 * shape.size / 5.12) * shape.place));
+    // Up to about the largest number of single precision, 10^38.
+    cloud.push_back (
+        toPoint (std::pow (10.0, 38.0 * shape.size / 5.12) * shape.center));
   else if (shape.kind == Shape::NotFinite)
     cloud.push_back ({std::numeric_limits<float>::quiet_NaN(),
                       std::numeric_limits<float>::infinity(),
@@ -204,9 +210,14 @@ addShape (ByteReader& bytes, Cloud& cloud)
       cloud.push_back (cloud[i]);
   else
     for (std::size_t i = 0; i < shape.count; ++i)
-      cloud.push_back (toPoint (shape.place + shape.frame * shape.pointInItsFrame (i)));
+      cloud.push_back (
+          toPoint (shape.center + shape.frame * shape.pointInItsFrame (i)));
 }
 
+/** Returns no indices for twelve of sixteen kinds; else a third of the points (12), all
+ * points (13), points at random (14), or these and an index that may be out of range
+ * (15).
+ */
 pcl::IndicesPtr
 indicesFrom (ByteReader& bytes, std::size_t points)
 {
@@ -229,12 +240,15 @@ indicesFrom (ByteReader& bytes, std::size_t points)
 std::pair<Cloud::Ptr, pcl::IndicesPtr>
 cloudFrom (ByteReader& bytes)
 {
-  const auto chosen = bytes.take<std::uint8_t>();
-  const double scale = chosen < 168 ? 1.0 : std::pow (10.0, chosen - 168 - 45);
+  // Two of three clouds are not scaled, the others by 10^-45 to 10^42. Three of four
+  // are not shifted, the others by 1 to 10^11 m.
+  const auto scale_byte = bytes.take<std::uint8_t>();
+  const double scale = scale_byte < 168 ? 1.0 : std::pow (10.0, scale_byte - 168 - 45);
   const double shift = bytes.take<std::uint8_t>() < 192
                            ? 0.0
                            : std::pow (10.0, bytes.take<std::uint8_t>() % 12);
-  ByteReader before_shapes = bytes;
+  // The bytes of the indices come before those of the shapes.
+  ByteReader bytes_of_indices = bytes;
   bytes.take<std::uint32_t>();
   const auto cloud = pcl::make_shared<Cloud>();
   while (!bytes.isAtEnd() && cloud->size() < max_points)
@@ -244,7 +258,7 @@ cloudFrom (ByteReader& bytes)
         (scale * point.getVector3fMap().cast<double>().array() + shift)
             .matrix()
             .cast<float>();
-  return {cloud, indicesFrom (before_shapes, cloud->size())};
+  return {cloud, indicesFrom (bytes_of_indices, cloud->size())};
 }
 
 /** Checks that planes have finite unit normals and come in descending order of size.
@@ -273,6 +287,7 @@ promiseOrderedPlanes (const Planes& planes, const Cloud& cloud)
   }
 }
 
+/** Checks that two calls found the same planes. */
 void
 promiseEqual (const Planes& one, const Planes& other)
 {
@@ -293,6 +308,7 @@ promiseGivenPoints (const Planes& planes, const pcl::Indices& given)
       promise (allowed.count (index) == 1, "only points it was given are on planes");
 }
 
+/** \brief Varies parameters, makes a cloud, and checks the planes of two calls. */
 template <typename Detector>
 void
 detect (const Bytes& bytes, typename Detector::Parameters parameters)
@@ -318,20 +334,21 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
   promiseEqual (planes, again);
 }
 
-/** \brief One file for all inputs with an extension: making a file takes longer than
- * reading it. */
-const apps::Spool&
-spoolOf (const std::string& extension)
+/** \brief Returns the file for all inputs with an extension. It is made once, as making
+ * a file takes longer than reading it. */
+const apps::TemporaryFile&
+fileOfInputs (const std::string& extension)
 {
-  static std::map<std::string, apps::Spool> spools;
-  return spools.try_emplace (extension, extension, "fuzz").first->second;
+  static std::map<std::string, apps::TemporaryFile> files;
+  return files.try_emplace (extension, extension, "fuzz").first->second;
 }
 
+/** \brief Loads bytes as a file with an extension, and uses the cloud if it is one. */
 template <typename Use>
 void
 load (const Bytes& bytes, const std::string& extension, Use&& use)
 {
-  const apps::Spool& file = spoolOf (extension);
+  const apps::TemporaryFile& file = fileOfInputs (extension);
   file.fill ([&bytes] (std::ostream& stream) {
     stream.write (reinterpret_cast<const char*> (bytes.data()), bytes.size());
   });
@@ -353,12 +370,13 @@ load (const Bytes& bytes, const std::string& extension, Use&& use)
   }
 }
 
+/** \brief Checks that a cloud is the same once it was saved and loaded. */
 void
 promiseSaved (const apps::FileCloud& cloud)
 {
   // A named string: newer compilers warn of a dangling reference to a temporary.
   const std::string extension = ".pcd";
-  const apps::Spool& copy = spoolOf (extension);
+  const apps::TemporaryFile& copy = fileOfInputs (extension);
   apps::saveCloud (copy.name(), cloud);
   promise (apps::loadCloud (copy.name()).points.data == cloud.points.data,
            "the names of columns are those of fields");
@@ -380,7 +398,7 @@ loadPtx (const Bytes& bytes)
 {
   load (bytes, ".ptx", [] (const apps::FileCloud& cloud) {
     for (const apps::Scan& scan : cloud.scans)
-      promise (scan.first <= cloud.size() && scan.place.allFinite(),
+      promise (scan.first <= cloud.size() && scan.position.allFinite(),
                "a scan has a place and begins within the cloud");
     promiseSaved (cloud);
   });
@@ -394,11 +412,12 @@ loadLas (const Bytes& bytes)
       return;
     std::vector<std::uint32_t> labels (cloud.size());
     std::iota (labels.begin(), labels.end(), 1U);
-    const apps::Spool file (".las", "fuzz");
-    apps::saveLabelledLas (file.name(), *cloud.las, labels);
-    apps::FileCloud labelled = apps::loadCloud (file.name()), expected = cloud;
+    const apps::TemporaryFile file (".las", "fuzz");
+    apps::saveLabeledLas (file.name(), *cloud.las, labels);
+    const apps::FileCloud labeled = apps::loadCloud (file.name());
+    apps::FileCloud expected = cloud;
     apps::setField (expected, "label", pcl::PCLPointField::UINT32, labels.data());
-    promise (labelled.points.data == expected.points.data,
+    promise (labeled.points.data == expected.points.data,
              "labels and points are read as they were written");
   });
 }
@@ -406,7 +425,7 @@ loadLas (const Bytes& bytes)
 /** Detects planes in a corner of a floor and a wall. Each line of the bytes is one
  * command line argument. */
 void
-detectAsTold (const Bytes& bytes)
+detectWithOptions (const Bytes& bytes)
 {
   std::istringstream text (std::string (bytes.begin(), bytes.end()));
   std::deque<std::string> arguments;
@@ -439,7 +458,7 @@ readOptions (const Bytes& bytes)
   const std::ostringstream nothing;
   const boost::io::ios_rdbuf_saver saver (std::cout, nothing.rdbuf());
   try {
-    detectAsTold (bytes);
+    detectWithOptions (bytes);
   }
   catch (const apps::ProgramError& error) {
     promise (*error.what() != '\0', "an error says what is wrong");

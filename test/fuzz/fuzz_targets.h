@@ -24,13 +24,16 @@ promise (bool holds, const std::string& what)
 
 using Targets = std::map<std::string, void (*) (const Bytes&)>;
 
-/** \brief All targets by name; the folder of that name has the target's corpus. "pcd",
- * "ply", "las", "ascii", "ptx", "kitti", "npy", "off" and "obj" load bytes as a file.
- * Loading must return a cloud with consistent sizes, or fail with an error of one line.
- * From "ascii" on each number is written again; a LAS that takes labels is labeled.
- * "options" reads a command line argument from each line and detects planes in a small
- * cloud. The other targets detect planes by one method, with parameters and a cloud
- * made from the bytes: see promiseOrderedPlanes. */
+/** \brief All targets by name; the archive of that name has the target's corpus.
+ *
+ * - "pcd", "ply", "las", "ascii", "ptx", "kitti", "npy", "off" and "obj" load bytes as
+ * a file. Loading must return a cloud with consistent sizes, or fail with an error of
+ * one line. Except for "pcd", "ply" and "las", the cloud is saved and loaded again; a
+ * LAS that takes labels is labeled.
+ * - "options" reads a command line argument from each line and detects planes in a
+ * small cloud.
+ * - The other targets detect planes by one method, with parameters and a cloud made
+ * from the bytes: see promiseOrderedPlanes. */
 const Targets&
 allTargets ();
 

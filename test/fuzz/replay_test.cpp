@@ -8,7 +8,8 @@
 using namespace pcl_ops::fuzz;
 namespace fs = std::filesystem;
 
-// What fuzzing began with and what it found, a folder for each target.
+// The corpus of a target is a folder with its name: the inputs that fuzzing began with
+// and those that broke a promise.
 TEST (Replay, KeepsAllPromises)
 {
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);

@@ -9,36 +9,40 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-const Eigen::Vector3d place_of_lidar (1, 2, 1.5);
+const Eigen::Vector3d lidar_position (1, 2, 1.5);
 
-/** \brief What a lidar sees of a room of 8 m x 8 m x 3 m from its middle: 33 beams,
- * one degree apart, every other one with steps of its own [degrees]. */
+/** \brief What a lidar sees of a room of 8 m x 8 m x 3 m from its middle: 33 beams, one
+ * degree apart.
+ * \param[in] even_step,odd_step steps of the azimuth of even and odd beams [degrees] */
 Coordinates
-roomSeenInSteps (double step, double other_step)
+roomSeenInSteps (double even_step, double odd_step)
 {
   Coordinates points;
   for (int beam = -16; beam <= 16; ++beam) {
     const double elevation = 1_deg * beam;
-    const double azimuth_step = (beam % 2 == 0 ? step : other_step) * 1_deg;
+    const double azimuth_step = (beam % 2 == 0 ? even_step : odd_step) * 1_deg;
     for (double azimuth = 0.0; azimuth < 2.0 * pi; azimuth += azimuth_step) {
       const Eigen::Vector3d ray (std::cos (elevation) * std::cos (azimuth),
                                  std::cos (elevation) * std::sin (azimuth),
                                  std::sin (elevation));
-      const Eigen::Array3d walls = Eigen::Array3d (4, 4, 1.5) / ray.array().abs();
-      const pcl::PointXYZ point = toPoint (place_of_lidar + walls.minCoeff() * ray);
+      const Eigen::Array3d half_size (4_m, 4_m, 1.5_m);
+      const Eigen::Array3d ranges = half_size / ray.array().abs(); // to walls and floor
+      const pcl::PointXYZ point = toPoint (lidar_position + ranges.minCoeff() * ray);
       points.add (point.x, point.y, point.z);
     }
   }
   return points;
 }
 
+/** \brief Points drawn uniformly on a sphere with a radius of 1 m. */
 Coordinates
-drawnOnABall (const Eigen::Vector3d& place, int number)
+drawnOnABall (const Eigen::Vector3d& center, int number)
 {
   Coordinates points;
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < number; ++i) {
-    const pcl::PointXYZ point = toPoint (place + drawNormals (generator).normalized());
+    const pcl::PointXYZ point =
+        toPoint (center + drawGaussians (generator).normalized());
     points.add (point.x, point.y, point.z);
   }
   return points;
@@ -48,53 +52,53 @@ drawnOnABall (const Eigen::Vector3d& place, int number)
 
 TEST (ShareOfCommonSteps, IsOneOfALidarWithStepsOfOneOrTwoKinds)
 {
-  for (const double other_step : {0.2, 0.3})
-    EXPECT_NEAR (shareOfCommonSteps (roomSeenInSteps (0.2, other_step), place_of_lidar),
+  for (const double odd_step : {0.2, 0.3})
+    EXPECT_NEAR (shareOfCommonSteps (roomSeenInSteps (0.2, odd_step), lidar_position),
                  1.0,
                  2_percent)
-        << other_step;
+        << odd_step;
 }
 
 TEST (ShareOfCommonSteps, IsLowAwayFromTheLidarAndOfPointsAnywhere)
 {
-  const Eigen::Vector3d beside = place_of_lidar + Eigen::Vector3d (2, 1, 0);
+  const Eigen::Vector3d beside = lidar_position + Eigen::Vector3d (2, 1, 0);
   EXPECT_LT (shareOfCommonSteps (roomSeenInSteps (0.2, 0.2), beside), 50_percent);
-  EXPECT_LT (shareOfCommonSteps (drawnOnABall (place_of_lidar, 20000), place_of_lidar),
+  EXPECT_LT (shareOfCommonSteps (drawnOnABall (lidar_position, 20000), lidar_position),
              30_percent);
 }
 
 TEST (ShareOfCommonSteps, IsNoneOfPointsTooFewToTell)
 {
-  EXPECT_EQ (shareOfCommonSteps (drawnOnABall (place_of_lidar, 50), place_of_lidar),
+  EXPECT_EQ (shareOfCommonSteps (drawnOnABall (lidar_position, 50), lidar_position),
              0.0);
-  EXPECT_EQ (shareOfCommonSteps (Coordinates(), place_of_lidar), 0.0);
+  EXPECT_EQ (shareOfCommonSteps (Coordinates(), lidar_position), 0.0);
 }
 
 TEST (ShareOfCommonSteps, IsNoneOfMoreThanFourPointsBehindEachOther)
 {
-  const auto share = [] (int layers) {
+  const auto shareOfLayers = [] (int layers) {
     const Coordinates room = roomSeenInSteps (0.2, 0.2);
     Coordinates points;
     for (int layer = 1; layer <= layers; ++layer)
       for (std::size_t i = 0; i < room.size(); ++i) {
         const Eigen::Vector3d point =
-            place_of_lidar + layer * (room[i] - place_of_lidar);
+            lidar_position + layer * (room[i] - lidar_position);
         points.add (static_cast<float> (point.x()),
                     static_cast<float> (point.y()),
                     static_cast<float> (point.z()));
       }
-    return shareOfCommonSteps (points, place_of_lidar);
+    return shareOfCommonSteps (points, lidar_position);
   };
-  EXPECT_GT (share (3), 90_percent);
-  EXPECT_EQ (share (6), 0.0);
+  EXPECT_GT (shareOfLayers (3), 90_percent);
+  EXPECT_EQ (shareOfLayers (6), 0.0);
 }
 
 TEST (SeenByItsSteps, IsALidarAtItsPlaceAloneAndNothingAnywhere)
 {
   const Coordinates room = roomSeenInSteps (0.2, 0.2);
-  EXPECT_EQ (seenByItsSteps (room, place_of_lidar), StepsSay::Yes);
-  EXPECT_NE (seenByItsSteps (room, place_of_lidar + Eigen::Vector3d (2, 1, 0)),
+  EXPECT_EQ (seenByItsSteps (room, lidar_position), StepsSay::Yes);
+  EXPECT_NE (seenByItsSteps (room, lidar_position + Eigen::Vector3d (2, 1, 0)),
              StepsSay::Yes);
-  EXPECT_EQ (seenByItsSteps (drawnOnABall (place_of_lidar, 20000), place_of_lidar),
+  EXPECT_EQ (seenByItsSteps (drawnOnABall (lidar_position, 20000), lidar_position),
              StepsSay::CannotTell);
 }

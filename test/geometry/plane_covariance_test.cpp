@@ -32,17 +32,18 @@ fittedTo (const Cloud& cloud)
   return plane;
 }
 
-/** \brief (tilt along u, tilt along v, offset) of the true board over the plane. */
+/** \brief Tilt along both axes of the covariance [rad] and offset [m] of the true board
+ * relative to the plane. */
 Eigen::Vector3d
 errorsOf (const PlaneSegment& plane, const PlaneCovariance& covariance)
 {
   Eigen::Vector3d normal = board.normal();
   if (normal.dot (plane.normal) < 0.0)
     normal = -normal;
-  const double along = normal.dot (plane.normal);
+  const double cosine = normal.dot (plane.normal);
   Eigen::Vector3d errors;
-  errors.head<2>() = -covariance.axes.transpose() * normal / along;
-  errors[2] = normal.dot (board.center() - plane.centroid) / along;
+  errors.head<2>() = -covariance.axes.transpose() * normal / cosine;
+  errors[2] = normal.dot (board.center() - plane.centroid) / cosine;
   return errors;
 }
 
@@ -53,12 +54,15 @@ TEST (PlaneCovariance, SaysHowFarFitsOfManyAndOfFewPointsAreOff)
   constexpr int draws = 1000;
   for (const auto& [points, noise] : {std::pair (300, 1_cm), {30, 5_mm}}) {
     RandomGenerator generator (seedOfTest());
-    // Means over many draws; the covariance is right if their expected value is 1.
+    // Means over many draws of the squared errors over their variances, and of the
+    // squared Mahalanobis distance over its degrees of freedom. The covariance is right
+    // if the expected value of each is 1.
     Eigen::Vector3d squared_errors = Eigen::Vector3d::Zero();
     double squared_distance = 0.0;
     for (int i = 0; i < draws; ++i) {
       const PlaneSegment plane = fittedTo (drawBoard (points, noise, generator));
-      const auto covariance = independentPlaneCovariance (plane);
+      const std::optional<PlaneCovariance> covariance =
+          independentPlaneCovariance (plane);
       const Eigen::Vector3d errors = errorsOf (plane, *covariance);
       const Eigen::Matrix3d& matrix = covariance->matrix;
       squared_errors += errors.cwiseAbs2().cwiseQuotient (matrix.diagonal()) / draws;
@@ -72,7 +76,10 @@ TEST (PlaneCovariance, SaysHowFarFitsOfManyAndOfFewPointsAreOff)
 
 TEST (PlaneCovariance, IsThatOfHeightsAboutTheAxes)
 {
-  // Four corners of 4 x 2 m, heights +-0.1 m by turns: s^2 = 0.01 * 4 / 1.
+  // Four corners of 4 m x 2 m with heights of 0.1 m and -0.1 m by turns. Their sum of
+  // squares is 4 * 0.01 m^2; four points less three parameters are one degree of
+  // freedom.
+  constexpr double variance = 0.04; // [m^2]
   PlaneSegment plane;
   for (const double x : {2.0, -2.0})
     for (const double y : {1.0, -1.0})
@@ -81,17 +88,18 @@ TEST (PlaneCovariance, IsThatOfHeightsAboutTheAxes)
   const Eigen::Matrix2d tilts = covariance->matrix.topLeftCorner<2, 2>();
   const Eigen::Matrix3d in_space =
       covariance->axes * tilts * covariance->axes.transpose();
-  EXPECT_NEAR (0.04 / (4 * 4.0), in_space (0, 0), 1e-12);
-  EXPECT_NEAR (0.04 / (4 * 1.0), in_space (1, 1), 1e-12);
-  EXPECT_NEAR (0.04 / 4, covariance->matrix (2, 2), 1e-12);
+  EXPECT_NEAR (variance / (4 * 2.0 * 2.0), in_space (0, 0), 1e-12) << "|x| is 2";
+  EXPECT_NEAR (variance / (4 * 1.0 * 1.0), in_space (1, 1), 1e-12) << "|y| is 1";
+  EXPECT_NEAR (variance / 4, covariance->matrix (2, 2), 1e-12);
 }
 
 TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
 {
   RandomGenerator generator (seedOfTest());
   const Cloud once = drawBoard (2000, 1_cm, generator);
+  constexpr int copies = 9; // each 1 mm beside the one before, with the same errors
   Cloud often;
-  for (int copy = 0; copy < 9; ++copy)
+  for (int copy = 0; copy < copies; ++copy)
     for (const pcl::PointXYZ& point : once)
       often.push_back (toPoint (point.getVector3fMap().cast<double>() +
                                 copy * 1_mm * board.first.normalized()));
@@ -103,11 +111,13 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
   const auto [independent, correlated] = covarianceIn (once);
   const auto [independent_often, correlated_often] = covarianceIn (often);
   EXPECT_NEAR (
-      independent_often (2, 2), independent (2, 2) / 9, 1e-3 * independent (2, 2));
+      independent_often (2, 2), independent (2, 2) / copies, 1e-3 * independent (2, 2));
   EXPECT_NEAR (correlated_often (2, 2) / correlated (2, 2), 1.0, 20_percent);
   EXPECT_NEAR (correlated_often (0, 0) / correlated (0, 0), 1.0, 20_percent);
-  EXPECT_NEAR (correlated (2, 2) / independent (2, 2), 1.7 * 1.7, 1.0)
-      << "but for the measured factor";
+  // Errors of real clouds are this many times those of the formula (planeCovariance).
+  constexpr double measured_factor = 1.7;
+  EXPECT_NEAR (
+      correlated (2, 2) / independent (2, 2), measured_factor * measured_factor, 1.0);
 }
 
 TEST (PlaneCovariance, IsNoneOfANormalWithinTheSurface)
@@ -133,11 +143,11 @@ TEST (PlaneCovariance, RefusesInliersOutsideTheCloud)
 
 TEST (PlaneCovariance, IsNoneWithoutAPlane)
 {
-  PlaneSegment empty, line, residual_free;
+  PlaneSegment empty, line, three_points; // three points have no residuals
   for (const double x : {0.0, 1.0, 2.0, 3.0, 4.0})
     line.moments.add (x, x, 0.0);
   for (const double x : {0.0, 1.0, 2.0})
-    residual_free.moments.add (x, x * x, 0.0);
-  for (const PlaneSegment& plane : {empty, line, residual_free})
+    three_points.moments.add (x, x * x, 0.0);
+  for (const PlaneSegment& plane : {empty, line, three_points})
     EXPECT_FALSE (independentPlaneCovariance (plane)) << plane.moments.count;
 }

@@ -61,7 +61,10 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
   // Near zero, a thousand kilometers away, and in other units.
   const struct {
     Eigen::Vector3d center;
-    double unit, angle, length, share;
+    double unit;                // factor of all coordinates
+    double max_angle;           // of the normals [rad]
+    double max_length;          // of differences of positions, in these units
+    double max_variances_share; // relative error of the variances
   } rows[] = {{{1, 2, 3}, 1.0, 1e-9, 1e-12, 1e-9},
               {{1e6, -1e6, 1e6}, 1.0, 1e-8, 1e-8, 1e-6},
               {{1, 2, 3}, 1e-6, 1e-8, 1e-12, 1e-9},
@@ -72,10 +75,10 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
       point *= row.unit;
     const PlaneFit fit = fitPlane (momentsOf (points, points.front())).value();
     const SvdPlane svd = planeBySvd (points);
-    EXPECT_LT (angleBetween (fit.plane.normal, svd.normal), row.angle);
-    EXPECT_LT ((fit.centroid - svd.centroid).norm(), row.length * row.unit);
-    EXPECT_TRUE (fit.variances.isApprox (svd.variances, row.share));
-    EXPECT_NEAR (fit.plane.distance (svd.centroid), 0.0, row.length * row.unit);
+    EXPECT_LT (angleBetween (fit.plane.normal, svd.normal), row.max_angle);
+    EXPECT_LT ((fit.centroid - svd.centroid).norm(), row.max_length * row.unit);
+    EXPECT_TRUE (fit.variances.isApprox (svd.variances, row.max_variances_share));
+    EXPECT_NEAR (fit.plane.distance (svd.centroid), 0.0, row.max_length * row.unit);
     EXPECT_NEAR (fit.plane.normal.norm(), 1.0, 1e-12);
   }
 }

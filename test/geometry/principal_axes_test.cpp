@@ -11,7 +11,7 @@ namespace {
 
 /** \brief A matrix with these eigenvalues along random axes. */
 Eigen::Matrix3d
-turned (const Eigen::Vector3d& values, RandomGenerator& generator)
+matrixWith (const Eigen::Vector3d& values, RandomGenerator& generator)
 {
   const Eigen::Quaterniond turn = drawTurn (generator);
   return turn * values.asDiagonal() * turn.conjugate();
@@ -27,7 +27,7 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolverInAnyUnitOfLength)
     // Every tenth is an exact plane.
     const double noise = i % 10 == 0 ? 0.0 : 0.9 * width * drawUnit (generator);
     const double unit = std::pow (10.0, 24.0 * drawUnit (generator) - 12.0);
-    const Eigen::Matrix3d matrix = unit * turned ({noise, width, 1.0}, generator);
+    const Eigen::Matrix3d matrix = unit * matrixWith ({noise, width, 1.0}, generator);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle (matrix);
     const PrincipalAxes axes = principalAxes (matrix);
     EXPECT_LT (angleBetween (axes.normal, oracle.eigenvectors().col (0)), 1e-7);
@@ -39,7 +39,7 @@ TEST (PrincipalAxes, HaveTwoValuesOfZeroForALine)
 {
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 200; ++i) {
-    const Eigen::Matrix3d line = turned ({0.0, 0.0, 1e12}, generator);
+    const Eigen::Matrix3d line = matrixWith ({0.0, 0.0, 1e12}, generator);
     const Eigen::Vector3d values = principalAxes (line).values;
     // Double roots are found to half the digits.
     EXPECT_TRUE (values.isApprox (Eigen::Vector3d (0.0, 0.0, 1e12), 1e-6))

@@ -29,7 +29,8 @@ const Case cases[] = {
      2. / 3},
     {"of a plane in two the larger part", {1, 1, 1, 1, 1}, {1, 1, 1, 2, 2}, 3. / 5},
     {"of two planes in one the larger", {1, 1, 1, 2, 2}, {4, 4, 4, 4, 4}, 3. / 5},
-    // 1 and 1 have most in common, so 2 is left with what 1 is not matched with.
+    // Plane 1 and plane 1 share three points and are matched; plane 2 may be matched
+    // with plane 2 only, and they share none.
     {"the largest overlap first", {1, 1, 1, 1, 1, 2, 2}, {1, 1, 1, 2, 2, 1, 1}, 3. / 7},
     {"then the next one", {1, 1, 1, 1, 1, 2, 2}, {1, 1, 1, 2, 2, 2, 1}, 4. / 7},
 };

@@ -5,6 +5,7 @@
 #include <metrics/assignment.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -18,11 +19,12 @@ TEST (Assignment, IsTheBestOfAllPermutationsOfTheColumns)
   std::mt19937 generator (1);
   for (const auto& [rows, columns] : {std::pair (5, 5), {3, 6}, {0, 4}, {0, 0}})
     for (int i = 0; i < 50; ++i) {
+      // Whole numbers from -5 to 14.
       const Eigen::MatrixXd benefit = Eigen::MatrixXd::NullaryExpr (
           rows, columns, [&] { return double (generator() % 20) - 5.0; });
       std::vector<int> column_of (columns);
       std::iota (column_of.begin(), column_of.end(), 0);
-      double best = -1e9;
+      double best = -std::numeric_limits<double>::infinity();
       do {
         double sum = 0.0;
         for (int row = 0; row < rows; ++row)

@@ -26,9 +26,10 @@ floorAndWall ()
   return cloud;
 }
 
-/** "10x1 5x2": ten points labeled 1, then five labeled 2. */
+/** The labels that a text such as "10x1 5x2" describes: ten points labeled 1, then five
+ * labeled 2. */
 PlaneLabels
-runs (const std::string& text)
+labelsFrom (const std::string& text)
 {
   PlaneLabels labels;
   std::istringstream stream (text);
@@ -45,8 +46,8 @@ TEST (Metrics, AreWhatTheirDefinitionSays)
   ASSERT_FALSE (rows.empty());
   for (const auto& row : rows) {
     SCOPED_TRACE (row.at (0));
-    const Metrics metrics =
-        compareLabels (floorAndWall(), runs (row.at (1)), runs (row.at (2)));
+    const Metrics metrics = compareLabels (
+        floorAndWall(), labelsFrom (row.at (1)), labelsFrom (row.at (2)));
     std::map<std::string, double> named;
     for (const NamedValues& values : {metrics.named, namedCounts (metrics)})
       named.insert (values.begin(), values.end());
@@ -58,14 +59,15 @@ TEST (Metrics, AreWhatTheirDefinitionSays)
   }
 }
 
-/** Marks for points from \ref runs: 1 if the truth of a point is unknown, else 0. */
+/** For each point 1 if its truth is unknown, else 0; written as in \ref labelsFrom. */
 std::vector<char>
-ignoring (const std::string& text)
+unknownFrom (const std::string& text)
 {
-  const PlaneLabels marks = runs (text);
-  return {marks.begin(), marks.end()};
+  const PlaneLabels is_unknown = labelsFrom (text);
+  return {is_unknown.begin(), is_unknown.end()};
 }
 
+/** The metric of that name; -1 if there is none. */
 double
 valueOf (const Metrics& metrics, const std::string& name)
 {
@@ -79,10 +81,10 @@ TEST (Metrics, PointsWhoseTruthIsUnknownAreLeftOut)
 {
   // The truth of the wall is unknown; half of the floor's plane is not found.
   const Metrics metrics = compareLabels (floorAndWall(),
-                                         runs ("10x1 10x0"),
-                                         runs ("5x1 15x0"),
+                                         labelsFrom ("10x1 10x0"),
+                                         labelsFrom ("5x1 15x0"),
                                          {},
-                                         ignoring ("10x0 10x1"));
+                                         unknownFrom ("10x0 10x1"));
   EXPECT_EQ (metrics.points, 10u);
   EXPECT_DOUBLE_EQ (valueOf (metrics, "segmentation_accuracy_all"), 0.5);
   EXPECT_DOUBLE_EQ (valueOf (metrics, "mean_iou"), 0.5);
@@ -92,15 +94,16 @@ TEST (Metrics, AFoundPlaneCountsIfAtLeastHalfOfItIsKnown)
 {
   // The floor is found; on the wall another plane, four or five points of which are
   // known to be on none.
-  const PlaneLabels truth = runs ("10x1 10x0");
-  const PlaneLabels found = runs ("10x1 10x2");
-  for (const auto& [marks, precision] :
+  const PlaneLabels truth = labelsFrom ("10x1 10x0");
+  const PlaneLabels found = labelsFrom ("10x1 10x2");
+  for (const auto& [is_unknown, precision] :
        {std::pair ("10x0 4x0 6x1", 1.0), {"10x0 5x0 5x1", 0.5}})
     EXPECT_DOUBLE_EQ (
-        valueOf (compareLabels (floorAndWall(), truth, found, {}, ignoring (marks)),
-                 "precision"),
+        valueOf (
+            compareLabels (floorAndWall(), truth, found, {}, unknownFrom (is_unknown)),
+            "precision"),
         precision)
-        << marks;
+        << is_unknown;
 }
 
 TEST (PlaneLabels, NumberPlanesFromOneAndAreZeroElsewhere)
@@ -114,9 +117,9 @@ TEST (PlaneLabels, NumberPlanesFromOneAndAreZeroElsewhere)
 
 TEST (PlaneLabels, OfPlanesWithFewerPointsThanWantedAreDropped)
 {
-  PlaneLabels labels = runs ("3x7 2x9 1x0");
+  PlaneLabels labels = labelsFrom ("3x7 2x9 1x0");
   dropSmallPlanes (labels, 3);
-  EXPECT_EQ (labels, runs ("3x7 3x0"));
+  EXPECT_EQ (labels, labelsFrom ("3x7 3x0"));
 }
 
 TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
@@ -153,16 +156,17 @@ TEST (SizeClasses, ATruePlaneBelongsToTheClassOfItsPoints)
 
 TEST (Widths, DivideTruePlanesIntoClasses)
 {
-  // Slanted boards 2 m long, of 40 x 40 points each.
+  // Slanted boards 2 m long, of steps x steps points each.
+  constexpr int steps = 40;
   const Eigen::Vector3d across (1.0 / 3, 2.0 / 3, 2.0 / 3);
   const Eigen::Vector3d along (2.0 / 3, 1.0 / 3, -2.0 / 3);
   XyzCloud cloud;
   PlaneLabels labels;
   for (const double width : {0.02, 0.04, 0.05, 0.2, 0.5, 1.5}) {
     const std::uint32_t label = labels.empty() ? 1 : labels.back() + 1;
-    for (int i = 0; i < 1600; ++i) {
-      const Eigen::Vector3d point = width * (i / 40 + 0.5) / 40 * across +
-                                    2.0 * (i % 40 + 0.5) / 40 * along +
+    for (int i = 0; i < steps * steps; ++i) {
+      const Eigen::Vector3d point = width * (i / steps + 0.5) / steps * across +
+                                    2.0 * (i % steps + 0.5) / steps * along +
                                     label * Eigen::Vector3d::UnitZ();
       cloud.emplace_back (float (point.x()), float (point.y()), float (point.z()));
       labels.push_back (label);

@@ -11,7 +11,9 @@ namespace {
 
 const Surface slanted_wall = {{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}};
 
-// Points of the slanted wall with depths z rounded to a step [m].
+/** \brief Points of the slanted wall whose depths z are rounded to a step [m].
+ * \param[in] jitter width of the interval from which an error of each rounded depth is
+ * drawn [m] */
 Coordinates
 onSteps (double step, double jitter = 0.0)
 {
@@ -22,6 +24,10 @@ onSteps (double step, double jitter = 0.0)
                             jitter * (drawUnit (generator) - 0.5));
   return points;
 }
+
+/** \brief The z axis after a turn about the y axis: a point (x, y, z) goes to
+ * (0.8 x - 0.6 z, y, 0.6 x + 0.8 z). */
+const Eigen::Vector3d turned_z (-0.6, 0, 0.8);
 
 DepthLevels
 levelsOf (const Coordinates& points)
@@ -43,20 +49,20 @@ TEST (DepthLevels, AreAsFarApartAsTheSteps)
 TEST (DepthLevels, AreSeenInAnyDirection)
 {
   Coordinates points = onSteps (4_cm);
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) { // as in turned_z
     const float x = points.x[i];
     points.x[i] = 0.8f * x - 0.6f * points.z[i];
     points.z[i] = 0.6f * x + 0.8f * points.z[i];
   }
   const DepthLevels levels = levelsOf (points);
   ASSERT_FALSE (levels.step.empty());
-  EXPECT_NEAR (
-      std::abs (levels.direction.dot (Eigen::Vector3d (-0.6, 0, 0.8))), 1.0, 1e-4);
+  EXPECT_NEAR (std::abs (levels.direction.dot (turned_z)), 1.0, 1e-4);
 }
 
 TEST (DepthLevels, MayBeRoundedOrJittered)
 {
-  for (const double jitter : {2e-5, 1_mm}) {
+  constexpr double rounding = 2e-5; // of coordinates that were turned in between
+  for (const double jitter : {rounding, 1_mm}) {
     const DepthLevels levels = levelsOf (onSteps (4_cm, jitter));
     ASSERT_FALSE (levels.step.empty()) << jitter;
     EXPECT_NEAR (levels.step[0], 4e-2, 2e-3);
@@ -66,38 +72,40 @@ TEST (DepthLevels, MayBeRoundedOrJittered)
 TEST (DepthLevels, MayBeRoundedAcross)
 {
   Coordinates points = drawnOn ({slanted_wall}, 5_mm, 0.0);
-  const auto rounded = [] (double value) {
+  const auto roundedToMillimeters = [] (double value) {
     return static_cast<float> (1_mm * std::round (value / 1_mm));
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double x = points.x[i];
+    const double x = points.x[i]; // as in turned_z
     const double z = 1_cm * std::round (points.z[i] / 1_cm);
-    points.x[i] = rounded (0.8 * x - 0.6 * z);
-    points.y[i] = rounded (points.y[i]);
-    points.z[i] = rounded (0.6 * x + 0.8 * z);
+    points.x[i] = roundedToMillimeters (0.8 * x - 0.6 * z);
+    points.y[i] = roundedToMillimeters (points.y[i]);
+    points.z[i] = roundedToMillimeters (0.6 * x + 0.8 * z);
   }
   const DepthLevels levels = levelsOf (points);
   ASSERT_FALSE (levels.step.empty());
-  EXPECT_NEAR (
-      std::abs (levels.direction.dot (Eigen::Vector3d (-0.6, 0, 0.8))), 1.0, 1e-6);
-  std::size_t right = 0;
+  EXPECT_NEAR (std::abs (levels.direction.dot (turned_z)), 1.0, 1e-6);
+  std::size_t right_steps = 0;
   for (const float step : levels.step)
-    right += std::abs (step - 1e-2) < 1e-3 ? 1 : 0;
-  EXPECT_GT (right, points.size() * 9 / 10);
+    right_steps += std::abs (step - 1e-2) < 1e-3 ? 1 : 0;
+  EXPECT_GT (right_steps, points.size() * 9 / 10);
 }
 
 TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
 {
+  // White noise.
   EXPECT_TRUE (levelsOf (drawnOn ({slanted_wall}, 1_cm, 1_cm)).step.empty());
-  // A box without noise has three directions.
+  // Three faces of a box without noise: three directions.
   EXPECT_TRUE (levelsOf (drawnOn ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}},
                                    {{0, 0, 0}, {2, 0, 0}, {0, 0, 2}},
                                    {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}}},
                                   3_cm,
                                   0.0))
                    .step.empty());
+  // 1600 points of one plane, fewer than 2000.
   EXPECT_TRUE (levelsOf (drawnOn ({square_of_ground}, 5_cm, 0.0)).step.empty());
-  // A wall, and a floor on a grid whose rows are no levels of depth.
+  // A wall, and a floor at three heights, both on grids of 4 cm. The rows of the grids
+  // are no levels of depth.
   Coordinates grid;
   for (int i = 0; i < 2500; ++i) {
     const float first = 4e-2f * static_cast<float> (i / 50);
@@ -106,7 +114,7 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
     grid.add (3.0f, first, second);
   }
   EXPECT_TRUE (levelsOf (grid).step.empty());
-  // A floor, and a few points of a leg at heights of their own.
+  // A floor, and a few points of a table leg above it, each at a height of its own.
   Coordinates floor = drawnOn ({square_of_ground}, 3_cm, 0.0);
   for (int i = 0; i < 20; ++i)
     floor.add (1.0f, 1.0f, 0.03f * static_cast<float> (i * i));
@@ -116,9 +124,11 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
 TEST (DepthLevels, FarFromAllOthersAreNoFartherApartThanThose)
 {
   Coordinates points = onSteps (4_cm);
-  const Coordinates wall = drawnOn ({{{-1, -1, 7.0}, {2, 0, 0}, {0, 2, 0}}}, 2_cm, 0.0);
-  for (std::size_t i = 0; i < wall.size(); ++i)
-    points.add (wall.x[i], wall.y[i], wall.z[i]);
+  // All points of a wall 1.6 m and more behind the slanted one are on one level.
+  const Coordinates far_wall =
+      drawnOn ({{{-1, -1, 7.0}, {2, 0, 0}, {0, 2, 0}}}, 2_cm, 0.0);
+  for (std::size_t i = 0; i < far_wall.size(); ++i)
+    points.add (far_wall.x[i], far_wall.y[i], far_wall.z[i]);
   const DepthLevels levels = levelsOf (points);
   ASSERT_FALSE (levels.step.empty());
   for (const float step : levels.step)

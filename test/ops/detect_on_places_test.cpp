@@ -28,7 +28,9 @@ detectIn (const Points& points, const OpsParameters& parameters = usualParameter
   return detectOnPlaces (points, parameters, durations);
 }
 
-/** \brief Adds points drawn uniformly on a surface with a mean spacing [m]. */
+/** \brief Adds points drawn uniformly on a surface.
+ * \param[in] spacing mean distance of neighboring points [m]
+ * \param[in] noise standard deviation along the normal [m] */
 void
 addDrawn (Points& points, const Surface& surface, double spacing, double noise)
 {
@@ -53,15 +55,25 @@ const Surface floor_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
 const Surface wall_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 0, 2.5}};
 const Surface table = {{1.5, 1, 0.75}, {1.2, 0, 0}, {0, 0.8, 0}};
 
-/** \brief 38,000 points of a floor, a wall and a table. */
+constexpr double spacing_in_room = 2.5e-2;          // [m]
+constexpr std::size_t points_of_room_floor = 19200; // 4 m x 3 m / spacing^2
+constexpr std::size_t points_of_room_wall = 16000;  // 4 m x 2.5 m / spacing^2
+
+/** \brief Points of a floor, a wall and a table, in this order. */
 Points
 smallRoom ()
 {
-  return drawnPoints ({floor_of_room, wall_of_room, table}, 2.5e-2, 3_mm);
+  return drawnPoints ({floor_of_room, wall_of_room, table}, spacing_in_room, 3_mm);
 }
 
-/** \brief The most frequent label of a range of points, and the share that has it. */
-std::pair<std::int32_t, double>
+struct UsualLabel {
+  std::int32_t label;
+  double share_of_points;
+};
+
+/** \brief The most frequent label of the points begin to end - 1, apart from no_plane,
+ * and their share that has it. */
+UsualLabel
 usualLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
 {
   std::vector<std::size_t> counts (found.planes.fits.size() + 1);
@@ -75,21 +87,23 @@ usualLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
 }
 
 /** \brief Fails unless each surface has a plane of its own with nearly all its points.
- * The points of a surface are consecutive. */
+ * \param[in] surface_ends the points of the first surface come first and end before
+ * surface_ends[0]; those of the second follow and end before surface_ends[1], and so on
+ * \param[in] min_share least share of the points of a surface that are on its plane */
 void
 expectEachHasItsPlane (const LabelledPlanes& found,
-                       const std::vector<std::size_t>& ends,
+                       const std::vector<std::size_t>& surface_ends,
                        double min_share = 0.9)
 {
   std::set<std::int32_t> planes;
   std::size_t begin = 0;
-  for (const std::size_t end : ends) {
+  for (const std::size_t end : surface_ends) {
     const auto [plane, share] = usualLabel (found, begin, end);
     EXPECT_GE (share, min_share) << "the surface up to point " << end;
     planes.insert (plane);
     begin = end;
   }
-  EXPECT_EQ (planes.size(), ends.size());
+  EXPECT_EQ (planes.size(), surface_ends.size());
 }
 
 /** \brief The points in the order of these indices. */
@@ -109,7 +123,10 @@ TEST (DetectOnPlaces, FindsTheSurfacesOfARoomAndNothingElse)
   const Points points = smallRoom();
   const LabelledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 3u);
-  expectEachHasItsPlane (found, {19200, 19200 + 16000, points.size()});
+  expectEachHasItsPlane (found,
+                         {points_of_room_floor,
+                          points_of_room_floor + points_of_room_wall,
+                          points.size()});
 }
 
 TEST (DetectOnPlaces, LabelsPointsTheSameInAnyOrder)
@@ -149,27 +166,27 @@ TEST (DetectOnPlaces, FindsTheFacesOfARoofAndNoPlaneInTheHillBelow)
   Points points;
   const Surface site = {{-12, -12, 0}, {24, 0, 0}, {0, 24, 0}};
   addDrawn (points, site, 15_cm, 0.0);
-  const std::size_t of_hill = points.size();
+  const std::size_t hill_end = points.size();
   RandomGenerator generator (seedOfTest());
-  for (std::size_t i = 0; i < of_hill; ++i) {
-    const double squared = points.x[i] * points.x[i] + points.y[i] * points.y[i];
-    points.z[i] = static_cast<float> (4.0 * std::exp (-squared / 50.0) +
-                                      1_cm * drawNormal (generator));
+  for (std::size_t i = 0; i < hill_end; ++i) {
+    const double squared_radius = points.x[i] * points.x[i] + points.y[i] * points.y[i];
+    points.z[i] = static_cast<float> (4.0 * std::exp (-squared_radius / 50.0) +
+                                      1_cm * drawGaussian (generator));
   }
   addDrawn (points, {{-4, -5, 6}, {4, 0, 2}, {0, 10, 0}}, 15_cm, 1_cm);
-  const std::size_t half = points.size();
+  const std::size_t left_face_end = points.size();
   addDrawn (points, {{0, -5, 8}, {4, 0, -2}, {0, 10, 0}}, 15_cm, 1_cm);
   const LabelledPlanes found = detectIn (points);
   ASSERT_GE (found.planes.fits.size(), 2u);
   std::size_t on_hill = 0;
-  for (std::size_t i = 0; i < of_hill; ++i)
+  for (std::size_t i = 0; i < hill_end; ++i)
     on_hill += found.labels[i] != no_plane;
-  EXPECT_LT (static_cast<double> (on_hill), 0.3 * static_cast<double> (of_hill));
-  const auto [first, share_of_first] = usualLabel (found, of_hill, half);
-  const auto [second, share_of_second] = usualLabel (found, half, points.size());
-  EXPECT_NE (first, second);
-  EXPECT_GT (share_of_first, 0.9);
-  EXPECT_GT (share_of_second, 0.9);
+  EXPECT_LT (static_cast<double> (on_hill), 0.3 * static_cast<double> (hill_end));
+  const UsualLabel left = usualLabel (found, hill_end, left_face_end);
+  const UsualLabel right = usualLabel (found, left_face_end, points.size());
+  EXPECT_NE (left.label, right.label);
+  EXPECT_GT (left.share_of_points, 0.9);
+  EXPECT_GT (right.share_of_points, 0.9);
 }
 
 TEST (DetectOnPlaces, FindsTheFacesOfARoofInSinglePrecisionOfMapCoordinates)
@@ -180,12 +197,13 @@ TEST (DetectOnPlaces, FindsTheFacesOfARoofInSinglePrecisionOfMapCoordinates)
   addDrawn (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 50_cm, 5_cm);
   const std::size_t ground_end = points.size();
   addDrawn (points, {{-6, -10, 4}, {6, 0, 3}, {0, 20, 0}}, 50_cm, 5_cm);
-  const std::size_t half = points.size();
+  const std::size_t left_face_end = points.size();
   addDrawn (points, {{0, -10, 7}, {6, 0, -3}, {0, 20, 0}}, 50_cm, 5_cm);
   points.origin = {0.0, 5e6, 0.0};
   for (float& y : points.y)
     y = 0.5f * std::round (2.0f * y);
-  expectEachHasItsPlane (detectIn (points), {ground_end, half, points.size()}, 0.8);
+  expectEachHasItsPlane (
+      detectIn (points), {ground_end, left_face_end, points.size()}, 0.8);
 }
 
 TEST (DetectOnPlaces, TellsTheSidesOfAWallApart)
@@ -224,12 +242,14 @@ TEST (DetectOnPlaces, MakesOnePlaneOfWhatAGapDivides)
 
 TEST (DetectOnPlaces, KeepsApartWhatNoiseDoesNotExplain)
 {
+  // Beyond a gap of 0.5 m a step of 3 cm.
   for (const double noise : {2_mm, 3_cm}) {
+    const bool noise_explains_step = noise > 1_cm;
     const Points points = drawnPoints (
         {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{2.5, 0, 0.03}, {2, 0, 0}, {0, 2, 0}}},
         2_cm,
         noise);
-    EXPECT_EQ (detectIn (points).planes.fits.size(), noise < 1_cm ? 2u : 1u);
+    EXPECT_EQ (detectIn (points).planes.fits.size(), noise_explains_step ? 1u : 2u);
   }
 }
 
@@ -258,17 +278,21 @@ TEST (DetectOnPlaces, SaysNoNoiseWhereNoPlaceTells)
 
 TEST (DetectOnPlaces, KeepsEachPlaneAsThinAsItsNoiseSays)
 {
-  // Hills in which a plane becomes too thick after it was split: with a wave number
-  // [1/m], a height and a spacing of points [m].
-  const double hills[][3] = {{0.6, 1.8, 8_cm}, {0.7, 2.2, 10_cm}, {0.8, 1.6, 10_cm}};
-  for (const auto& [wave, height, spacing] : hills) {
+  // Hills in which a plane becomes too thick after it was split.
+  const struct {
+    double wave_number; // [rad/m]
+    double height;      // [m]
+    double spacing;     // of points [m]
+  } hills[] = {{0.6, 1.8, 8_cm}, {0.7, 2.2, 10_cm}, {0.8, 1.6, 10_cm}};
+  for (const auto& [wave_number, height, spacing] : hills) {
     Points points;
     addDrawn (points, {{-10, -10, 0}, {20, 0, 0}, {0, 20, 0}}, spacing, 3_mm);
     for (std::size_t i = 0; i < points.size(); ++i)
-      points.z[i] += static_cast<float> (height * std::sin (wave * points.x[i]) *
-                                         std::cos (wave * points.y[i]));
+      points.z[i] += static_cast<float> (height * std::sin (wave_number * points.x[i]) *
+                                         std::cos (wave_number * points.y[i]));
     const LabelledPlanes found = detectIn (points);
     EXPECT_GE (found.planes.fits.size(), 4u);
+    // No plane may be thicker than 12 noises; these stay well below.
     for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
       EXPECT_LE (std::sqrt (found.planes.fits[p].variances[0]),
                  8.0 * found.noises.at (p).value_or (0.0));
@@ -277,7 +301,7 @@ TEST (DetectOnPlaces, KeepsEachPlaneAsThinAsItsNoiseSays)
 
 TEST (DetectOnPlaces, SaysHowFarPointsMayBeFromTheirPlanes)
 {
-  // Three times a noise of 3 mm.
+  // Three times the noise of the room, 3 mm.
   const LabelledPlanes found = detectIn (smallRoom());
   EXPECT_NEAR (found.used.distance_threshold.value_or (0.0), 9_mm, 2_mm);
   EXPECT_EQ (found.used.voxel_size, std::nullopt);
@@ -295,9 +319,13 @@ TEST (DetectOnPlaces, LabelsPointsWithinAGivenDistanceAlone)
   for (std::size_t i = 0; i < points.size(); ++i)
     if (found.labels[i] != no_plane) {
       ++labelled;
-      EXPECT_LT (std::abs (points.z[i]), 1.05e-2);
+      EXPECT_LT (std::abs (points.z[i]), 1.05e-2) << "and half a millimeter of tilt";
     }
-  EXPECT_NEAR (static_cast<double> (labelled) / points.size(), 0.68, 0.03);
+  // The threshold is the standard deviation of the noise.
+  constexpr double normal_share_within_one_deviation = 0.68;
+  EXPECT_NEAR (static_cast<double> (labelled) / points.size(),
+               normal_share_within_one_deviation,
+               0.03);
 }
 
 TEST (DetectOnPlaces, CountsEachPointOnce)
@@ -313,13 +341,13 @@ TEST (DetectOnPlaces, CountsEachPointOnce)
 TEST (DetectOnPlaces, LabelsEqualPointsAlike)
 {
   const Points points = smallRoom();
-  Indices twice = upTo (points.size());
+  Indices with_copies = upTo (points.size());
   for (std::uint32_t i = 0; i < points.size(); i += 2)
-    twice.push_back (i);
-  const LabelledPlanes found = detectIn (inOrder (points, twice));
+    with_copies.push_back (i);
+  const LabelledPlanes found = detectIn (inOrder (points, with_copies));
   EXPECT_EQ (found.planes.fits.size(), 3u);
-  for (std::size_t i = points.size(); i < twice.size(); ++i)
-    ASSERT_EQ (found.labels[i], found.labels[twice[i]]);
+  for (std::size_t i = points.size(); i < with_copies.size(); ++i)
+    ASSERT_EQ (found.labels[i], found.labels[with_copies[i]]);
 }
 
 TEST (DetectOnPlaces, IsNotDisturbedByMissingReadingsAtZero)
@@ -327,29 +355,31 @@ TEST (DetectOnPlaces, IsNotDisturbedByMissingReadingsAtZero)
   // A room around the origin with so few zeros that no earlier stage takes them for
   // missing readings.
   Points points = smallRoom();
-  const std::size_t of_room = points.size();
+  const std::size_t room_end = points.size();
   for (float& z : points.z)
     z -= 1.5f;
-  for (std::size_t i = 0; i < of_room / 50; ++i)
+  for (std::size_t i = 0; i < room_end / 50; ++i)
     points.add (0.0f, 0.0f, 0.0f);
   const LabelledPlanes found = detectIn (points);
   EXPECT_EQ (found.planes.fits.size(), 3u);
-  expectEachHasItsPlane (found, {19200, 19200 + 16000, of_room});
+  expectEachHasItsPlane (
+      found,
+      {points_of_room_floor, points_of_room_floor + points_of_room_wall, room_end});
 }
 
 TEST (DetectOnPlaces, FindsNothingWhereThereIsNoSurface)
 {
-  Points line, same;
+  Points line, equal;
   for (int i = 0; i < 5000; ++i) {
     line.add (0.01f * static_cast<float> (i), 1.0f, 2.0f);
-    same.add (1.1f, 2.2f, 3.3f);
+    equal.add (1.1f, 2.2f, 3.3f);
   }
   Points few;
   for (int number = 0; number < 4; ++number) {
     EXPECT_EQ (detectIn (few).planes.fits.size(), 0u) << number << " points";
     few.add (static_cast<float> (number), static_cast<float> (number * number), 0.0f);
   }
-  for (const Points& points : {line, same}) {
+  for (const Points& points : {line, equal}) {
     const LabelledPlanes found = detectIn (points);
     EXPECT_EQ (found.planes.fits.size(), 0u);
     EXPECT_EQ (found.labels, pcl_ops::Labels (points.size(), no_plane));
@@ -359,7 +389,7 @@ TEST (DetectOnPlaces, FindsNothingWhereThereIsNoSurface)
 
 TEST (DetectOnPlaces, FindsASurfaceThatIsFarDenserInAPlace)
 {
-  // Denser by far at one end, as where an instrument stood.
+  // At one corner 100 times as many points per area, as where an instrument stood.
   Points points = drawnPoints ({floor_of_room}, 3_cm, 3_mm);
   addDrawn (points, {{0, 0, 0}, {0.6, 0, 0}, {0, 0.6, 0}}, 3_mm, 3_mm);
   const LabelledPlanes found = detectIn (points);
@@ -369,8 +399,8 @@ TEST (DetectOnPlaces, FindsASurfaceThatIsFarDenserInAPlace)
 
 TEST (DetectOnPlaces, PartsTheSidesOfAWallThatNeighborhoodsMix)
 {
-  // A board seen from both sides. Its sides are 3 cm apart, as far as the points of one
-  // side.
+  // A board seen from both sides. Its sides are 3 cm apart, as neighboring points of
+  // one side are.
   const Points points = drawnPoints (
       {{{0, 0, 0.01}, {2, 0, 0}, {0, 2, 0}}, {{0, 0, 0.04}, {2, 0, 0}, {0, 2, 0}}},
       3_cm,
@@ -387,13 +417,13 @@ TEST (DetectOnPlaces, FindsBothSidesOfWallsThinnerThanPointsAreApart)
       const Surface front = {{0, 0, 0}, {4, 0, 0}, {0, 0, 4}};
       const Surface back = {{0, thickness, 0}, {4, 0, 0}, {0, 0, 4}};
       const Surface ground = {{0, -1.5, -0.8}, {4, 0, 0}, {0, 3, 0}};
-      const Surface other = {{-1.1, -1.5, -1.5}, {0, 3, 0}, {0, 0, 4}};
+      const Surface wall_beside = {{-1.1, -1.5, -1.5}, {0, 3, 0}, {0, 0, 4}};
       SCOPED_TRACE (testing::Message() << spacing << ' ' << thickness);
-      const auto side =
+      const auto points_of_side =
           static_cast<std::size_t> (std::lround (front.area() / (spacing * spacing)));
       expectEachHasItsPlane (
-          detectIn (drawnPoints ({front, back, ground, other}, spacing, 2_mm)),
-          {side, 2 * side});
+          detectIn (drawnPoints ({front, back, ground, wall_beside}, spacing, 2_mm)),
+          {points_of_side, 2 * points_of_side});
     }
 }
 
@@ -417,7 +447,7 @@ TEST (DetectOnPlaces, FindsTheSameWhereTheCloudIsMoved)
 TEST (DetectOnPlaces, FindsNearlyTheSameWithoutSomeOfThePoints)
 {
   const Points points = smallRoom();
-  Indices most;
+  Indices most; // all but each hundredth
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if (i % 100 != 7)
       most.push_back (i);
@@ -431,10 +461,13 @@ TEST (DetectOnPlaces, FindsNearlyTheSameWithoutSomeOfThePoints)
 
 TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
 {
-  // Correlated errors of up to 2 cm, 20 cm wide, as in a smoothed depth image far away.
-  // Their rms is 1 cm; neighboring points scatter by a tenth of that.
+  // Correlated errors as in a smoothed depth image: waves of 40 cm with an amplitude of
+  // 2 cm and an rms of 1 cm. Neighboring points scatter by a tenth of that.
   Points points = drawnPoints ({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, 2_cm, 1_mm);
-  const auto wave = [] (float along) { return std::sin (2.0 * M_PI * along / 0.4); };
+  constexpr double wavelength = 0.4; // [m]
+  const auto wave = [] (float along) {
+    return std::sin (2.0 * M_PI * along / wavelength);
+  };
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] += static_cast<float> (2_cm * wave (points.x[i]) * wave (points.y[i]));
   const LabelledPlanes found = detectIn (points);
@@ -444,8 +477,8 @@ TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
 
 TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
 {
-  // A wall 5 m away that a depth camera sees at a slant, with steps of 2 cm and as much
-  // noise, and the same rounded to millimeters and turned.
+  // A wall 5 m away that a depth camera sees at a slant, with depths rounded to 2 cm,
+  // and the same wall turned about the y axis and rounded to millimeters.
   const auto onLevels = [] (bool is_turned) {
     Points points = drawnPoints ({{{-1, -1, 4.5}, {2, 0, 0.4}, {0, 2, 0}}}, 1_cm, 5_mm);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -468,8 +501,8 @@ TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
 
 TEST (DetectOnPlaces, FindsPlanesAsThinAsTheNoiseOnAHill)
 {
-  // A point a square meter, and so little slope that planes of neighboring parts touch
-  // and agree: joined they have an rms of 60 cm.
+  // One point for each square meter. The hill is so flat that planes of neighboring
+  // parts touch and agree; if all were joined, the plane would have an rms of 60 cm.
   constexpr double noise = 3_cm;
   Points points = drawnPoints ({{{0, 0, 0}, {200, 0, 0}, {0, 200, 0}}}, 1.0, noise);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -477,13 +510,15 @@ TEST (DetectOnPlaces, FindsPlanesAsThinAsTheNoiseOnAHill)
                                        std::cos (points.y[i] / 80.0));
   const LabelledPlanes found = detectIn (points);
   EXPECT_GT (found.planes.fits.size(), 2u);
+  // No plane may be thicker than 12 noises; these stay below.
   for (const pcl_ops::PlaneFit& fit : found.planes.fits)
     EXPECT_LT (std::sqrt (fit.variances[0]), 9.0 * noise);
 }
 
 TEST (DetectOnPlaces, FindsInAPartWhatIsAPlaneOfTheWhole)
 {
-  // The 43 points of a table are a plane among 2,000 points, and few among a billion.
+  // The 43 points of a table are a plane in a cloud of 2,000 points, but too few for
+  // one in a cloud of a billion points.
   const Points points = drawnPoints ({table}, 15_cm, 3_mm);
   OpsParameters parameters = usualParameters();
   parameters.noise_of_whole = noiseOfCloud (points, parameters, 2'000);
@@ -496,6 +531,7 @@ TEST (DetectOnPlaces, FindsTheSameWhereAWholeIsGivenItsOwnNoise)
 {
   const Points points = smallRoom();
   OpsParameters parameters = usualParameters();
-  parameters.noise_of_whole = noiseOfCloud (points, parameters, 0);
+  constexpr std::size_t points_are_the_whole = 0;
+  parameters.noise_of_whole = noiseOfCloud (points, parameters, points_are_the_whole);
   EXPECT_EQ (detectIn (points, parameters).labels, detectIn (points).labels);
 }

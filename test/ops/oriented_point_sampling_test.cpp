@@ -31,6 +31,10 @@ variantOn (const Cloud::ConstPtr& cloud,
   return ops;
 }
 
+/** \brief For extractPlanes where samples alone verify planes. */
+const Points no_points;
+
+/** \brief The third parameter is local_optimization. */
 class EachVariant
 : public ::testing::TestWithParam<std::tuple<Strategy, Verification, bool>> {};
 
@@ -61,20 +65,21 @@ TEST (Strategy, NumbersAreThoseOfThePaper)
 TEST (Strategy, OneDoesNotCareForTheUpAxisAndTwoFindsThePlanesWhateverItIs)
 {
   const auto scene = room().build();
-  Ops one = variantOn (scene.cloud, Strategy::DetectThenDivide);
-  Ops two = variantOn (scene.cloud, Strategy::DivideThenDetect);
-  const auto planes = inliersOf (one);
+  Ops strategy_one = variantOn (scene.cloud, Strategy::DetectThenDivide);
+  Ops strategy_two = variantOn (scene.cloud, Strategy::DivideThenDetect);
+  const std::vector<pcl::Indices> inliers = inliersOf (strategy_one);
   for (const Eigen::Vector3f& up : {Eigen::Vector3f (0, 0, -2), {1, 0, 0}, {1, 2, 3}}) {
-    one.setUpAxis (up);
-    two.setUpAxis (up);
-    EXPECT_EQ (inliersOf (one), planes);
-    expectFindsEverySurface (planesOf (two), scene);
+    strategy_one.setUpAxis (up);
+    strategy_two.setUpAxis (up);
+    EXPECT_EQ (inliersOf (strategy_one), inliers);
+    expectFindsEverySurface (planesOf (strategy_two), scene);
   }
 }
 
 TEST (Strategy, TwoDetectsPerGroupOfSamples)
 {
-  // The ramp of 3 m x 1 m crosses the floor, which takes no sample that is not flat.
+  // A ramp crosses the floor. The floor is detected among the level samples alone, so
+  // its plane takes no sample of the ramp.
   const auto scene =
       Scene().floor (3, 3).surface ({0, 1, -0.5}, {3, 0, 1}, {0, 1, 0}).build();
   OrientedSamples samples;
@@ -82,7 +87,7 @@ TEST (Strategy, TwoDetectsPerGroupOfSamples)
     samples.add ((*scene.cloud)[i].getVector3fMap().cast<double>(),
                  scene.surfaces[static_cast<std::size_t> (scene.labels[i])].normal());
   const auto planes =
-      extractPlanes ({}, samples, OrientedPointSamplingParameters::paper());
+      extractPlanes (no_points, samples, OrientedPointSamplingParameters::paper());
   ASSERT_EQ (planes.size(), 2u);
   EXPECT_TRUE (isNear (planes[0], scene.surfaces[0], 1e-5, 1e-5));
   EXPECT_TRUE (isNear (planes[1], scene.surfaces[1], 1e-5, 1e-5));
@@ -95,29 +100,31 @@ TEST (MinSamples, OfZeroStillAsksForThreeSamples)
   OrientedSamples samples;
   samples.add ({0, 0, 0}, Eigen::Vector3d::UnitZ());
   samples.add ({1, 0, 0}, Eigen::Vector3d::UnitZ());
-  EXPECT_TRUE (extractPlanes ({}, samples, parameters).empty());
+  EXPECT_TRUE (extractPlanes (no_points, samples, parameters).empty());
   samples.add ({0, 1, 0}, Eigen::Vector3d::UnitZ());
-  EXPECT_EQ (extractPlanes ({}, samples, parameters).size(), 1u);
+  EXPECT_EQ (extractPlanes (no_points, samples, parameters).size(), 1u);
 }
 
 TEST (Verification, CountsOnAllPointsWhereToldTo)
 {
-  // More samples are on the floor, more points on the table.
+  // The floor has 40 of 60 samples, but only 40 of 1000 points; the rest is on a table.
+  constexpr int on_floor = 40;
   OrientedSamples samples;
   Points points;
   for (int i = 0; i < 60; ++i)
-    samples.add ({i % 7 * 1.0, i % 5 * 1.0, i < 40 ? 0.0 : 1.0},
+    samples.add ({i % 7 * 1.0, i % 5 * 1.0, i < on_floor ? 0.0 : 1.0},
                  Eigen::Vector3d::UnitZ());
   for (int i = 0; i < 1000; ++i)
-    points.add (static_cast<float> (i % 7), static_cast<float> (i % 5), i < 40 ? 0 : 1);
+    points.add (
+        static_cast<float> (i % 7), static_cast<float> (i % 5), i < on_floor ? 0 : 1);
   auto parameters = OrientedPointSamplingParameters::paper();
   parameters.min_samples = 10;
-  const auto height_of_first = [&] {
+  const auto heightOfFirst = [&] {
     return -extractPlanes (points, samples, parameters).at (0).offset;
   };
-  EXPECT_NEAR (std::abs (height_of_first()), 0.0, 1e-6);
+  EXPECT_NEAR (std::abs (heightOfFirst()), 0.0, 1e-6);
   parameters.paper_only.verification = Verification::AllPoints;
-  EXPECT_NEAR (std::abs (height_of_first()), 1.0, 1e-6);
+  EXPECT_NEAR (std::abs (heightOfFirst()), 1.0, 1e-6);
 }
 
 TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
@@ -135,7 +142,9 @@ TEST (Setters, WriteIntoTheParametersAndAreReadByTheirGetters)
   ops.setAngleTolerance (pcl::deg2rad (11.0f));
   ops.setSeed (99);
   ops.setNumberOfThreads (3);
-  ops.setMergingParameters ({false, 7_deg, {}, {}});
+  pcl_ops::MergingParameters disabled;
+  disabled.enabled = false;
+  ops.setMergingParameters (disabled);
   ops.setSearchMethod (search);
   EXPECT_EQ (ops.getSamplingRate(), 0.2);
   EXPECT_EQ (ops.getKSearch(), 17);

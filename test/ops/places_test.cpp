@@ -9,12 +9,14 @@ using namespace pcl_ops::internal;
 
 TEST (Places, HaveTheirNearestOthers)
 {
-  const PlaceScene scene (drawnOn ({square_of_ground}, 5_cm, 1_mm), 12);
+  constexpr std::size_t neighbors = 11; // a neighborhood has the place itself, too
+  const PlaceScene scene (drawnOn ({square_of_ground}, 5_cm, 1_mm), neighbors + 1);
   const Places& places = scene.places;
-  ASSERT_EQ (places.neighbors, 11u);
+  ASSERT_EQ (places.neighbors, neighbors);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    std::set<std::uint32_t> others (places.nearestOf (i), places.nearestOf (i) + 11);
-    EXPECT_EQ (others.size(), 11u);
+    const std::uint32_t* const nearest = places.nearestOf (i);
+    const std::set<std::uint32_t> others (nearest, nearest + neighbors);
+    EXPECT_EQ (others.size(), neighbors);
     EXPECT_EQ (others.count (static_cast<std::uint32_t> (i)), 0u);
   }
 }
@@ -26,30 +28,31 @@ TEST (Places, HaveSupportsThatGrow)
   ASSERT_GE (places.supports.size(), 3u);
   for (std::size_t level = 1; level < places.supports.size(); ++level) {
     EXPECT_GT (places.points_of_level[level], places.points_of_level[level - 1]);
-    double before = 0.0;
-    double now = 0.0;
+    double widths_before = 0.0;
+    double widths = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      before += places.supports[level - 1][i].width;
-      now += places.supports[level][i].width;
+      widths_before += places.supports[level - 1][i].width;
+      widths += places.supports[level][i].width;
     }
-    EXPECT_GT (now, 1.4 * before);
+    EXPECT_GT (widths, 1.4 * widths_before);
   }
 }
 
 TEST (Places, ScatterByTheNoiseAndStandUpright)
 {
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 2_mm));
-  double sum = 0.0;
+  double sum_of_scatter = 0.0;
   for (const Support& support : scene.places.supports[1]) {
-    sum += support.scatter;
+    sum_of_scatter += support.scatter;
     ASSERT_GT (std::abs (support.normal.z()), 0.95f);
   }
-  EXPECT_NEAR (sum / static_cast<double> (scene.places.size()), 2e-3, 2e-4);
+  EXPECT_NEAR (sum_of_scatter / static_cast<double> (scene.places.size()), 2e-3, 2e-4);
 }
 
 TEST (Places, OnLevelsScatterByTheVarianceOfTheirStep)
 {
-  // A wall that leans, in steps of 4 cm: most of the nearest points are on one level.
+  // A wall that leans, in steps of 4 cm. Most of the nearest points are on one level,
+  // but their true depths may be anywhere within a step.
   Coordinates points = drawnOn ({{{-1, -1, 4.8}, {2, 0, 0.6}, {0, 2, 0.2}}}, 1_cm, 0.0);
   for (float& z : points.z)
     z = static_cast<float> (4_cm * std::round (z / 4_cm));
@@ -57,20 +60,24 @@ TEST (Places, OnLevelsScatterByTheVarianceOfTheirStep)
   std::vector<float> scatter;
   for (const Support& support : scene.places.supports[0])
     scatter.push_back (support.scatter);
-  EXPECT_GT (medianOf (scatter), 0.9 * 4_cm / std::sqrt (12.0)) << "the wall leans";
+  const double deviation_within_step = 4_cm / std::sqrt (12.0);
+  EXPECT_GT (medianOf (scatter), 0.9 * deviation_within_step) << "the wall leans";
 }
 
 TEST (Places, AreAsDenseAsTheirPoints)
 {
   const PlaceScene scene (drawnOn ({square_of_ground}, 2_cm, 0.0));
   std::vector<float> density (scene.places.density);
-  EXPECT_NEAR (medianOf (density), 2500.0, 1500.0);
+  constexpr double expected = 2500.0; // 1 / (2 cm)^2 [1/m^2]
+  EXPECT_NEAR (medianOf (density), expected, 1500.0) << "roughly";
 }
 
 TEST (NeighborsOfCloud, GrowWithTheCloudWithinLimits)
 {
-  EXPECT_EQ (neighborsOfCloud (100, 1.0), 10u);
-  EXPECT_LT (neighborsOfCloud (2000, 1.0), neighborsOfCloud (20000, 1.0));
-  EXPECT_EQ (neighborsOfCloud (10'000'000, 1.0), 36u);
-  EXPECT_EQ (neighborsOfCloud (10'000'000, 2.0), 72u);
+  constexpr double usual_factor = 1.0;
+  EXPECT_EQ (neighborhoodSize (100, usual_factor), 10u);
+  EXPECT_LT (neighborhoodSize (2000, usual_factor),
+             neighborhoodSize (20000, usual_factor));
+  EXPECT_EQ (neighborhoodSize (10'000'000, usual_factor), 36u);
+  EXPECT_EQ (neighborhoodSize (10'000'000, 2.0 * usual_factor), 72u);
 }

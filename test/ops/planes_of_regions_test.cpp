@@ -9,33 +9,39 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief How many planes are left of one region, a ground of 20 m x 20 m that rises
- * and falls by an amplitude, where points have 4 mm of noise. */
+constexpr double noise_of_waves = 4_mm;
+
+/** \brief How many planes become of one region: a ground of 20 m x 20 m that rises and
+ * falls in waves of this amplitude [m]. */
 std::size_t
 planesOfWaves (double amplitude)
 {
-  constexpr double wave = 5_m;
+  constexpr double wavelength = 5_m;
   Points points;
   for (double x = 0.0; x < 20_m; x += 25_cm)
     for (double y = 0.0; y < 20_m; y += 25_cm)
-      points.add (static_cast<float> (x),
-                  static_cast<float> (y),
-                  static_cast<float> (amplitude * std::sin (2.0 * M_PI * x / wave)));
+      points.add (
+          static_cast<float> (x),
+          static_cast<float> (y),
+          static_cast<float> (amplitude * std::sin (2.0 * M_PI * x / wavelength)));
   PlaceScene scene (points);
-  std::fill (scene.noise.of_place.begin(), scene.noise.of_place.end(), 4e-3F);
+  std::fill (scene.noise.of_place.begin(),
+             scene.noise.of_place.end(),
+             static_cast<float> (noise_of_waves));
   Region all;
-  for (const Eigen::Vector3d& place : scene.places.position)
-    all.moments.add (place.x(), place.y(), place.z());
-  all.scatter = all.noise = 4_mm;
-  all.is_joined = true;
+  for (const Eigen::Vector3d& position : scene.places.position)
+    all.moments.add (position.x(), position.y(), position.z());
+  all.scatter = all.noise = noise_of_waves;
+  all.has_parts = true;
   all.refit();
   scene.regions = {{all}, pcl_ops::Labels (scene.places.size(), 0)};
+  const std::vector<char> is_plane = {1};
   return planesOfRegions (points,
                           scene.distinct,
                           scene.places,
                           scene.noise,
                           scene.regions,
-                          {1},
+                          is_plane,
                           pcl_ops::OrientedPointSamplingParameters())
       .planes.fits.size();
 }
@@ -44,6 +50,7 @@ planesOfWaves (double amplitude)
 
 TEST (PlanesOfRegions, AreNotThickerThanTwelveNoises)
 {
-  EXPECT_EQ (planesOfWaves (60_mm), 1u); // an rms of 4.2 cm
-  EXPECT_EQ (planesOfWaves (78_mm), 0u); // of 5.5 cm
+  // The rms of a wave is its amplitude over sqrt (2); twelve noises are 48 mm.
+  EXPECT_EQ (planesOfWaves (60_mm), 1u); // an rms of 42 mm
+  EXPECT_EQ (planesOfWaves (78_mm), 0u); // an rms of 55 mm
 }

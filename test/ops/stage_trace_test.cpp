@@ -13,20 +13,21 @@ using pcl_ops::StageResult;
 
 namespace {
 
-using Traced = pcl_ops::OrientedPointSamplingParameters;
+using TracedParameters = pcl_ops::OrientedPointSamplingParameters;
 
+/** \brief The y coordinate of a point without a reading. */
 constexpr float not_read = std::numeric_limits<float>::quiet_NaN();
 
-/** \brief A floor and a wall, every tenth point without a reading, and half of them a
- * second time. */
+/** \brief A floor and a wall. Every tenth point has no reading. Behind all points every
+ * second one comes again, so that two thirds are no copies. */
 Cloud
 floorAndWallWithCopies ()
 {
   Cloud cloud = *Scene()
                      .floor (3, 3)
                      .wall ({0, 0}, {0, 3}, 2)
-                     .spacing (0.04)
-                     .noise (0.003)
+                     .spacing (4_cm)
+                     .noise (3_mm)
                      .build()
                      .cloud;
   for (std::size_t i = 0; i < cloud.size(); i += 10)
@@ -43,7 +44,7 @@ struct Trace {
 };
 
 Trace
-traceOf (const Cloud& cloud, Traced parameters = {})
+traceOf (const Cloud& cloud, TracedParameters parameters = {})
 {
   Trace trace;
   parameters.on_stage = [&] (const auto& stage) { trace.stages.push_back (stage); };
@@ -115,7 +116,7 @@ TEST (StageTrace, SaysTheSameOfEqualPoints)
 TEST (StageTrace, EndsWithTheLabelsOfTheResult)
 {
   // One of the planes has too few points.
-  Traced parameters;
+  TracedParameters parameters;
   for (const std::size_t min_points : {0, 6000}) {
     parameters.min_points = min_points;
     const Cloud cloud = floorAndWallWithCopies();
@@ -138,7 +139,8 @@ TEST (StageTrace, HasDensitiesAndNoisesOfTheCloud)
     std::nth_element (values.begin(), values.begin() + values.size() / 2, values.end());
     return static_cast<double> (values[values.size() / 2]);
   };
-  // Roughly: neighborhoods of more points are less ragged.
+  // Half the spacing is four times the density, but for the ragged rims of
+  // neighborhoods.
   EXPECT_NEAR (medianAt (Stage::Density, 0.02, 0.003) /
                    medianAt (Stage::Density, 0.04, 0.003),
                4.0,
@@ -164,7 +166,7 @@ TEST (StageTrace, KeepsOfTheJoinedRegionsThoseThatArePlanes)
 TEST (StageTrace, ChangesNothingOfTheResult)
 {
   const Cloud cloud = floorAndWallWithCopies();
-  const std::vector<PlaneSegment> planes = detectPlanes (cloud, Traced());
+  const std::vector<PlaneSegment> planes = detectPlanes (cloud, TracedParameters());
   const Trace trace = traceOf (cloud);
   ASSERT_EQ (trace.planes.size(), planes.size());
   for (std::size_t p = 0; p < planes.size(); ++p)
@@ -185,8 +187,8 @@ TEST (StageTrace, HasTheLabelsAloneOfTooFewPoints)
 
 TEST (StageTrace, IsOfNeighborhoodsAlone)
 {
-  Traced on_voxels;
+  TracedParameters on_voxels;
   on_voxels.surfels.voxel_size = 0.1;
-  for (const Traced& parameters : {on_voxels, Traced::paper()})
+  for (const TracedParameters& parameters : {on_voxels, TracedParameters::paper()})
     EXPECT_TRUE (traceOf (floorAndWallWithCopies(), parameters).stages.empty());
 }

@@ -8,8 +8,12 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief Near sqrt (2): the middle of the octave of densities from 1 to 2. */
+constexpr float mid_octave = 1.4f;
+
+/** \brief The statistics of places with these densities [1/m^2] and noises [m]. */
 pcl_ops::CloudNoise
-usualOf (const std::vector<float>& density, const std::vector<float>& noise)
+statisticsOf (const std::vector<float>& density, const std::vector<float>& noise)
 {
   pcl_ops::CloudNoise cloud;
   setUsualNoise (density, noise, cloud);
@@ -30,10 +34,10 @@ TEST (QuantileOf, IsTheValueBelowWhichAShareLies)
 
 TEST (UsualNoise, IsTheMedianWherePointsAreAsDense)
 {
-  // In the middle of octaves that are far apart.
-  const pcl_ops::CloudNoise usual =
-      usualOf ({1.4f, 1.4f, 1.4f, 1000.0f}, {1.0f, 2.0f, 3.0f, 1.0f});
-  EXPECT_NEAR (usualNoise (usual, 1.4), 2.0, 1e-6);
+  // Densities in two octaves that are far apart.
+  const pcl_ops::CloudNoise usual = statisticsOf (
+      {mid_octave, mid_octave, mid_octave, 1000.0f}, {1.0f, 2.0f, 3.0f, 1.0f});
+  EXPECT_NEAR (usualNoise (usual, mid_octave), 2.0, 1e-6);
   EXPECT_NEAR (usualNoise (usual, 1000.0), 1.0, 1e-6);
 }
 
@@ -42,10 +46,10 @@ TEST (UsualNoise, ChangesLittleWithTheDensity)
   std::vector<float> density;
   std::vector<float> noise;
   for (int octave = 0; octave < 8; ++octave) {
-    density.push_back (1.4f * static_cast<float> (1 << octave));
+    density.push_back (mid_octave * static_cast<float> (1 << octave));
     noise.push_back (octave < 4 ? 1.0f : 2.0f);
   }
-  const pcl_ops::CloudNoise usual = usualOf (density, noise);
+  const pcl_ops::CloudNoise usual = statisticsOf (density, noise);
   for (double at = 1.0; at < 300.0; at *= 1.01)
     EXPECT_NEAR (usualNoise (usual, 1.01 * at),
                  usualNoise (usual, at),
@@ -56,21 +60,21 @@ TEST (UsualNoise, ChangesLittleWithTheDensity)
 
 TEST (UsualNoise, IsAtMostThreeTimesThatOfTheCloud)
 {
-  std::vector<float> density (10, 1.4f);
+  std::vector<float> density (10, mid_octave);
   std::vector<float> noise (10, 1.0f);
   density.push_back (1000.0f);
   noise.push_back (50.0f);
-  EXPECT_NEAR (usualNoise (usualOf (density, noise), 1000.0), 3.0, 1e-6);
+  EXPECT_NEAR (usualNoise (statisticsOf (density, noise), 1000.0), 3.0, 1e-6);
 }
 
 TEST (UsualNoise, IsNoneOfNoPlaces)
 {
-  EXPECT_EQ (usualNoise (usualOf ({}, {}), 1.0), 0.0);
+  EXPECT_EQ (usualNoise (statisticsOf ({}, {}), 1.0), 0.0);
 }
 
 TEST (UsualNoise, IsKnownAtAnyDensity)
 {
-  const pcl_ops::CloudNoise usual = usualOf ({0.0f, 1.4f}, {1.0f, 1.0f});
+  const pcl_ops::CloudNoise usual = statisticsOf ({0.0f, mid_octave}, {1.0f, 1.0f});
   EXPECT_NEAR (usualNoise (usual, 0.0), 1.0, 1e-6);
   EXPECT_NEAR (usualNoise (usual, 1e308), 1.0, 1e-6);
 }

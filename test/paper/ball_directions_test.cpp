@@ -7,13 +7,15 @@ using namespace pcl_ops::internal;
 
 TEST (BallDirections, HaveAboutTheSameAreaAndOnePatchOnEachPole)
 {
-  const BallDirections ball (30);
-  for (int row = 1; row < 30; ++row) {
+  constexpr int south_pole = 30; // its row
+  const BallDirections ball (south_pole);
+  for (int row = 1; row < south_pole; ++row) {
+    const double phi = row * pi / south_pole;
     const double area =
-        ball.phi_step * std::sin (row * pi / 30) * 2.0 * pi / ball.patchesOfRow (row);
+        ball.phi_step * std::sin (phi) * 2.0 * pi / ball.patchesOfRow (row);
     EXPECT_NEAR (area / (ball.phi_step * ball.phi_step), 1.0, 0.1);
   }
-  EXPECT_EQ (ball.patchesOfRow (30), 1);
+  EXPECT_EQ (ball.patchesOfRow (south_pole), 1);
   EXPECT_EQ (ball.vectorOf (0), Eigen::Vector3d::UnitZ());
   EXPECT_EQ (ball.around (0).size(), 1u + ball.patchesOfRow (1));
 }
@@ -51,9 +53,9 @@ TEST (BallDirections, AreSurroundedByTheirSides)
     EXPECT_TRUE (std::binary_search (around.begin(), around.end(), direction));
     for (const std::uint32_t side : ball.beside (direction))
       EXPECT_TRUE (std::binary_search (around.begin(), around.end(), side));
-    for (const std::uint32_t near : around)
-      EXPECT_LT (std::acos (std::min (
-                     1.0, ball.vectorOf (near).dot (ball.vectorOf (direction)))),
-                 2.2 * ball.phi_step);
+    for (const std::uint32_t near : around) {
+      const double cosine = ball.vectorOf (near).dot (ball.vectorOf (direction));
+      EXPECT_LT (std::acos (std::min (1.0, cosine)), 2.2 * ball.phi_step);
+    }
   }
 }

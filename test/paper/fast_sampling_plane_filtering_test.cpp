@@ -28,11 +28,11 @@ fspfOn (const Cloud::ConstPtr& cloud)
 
 TEST (Fspf, FindsEverySurfaceAsInThePaperAndFromTheTestedPointsAlone)
 {
-  const auto scene = denseRoom().build();
-  FspfParameters paper = FspfParameters::paper(), tested;
+  const LabelledScene scene = denseRoom().build();
+  FspfParameters paper = FspfParameters::paper(), tested_points_alone;
   paper.seed = 1; // one seed in six finds a plane across an edge, too
-  tested.local.inliers = FspfParameters::Local::Inliers::Samples;
-  for (const FspfParameters& parameters : {paper, tested}) {
+  tested_points_alone.local.inliers = FspfParameters::Local::Inliers::Samples;
+  for (const FspfParameters& parameters : {paper, tested_points_alone}) {
     Fspf fspf = fspfOn (scene.cloud);
     fspf.setParameters (parameters);
     expectFindsEverySurface (planesOf (fspf), scene);
@@ -48,7 +48,8 @@ TEST (Fspf, MergesHundredsOfPlanesIntoTheFewThereAre)
 
 TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
 {
-  // With 3 cm of noise some planes are one only when they have their points.
+  // With 3 cm of noise some planes are coplanar only after points were assigned to
+  // them.
   const auto cloud = denseRoom().noise (3_cm).build().cloud;
   Fspf fspf = fspfOn (cloud);
   const auto planes = planesOf (fspf);
@@ -61,15 +62,17 @@ TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
 
 TEST (Fspf, AssignsThePointsOfNoSphere)
 {
-  // Sparse rows of points too far apart for a sphere of their own extend a dense floor.
+  // A row of points 1 m apart, too far for a sphere of their own, extends a dense
+  // floor.
   auto scene = Scene().floor (1, 1).spacing (1_cm).build();
-  const auto dense = static_cast<pcl::index_t> (scene.cloud->size());
-  for (int i = 1; i <= 5; ++i)
+  const auto dense_points = static_cast<pcl::index_t> (scene.cloud->size());
+  constexpr int sparse_points = 5;
+  for (int i = 1; i <= sparse_points; ++i)
     scene.cloud->push_back ({1.0f + static_cast<float> (i), 0.5f, 0.0f});
   Fspf fspf = fspfOn (scene.cloud);
   const auto inliers = inliersOf (fspf);
   ASSERT_EQ (inliers.size(), 1u);
-  EXPECT_EQ (inliers[0].back(), dense + 4);
+  EXPECT_EQ (inliers[0].back(), dense_points + sparse_points - 1);
 }
 
 TEST (Seed, GivesOtherPlanes)
@@ -111,7 +114,7 @@ TEST (Degenerate, RadiiTooLargeForTheThresholdEndInTime)
   // A ball seen as 20,000 points, all in every sphere, none on a plane of a millimeter.
   RandomGenerator generator (seedOfTest());
   Fspf fspf = fspfOn (cloudOf (20000, [&] (float) {
-    return toPoint (5_cm * drawNormals (generator).normalized());
+    return toPoint (5_cm * drawGaussians (generator).normalized());
   }));
   fspf.setDistanceThreshold (1_mm);
   EXPECT_TRUE (planesOf (fspf).empty());

@@ -49,15 +49,17 @@ planesOf (const LabelledScene& scene, const KhtParameters& parameters)
 int
 surfaceOf (const PlaneSegment& plane,
            const LabelledScene& scene,
-           double angle,
-           double distance)
+           double max_angle,
+           double max_distance)
 {
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
-    if (isNear (plane.plane(), scene.surfaces[s], angle, distance))
+    if (isNear (plane.plane(), scene.surfaces[s], max_angle, max_distance))
       return static_cast<int> (s);
   return -1;
 }
 
+/** The parameters of the paper with an accumulator of phi_num rows and rho_num bins of
+ * rho, and with nodes from level 3 on, as the box is small. */
 KhtParameters
 published (int phi_num, int rho_num)
 {
@@ -81,11 +83,11 @@ TEST (KernelHoughTransform,
     for (const PlaneSegment& plane : planesOf (scene, published (phi_num, rho_num))) {
       faces.insert (surfaceOf (plane, scene, pi / phi_num, 2_m / rho_num + 2_cm));
       points += plane.inliers.size();
-      double nearest = 0.0;
+      double cosine_to_nearest = 0.0;
       for (std::uint32_t d = 0; d < directions.size(); ++d)
-        nearest =
-            std::max (nearest, std::abs (directions.vectorOf (d).dot (plane.normal)));
-      EXPECT_GT (nearest, 1.0 - 1e-12);
+        cosine_to_nearest = std::max (
+            cosine_to_nearest, std::abs (directions.vectorOf (d).dot (plane.normal)));
+      EXPECT_GT (cosine_to_nearest, 1.0 - 1e-12) << "the normal is that of a bin";
     }
     for (int face = 0; face < 6; ++face)
       EXPECT_EQ (faces.count (face), 1u) << "face " << face << ", " << phi_num;
@@ -97,15 +99,15 @@ TEST (KernelHoughTransform, FindsTheSixFacesOfANoisyBoxExactlyWithTheirPoints)
 {
   const LabelledScene scene = box (5_mm);
   std::multiset<int> faces;
-  std::size_t right = 0;
+  std::size_t points_on_their_face = 0;
   for (const PlaneSegment& plane : planesOf (scene, KhtParameters())) {
     const int face = surfaceOf (plane, scene, 0.3_deg, 3_mm);
     faces.insert (face);
     for (const pcl::index_t i : plane.inliers)
-      right += scene.labels[i] == face;
+      points_on_their_face += scene.labels[i] == face;
   }
   EXPECT_EQ (faces, (std::multiset<int>{0, 1, 2, 3, 4, 5}));
-  EXPECT_GT (right, 97_percent * scene.cloud->size());
+  EXPECT_GT (points_on_their_face, 97_percent * scene.cloud->size());
 }
 
 TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
@@ -126,7 +128,7 @@ TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
 
 TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)
 {
-  // A table at the height of a shelf far away, and a ball of dust between them.
+  // A table, a shelf far away at the same height, and one point of dust between them.
   LabelledScene scene = Scene()
                             .surface ({0, 0, 1}, {1, 0, 0}, {0, 1, 0})
                             .surface ({4, 0, 1}, {1, 0, 0}, {0, 1, 0})

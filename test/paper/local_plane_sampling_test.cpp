@@ -9,6 +9,8 @@ using namespace pcl_ops::internal;
 namespace {
 
 constexpr double theta_h = 5_cm;
+/** No sampling ends at this number of inliers, hypotheses or visits per point. */
+constexpr double no_limit = 1e9;
 
 Coordinates
 pointsAt (const std::vector<Eigen::Vector3f>& positions)
@@ -19,13 +21,14 @@ pointsAt (const std::vector<Eigen::Vector3f>& positions)
   return points;
 }
 
-/** A hypothesis around the first point, p_r1 and p_r2 being any of the others. */
+/** A hypothesis around the first point; its two other points are any of the others. */
 std::optional<Plane>
 hypothesisAround (const std::vector<Eigen::Vector3f>& positions, double inner_radius)
 {
   const Coordinates points = pointsAt (positions);
   RandomGenerator generator (seedOfTest());
-  return drawHypothesis (points, 0, upTo (points.size()), inner_radius, generator);
+  constexpr std::uint32_t center = 0;
+  return drawHypothesis (points, center, upTo (points.size()), inner_radius, generator);
 }
 
 /** Adds points all over a square of 4 cm x 4 cm on the plane z = 0. */
@@ -47,6 +50,7 @@ addLonePoints (std::size_t size, Coordinates& points)
     points.add (0, 0, static_cast<float> (i));
 }
 
+/** Local planes among points that are all in each other's spheres. */
 LocalPlanes
 sample (const Coordinates& points, const LocalSamplingParameters& parameters)
 {
@@ -82,12 +86,13 @@ binomialTail (int k, int n, double inlier_share)
   return tail;
 }
 
-const pcl::Indices some{0, 2, 4, 6, 7, 8};
+const pcl::Indices some_indices{0, 2, 4, 6, 7, 8};
 
+/** Some points of a cloud, without a search of the user. */
 DetectorInput
-without (const CloudView& cloud = {})
+inputWithoutSearch (const CloudView& cloud = {})
 {
-  return {cloud, &some, Eigen::Vector3d::Zero(), nullptr};
+  return {cloud, &some_indices, Eigen::Vector3d::Zero(), nullptr};
 }
 
 /** Fails unless the search finds each point within the radius of every point once, as
@@ -97,20 +102,22 @@ expectFindsAll (const Coordinates& coordinates, double radius)
 {
   Points points;
   static_cast<Coordinates&> (points) = coordinates;
-  const Spheres spheres = spheresAround (without(), points, radius, 1);
+  const Spheres spheres =
+      spheresAround (inputWithoutSearch(), points, radius, one_thread);
   const auto& [x, y, z] = spheres.points;
   EXPECT_TRUE (
       std::is_permutation (x.begin(), x.end(), points.x.begin(), points.x.end()));
-  Indices sphere{99, 98, 97};
+  Indices sphere{99, 98, 97}; // what is there is replaced
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     spheres.find (i, sphere);
-    std::vector<int> times (points.size());
+    std::vector<int> times_found (points.size());
     for (const std::uint32_t found : sphere)
-      ++times[found];
+      ++times_found[found];
     for (std::uint32_t j = 0; j < points.size(); ++j) {
       const double distance = (spheres.points[i] - spheres.points[j]).norm();
       const bool is_near_surface = std::abs (distance - radius) <= 1e-5 * radius;
-      ASSERT_TRUE (is_near_surface || times[j] == (distance <= radius ? 1 : 0));
+      const int expected = distance <= radius ? 1 : 0;
+      ASSERT_TRUE (is_near_surface || times_found[j] == expected);
     }
   }
 }
@@ -154,11 +161,14 @@ TEST (DrawHypothesis, DrawsAgainUntilThePointsMakeATriangle)
 
 TEST (SampleLocalPlanes, AcceptAsManySpheresAsTheShareOfInliersSays)
 {
-  // p_r0 must be on the patch: a lone point has no neighbors for a hypothesis.
+  // A sphere is accepted if its center is on the patch, as a lone point has no
+  // neighbors for a hypothesis, and if more than 64 of 80 tested points are on the
+  // patch, too.
   constexpr int size = 1000;
+  constexpr double hypotheses_per_point = 5.0;
   LocalSamplingParameters parameters;
-  parameters.max_hypotheses_per_point = 5.0;
-  parameters.max_inliers_per_point = parameters.max_visits_per_point = 1e9;
+  parameters.max_hypotheses_per_point = hypotheses_per_point;
+  parameters.max_inliers_per_point = parameters.max_visits_per_point = no_limit;
   for (const double share : {0.7, 0.75, 0.8, 0.85, 0.9, 0.95}) {
     const auto on_patch = static_cast<std::size_t> (share * size);
     Coordinates points;
@@ -167,8 +177,8 @@ TEST (SampleLocalPlanes, AcceptAsManySpheresAsTheShareOfInliersSays)
     const auto accepted =
         static_cast<double> (sample (points, parameters).moments.size());
     const double rate = share * binomialTail (64, 80, share);
-    const double tries = 5.0 * size;
-    const double deviation = std::sqrt (tries * rate * (1.0 - rate));
+    constexpr double tries = hypotheses_per_point * size;
+    const double deviation = std::sqrt (tries * rate * (1.0 - rate)); // binomial
     EXPECT_NEAR (accepted, tries * rate, 4.0 * deviation) << share;
   }
 }
@@ -176,13 +186,14 @@ TEST (SampleLocalPlanes, AcceptAsManySpheresAsTheShareOfInliersSays)
 TEST (SampleLocalPlanes, EndsAtTheNumberOfInliersHypothesesOrVisits)
 {
   LocalSamplingParameters inliers, hypotheses, visits;
-  inliers.max_inliers_per_point = 3.5;
+  inliers.max_inliers_per_point = 3.5; // each plane has all points as inliers
   EXPECT_EQ (samplePatch (200, inliers).moments.size(), 4u);
-  hypotheses.max_inliers_per_point = hypotheses.max_visits_per_point = 1e9;
+  hypotheses.max_inliers_per_point = hypotheses.max_visits_per_point = no_limit;
   hypotheses.max_hypotheses_per_point = 0.5;
   EXPECT_EQ (samplePatch (200, hypotheses).hypotheses, 100u);
-  visits.max_inliers_per_point = 1e9;
-  // Each hypothesis costs the 200 points of its sphere and 100 more.
+  visits.max_inliers_per_point = no_limit;
+  // Each hypothesis costs the 200 points of its sphere and 100 more: 1.5 visits per
+  // point.
   visits.max_visits_per_point = 7 * 1.5;
   EXPECT_EQ (samplePatch (200, visits).hypotheses, 7u);
 }
@@ -192,21 +203,22 @@ TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
   constexpr std::size_t size = 200;
   Coordinates points;
   addLonePoints (size, points);
-  // Like a search whose voxels hold all points: it visits many and finds one.
-  const auto find_itself = [] (std::uint32_t center, Indices& sphere) {
+  // Like a search whose voxels hold many points: it visits them all and finds one.
+  const auto findItself = [] (std::uint32_t center, Indices& sphere) {
     sphere = {center};
     return std::size_t (3 * 300);
   };
   LocalSamplingParameters parameters;
   parameters.max_visits_per_point = 200.0;
-  EXPECT_EQ (sampleLocalPlanes (points, find_itself, parameters, theta_h, seedOfTest())
+  EXPECT_EQ (sampleLocalPlanes (points, findItself, parameters, theta_h, seedOfTest())
                  .hypotheses,
              size / 2);
 }
 
 TEST (SampleLocalPlanes, CountsDrawsThatGiveNoTriangle)
 {
-  // A sphere costs its 200 points, a hundred, and a thousand draws of equal points.
+  // A sphere costs its 200 points, 100 more, and 1000 draws of equal points. Visits of
+  // 65 per point are enough for ten spheres.
   constexpr std::size_t size = 200;
   Coordinates points;
   for (std::size_t i = 0; i < size; ++i)
@@ -219,11 +231,11 @@ TEST (SampleLocalPlanes, CountsDrawsThatGiveNoTriangle)
 TEST (SampleLocalPlanes, SkipsSpheresWithFewerPointsThanSamples)
 {
   EXPECT_FALSE (samplePatch (80, {}).moments.empty());
-  LocalSamplingParameters patient;
-  patient.max_visits_per_point = 1e9;
-  const LocalPlanes skipped = samplePatch (79, patient);
+  LocalSamplingParameters without_limit;
+  without_limit.max_visits_per_point = no_limit;
+  const LocalPlanes skipped = samplePatch (79, without_limit);
   EXPECT_TRUE (skipped.moments.empty());
-  EXPECT_EQ (skipped.hypotheses, 79u) << "K_max";
+  EXPECT_EQ (skipped.hypotheses, 79u) << "K_max, one per point";
 }
 
 TEST (SampleLocalPlanes, CountsAllInliersOfTheSphereOrTheTestedOnesAlone)
@@ -233,9 +245,9 @@ TEST (SampleLocalPlanes, CountsAllInliersOfTheSphereOrTheTestedOnesAlone)
   addLonePoints (50, points);
   for (const Moments& inliers : sample (points, {}).moments)
     EXPECT_EQ (inliers.count, 900.0);
-  LocalSamplingParameters tested;
-  tested.inliers = LocalSamplingParameters::Inliers::Samples;
-  for (const Moments& inliers : samplePatch (900, tested).moments)
+  LocalSamplingParameters tested_alone;
+  tested_alone.inliers = LocalSamplingParameters::Inliers::Samples;
+  for (const Moments& inliers : samplePatch (900, tested_alone).moments)
     EXPECT_EQ (inliers.count, 80.0);
 }
 
@@ -258,18 +270,19 @@ TEST (Spheres, AreThoseOfTheUsersSearchWhereThereIsOne)
   pcl::PointCloud<pcl::PointXYZ> cloud;
   for (int i = 0; i < 10; ++i)
     cloud.push_back ({static_cast<float> (i), 0, 0});
-  DetectorInput input = without (CloudView (cloud));
+  DetectorInput input = inputWithoutSearch (CloudView (cloud));
   input.search_over = [] (const pcl::Indices&) {
     NeighborSearch search;
     search.within = [] (pcl::index_t point, double radius, auto& found, auto&) {
       EXPECT_EQ (point, 7);
       EXPECT_EQ (radius, 1.5);
-      found = {4, 5, 7}; // 5 is none of ours
+      found = {4, 5, 7}; // 5 is none of some_indices
     };
     return search;
   };
-  const Points points = finitePoints (input.cloud, 1, &some);
+  const Points points = finitePoints (input.cloud, one_thread, &some_indices);
   Indices sphere;
-  spheresAround (input, points, 1.5, 1).find (4, sphere);
-  EXPECT_EQ (sphere, (Indices{2, 4})) << "positions of 4 and 7 among them";
+  constexpr std::uint32_t position_of_7 = 4; // in some_indices
+  spheresAround (input, points, 1.5, one_thread).find (position_of_7, sphere);
+  EXPECT_EQ (sphere, (Indices{2, position_of_7})) << "the positions of 4 and 7";
 }

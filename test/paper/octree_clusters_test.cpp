@@ -35,9 +35,9 @@ expectPointsOfOneCell (const OctreeClusters& found,
                        const CoplanarCluster& cluster,
                        const Coordinates& points)
 {
-  // Small cells have normals that err by more.
-  const double error = cluster.level > 3 ? 0.1 : 0.02;
-  EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), error);
+  // Normals of small cells err by more.
+  const double max_angle = cluster.level > 3 ? 0.1 : 0.02; // [rad]
+  EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), max_angle);
   const Eigen::Vector3d center = cellCenterOf (found, cluster);
   constexpr double rounding = 1e-5;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -50,6 +50,7 @@ expectPointsOfOneCell (const OctreeClusters& found,
   EXPECT_LT ((cluster.fit.centroid - sum / cluster.size()).norm(), 1e-6);
 }
 
+/** The corners of a cube of 2 m around (2, 2, 2). */
 Coordinates
 cornersOfACube ()
 {
@@ -65,13 +66,14 @@ cornersOfACube ()
 
 TEST (RootCube, HoldsAllPointsAroundTheirCentroidButForOneFarAway)
 {
-  for (const float one : {2.0f, 20.0f, 1e6f, -1e6f, -1e38f}) { // 2: in their middle
+  constexpr float middle = 2.0f;
+  for (const float coordinate : {middle, 20.0f, 1e6f, -1e6f, -1e38f}) {
     Coordinates points = cornersOfACube();
-    points.add (one, one, one);
+    points.add (coordinate, coordinate, coordinate);
     const RootCube root = rootCubeOf (points);
-    EXPECT_EQ (root.center, Eigen::Vector3d (2, 2, 2)) << one;
-    EXPECT_EQ (root.edge, 2.0) << one;
-    EXPECT_NEAR (root.radius, std::sqrt (3.0), 1e-6) << one;
+    EXPECT_EQ (root.center, Eigen::Vector3d (2, 2, 2)) << coordinate;
+    EXPECT_EQ (root.edge, 2.0) << coordinate;
+    EXPECT_NEAR (root.radius, std::sqrt (3.0), 1e-6) << coordinate;
   }
 }
 
@@ -97,7 +99,7 @@ TEST (RootCube, OfOnePointIsThatPoint)
 
 TEST (OctreeClusters, HoldThePointsOfOneCellOnTheirPlane)
 {
-  // Down to level 5 cells are sorted at once, below one by one.
+  // Cells down to level 5 are sorted together, those below one by one.
   const Coordinates points = gridsOf ({tilted}, 400, 0.001);
   for (const int first_level : {3, 5, 6}) {
     SCOPED_TRACE (first_level);
@@ -114,12 +116,12 @@ TEST (OctreeClusters, ShareNoPoint)
   const OctreeClusters found = clustersOf (points, 4);
   for (std::size_t c = 1; c < found.clusters.size(); ++c)
     EXPECT_LE (found.clusters[c - 1].end, found.clusters[c].begin);
-  std::vector<bool> is_there (points.size(), false);
+  std::vector<bool> is_found (points.size(), false);
   for (const OctreePoint& point : found.points) {
     EXPECT_EQ (point.position(), points[point.index]);
-    is_there[point.index] = true;
+    is_found[point.index] = true;
   }
-  EXPECT_EQ (std::count (is_there.begin(), is_there.end(), false), 0);
+  EXPECT_EQ (std::count (is_found.begin(), is_found.end(), false), 0);
 }
 
 TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
@@ -140,11 +142,12 @@ TEST (OctreeClusters, AreNoNarrowStrips)
 
 TEST (OctreeClusters, DropPointsFarFromTheirPlaneAndOutsideTheirRoot)
 {
-  Coordinates points = gridsOf ({level}, 100), stray;
-  addGrid (points, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
-  stray.add (1e6f, 1e6f, 0.0f);
-  addGrid (stray, level, 100);
-  for (const Coordinates& all : {points, stray}) {
+  Coordinates with_points_above = gridsOf ({level}, 100), with_stray_point;
+  addGrid (
+      with_points_above, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
+  with_stray_point.add (1e6f, 1e6f, 0.0f);
+  addGrid (with_stray_point, level, 100);
+  for (const Coordinates& all : {with_points_above, with_stray_point}) {
     const OctreeClusters found = clustersOf (all, 0);
     ASSERT_EQ (found.clusters.size(), 1u);
     EXPECT_EQ (found.clusters[0].size(), 10000u);

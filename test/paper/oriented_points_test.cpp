@@ -14,7 +14,9 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief Weighted normals of some points of a cloud, with a kd-tree over all of it. */
+/** \brief Weighted normals of some points of a cloud, with a kd-tree over all of it.
+ * \param[in] k number of neighbors
+ * \param[in] sigma of the weights [m]; not given: the distance to the k-th neighbor */
 OrientedSamples
 orient (const Cloud::ConstPtr& cloud,
         const Indices& sample,
@@ -29,7 +31,7 @@ orient (const Cloud::ConstPtr& cloud,
         tree.nearestKSearch ((*cloud)[point], number, neighbors, distances);
       };
   const pcl_ops::CloudView view (*cloud);
-  const Points points = finitePoints (view, 1);
+  const Points points = finitePoints (view, one_thread);
   return orientSamples (view, points, sample, search, k, sigma);
 }
 
@@ -42,7 +44,7 @@ scatterByBruteForce (const Cloud& cloud,
                      std::optional<double> given_sigma)
 {
   const Eigen::Vector3d p = cloud[sample].getVector3fMap().cast<double>();
-  std::vector<Eigen::Vector3d> q;
+  std::vector<Eigen::Vector3d> q; // all points relative to p, nearest first
   for (const pcl::PointXYZ& point : cloud)
     q.push_back (point.getVector3fMap().cast<double>() - p);
   std::sort (q.begin(), q.end(), [] (const auto& first, const auto& second) {
@@ -64,7 +66,7 @@ struct Line {
       cloud.push_back ({static_cast<float> (i), 0, 0});
     cloud[2].x = NAN;
     input.cloud = pcl_ops::CloudView (cloud);
-    points = finitePoints (input.cloud, 1);
+    points = finitePoints (input.cloud, one_thread);
   }
 
   pcl::PointCloud<pcl::PointXYZ> cloud;
@@ -95,13 +97,16 @@ TEST (DrawSample, DrawsNothingFromNothingAndAllFromAll)
 
 TEST (DrawSample, GivesEveryPointTheSameChance)
 {
-  std::vector<int> times (20, 0);
-  for (std::uint32_t seed = 0; seed < 10000; ++seed)
-    for (const std::uint32_t i : drawSample (20, 0.25, seed))
-      ++times[i];
+  constexpr double rate = 0.25;
+  constexpr std::uint32_t samples = 10000;
+  constexpr double expected = rate * samples;
+  std::vector<int> times_drawn (20, 0);
+  for (std::uint32_t seed = 0; seed < samples; ++seed)
+    for (const std::uint32_t i : drawSample (20, rate, seed))
+      ++times_drawn[i];
   double chi_square = 0.0;
-  for (const int count : times)
-    chi_square += (count - 2500.0) * (count - 2500.0) / (2500.0 * 0.75);
+  for (const int count : times_drawn)
+    chi_square += (count - expected) * (count - expected) / (expected * (1.0 - rate));
   EXPECT_LT (chi_square, 43.8) << "99.9 % of chi-square with 19 degrees of freedom";
 }
 
@@ -190,6 +195,6 @@ TEST (SearchOver, IsTheUsersOverTheFinitePointsWhereThereIsOne)
     search.threads = 77;
     return search;
   };
-  EXPECT_EQ (searchOver (line.input, line.points, 1).threads, 77u);
+  EXPECT_EQ (searchOver (line.input, line.points, one_thread).threads, 77u);
   EXPECT_EQ (searched, (pcl::Indices{0, 1, 3, 4}));
 }

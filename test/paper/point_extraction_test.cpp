@@ -8,20 +8,22 @@ using pcl_ops::Plane;
 
 namespace {
 
-/** \brief Every point of a scene as a sample: with the normal of its surface turned by
- * a random angle, or any normal for clutter. */
+/** \brief Every point of a scene as a sample with the normal of its surface; a point of
+ * the clutter has any normal.
+ * \param[in] normal_noise standard deviation of each component of the normals */
 OrientedSamples
 samplesOf (const LabelledScene& scene, double normal_noise = 0.0)
 {
   RandomGenerator generator (seedOfTest());
   OrientedSamples samples;
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-    const Eigen::Vector3d any = drawNormals (generator);
+    const Eigen::Vector3d any = drawGaussians (generator);
     const int label = scene.labels[i];
+    const bool is_clutter = label < 0;
     const Eigen::Vector3d normal =
-        label < 0 ? any
-                  : scene.surfaces[static_cast<std::size_t> (label)].normal() +
-                        normal_noise * any;
+        is_clutter ? any
+                   : scene.surfaces[static_cast<std::size_t> (label)].normal() +
+                         normal_noise * any;
     samples.add ((*scene.cloud)[i].getVector3fMap().cast<double>(),
                  normal.normalized());
   }
@@ -39,7 +41,7 @@ floorAndWall ()
       .clutter (10_percent);
 }
 
-const Plane horizontal{Eigen::Vector3d::UnitZ(), 0.0};
+const Plane floor_plane{Eigen::Vector3d::UnitZ(), 0.0};
 
 RansacParameters
 withinFiveCentimeters ()
@@ -50,18 +52,18 @@ withinFiveCentimeters ()
 }
 
 std::optional<Plane>
-ransac (Candidates candidates,
-        const RansacParameters& parameters = withinFiveCentimeters(),
-        std::uint32_t seed = seedOfTest())
+planeByRansac (Candidates candidates,
+               const RansacParameters& parameters = withinFiveCentimeters(),
+               std::uint32_t seed = seedOfTest())
 {
   RandomGenerator generator (seed);
   return onePointRansac (candidates, parameters, generator);
 }
 
 ExtractedPlane
-largest (const OrientedSamples& samples,
-         const RansacParameters& parameters,
-         std::uint32_t seed = seedOfTest())
+largestAmong (const OrientedSamples& samples,
+              const RansacParameters& parameters,
+              std::uint32_t seed = seedOfTest())
 {
   RandomGenerator generator (seed);
   return largestPlane ({samples, upTo (samples.size())}, parameters, generator).value();
@@ -93,7 +95,7 @@ TEST (WithinDistance, SelectsAmongTheCandidatesOnly)
   Coordinates positions;
   for (int i = 0; i < 5; ++i)
     positions.add (1.0f, 2.0f, 0.0f);
-  EXPECT_EQ (selectWithinDistance (positions, {0, 3}, horizontal, 5_cm),
+  EXPECT_EQ (selectWithinDistance (positions, {0, 3}, floor_plane, 5_cm),
              (Indices{0, 3}));
 }
 
@@ -117,7 +119,7 @@ TEST (OnePointRansac, FindsThePlaneWithMostInliers)
   const auto samples = samplesOf (scene);
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Candidates all{samples, upTo (samples.size())};
-    const auto plane = ransac (all, withinFiveCentimeters(), seed);
+    const auto plane = planeByRansac (all, withinFiveCentimeters(), seed);
     EXPECT_TRUE (isNear (plane.value(), scene.surfaces[0], 1e-6, 1e-6));
   }
 }
@@ -130,7 +132,7 @@ TEST (OnePointRansac, DrawsFromTheCandidatesOnly)
   for (std::uint32_t i = 0; i < samples.size(); ++i)
     if (scene.labels[i] == 1)
       on_wall.push_back (i);
-  const auto plane = ransac ({samples, on_wall});
+  const auto plane = planeByRansac ({samples, on_wall});
   EXPECT_TRUE (isNear (plane.value(), scene.surfaces[1], 1e-6, 1e-6));
 }
 
@@ -138,12 +140,13 @@ TEST (OnePointRansac, WantsMoreCandidatesThanThetaNWhateverItVerifiesOn)
 {
   // Ten candidates on a floor that has a thousand points.
   const auto samples = samplesOf (Scene().floor (4_m, 2.5_m).spacing (10_cm).build());
-  Coordinates all = samples;
+  Coordinates all_points = samples;
+  Coordinates* const on_samples = nullptr;
   RansacParameters parameters = withinFiveCentimeters();
-  for (Coordinates* const verified : {static_cast<Coordinates*> (nullptr), &all})
+  for (Coordinates* const verified : {on_samples, &all_points})
     for (const std::size_t min_samples : {9, 10}) {
       parameters.min_samples = min_samples;
-      EXPECT_EQ (ransac ({samples, upTo (10), verified}, parameters).has_value(),
+      EXPECT_EQ (planeByRansac ({samples, upTo (10), verified}, parameters).has_value(),
                  min_samples < 10);
     }
 }
@@ -154,7 +157,7 @@ TEST (OnePointRansac, FindsNothingAmongNoCandidatesOrPointsOnNoPlane)
   for (int i = 0; i < 100; ++i)
     scattered.add (Eigen::Vector3d::Constant (i), Eigen::Vector3d::Ones().normalized());
   for (const std::size_t number : {0, 100})
-    EXPECT_FALSE (ransac ({scattered, upTo (number)}));
+    EXPECT_FALSE (planeByRansac ({scattered, upTo (number)}));
 }
 
 TEST (LargestPlane, IsRefittedToItsInliers)
@@ -163,7 +166,7 @@ TEST (LargestPlane, IsRefittedToItsInliers)
   const auto samples = samplesOf (scene, 0.01);
   RansacParameters parameters = withinFiveCentimeters();
   parameters.paper_only.local_optimization = false;
-  const ExtractedPlane found = largest (samples, parameters);
+  const ExtractedPlane found = largestAmong (samples, parameters);
   pcl_ops::Moments moments;
   for (const std::uint32_t i : found.inliers)
     moments.add (samples.x[i], samples.y[i], samples.z[i]);
@@ -176,19 +179,20 @@ TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
 {
   const auto scene = floorAndWall().noise (1_cm).build();
   const auto samples = samplesOf (scene, 0.05);
-  std::size_t more = 0;
+  std::size_t more_inliers = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     RansacParameters parameters = withinFiveCentimeters();
-    // The wall is half as large as the floor: no seed may miss that.
+    // The wall is half as large as the floor. So many draws hit the floor with any
+    // seed.
     parameters.paper_only.probability = 1.0 - 1e-9;
-    const ExtractedPlane grown = largest (samples, parameters, seed);
+    const ExtractedPlane grown = largestAmong (samples, parameters, seed);
     parameters.paper_only.local_optimization = false;
-    const ExtractedPlane plain = largest (samples, parameters, seed);
+    const ExtractedPlane plain = largestAmong (samples, parameters, seed);
     EXPECT_GE (grown.inliers.size(), plain.inliers.size());
-    more += grown.inliers.size() - plain.inliers.size();
+    more_inliers += grown.inliers.size() - plain.inliers.size();
     EXPECT_TRUE (isNear (grown.plane, scene.surfaces[0], 1_deg, 1_cm));
   }
-  EXPECT_GT (more, 0u);
+  EXPECT_GT (more_inliers, 0u);
 }
 
 TEST (ExtractAll, FindsTheLargestFirstAndTakesThemOutOfSamplesAndRemainingPoints)
@@ -200,7 +204,7 @@ TEST (ExtractAll, FindsTheLargestFirstAndTakesThemOutOfSamplesAndRemainingPoints
   Candidates candidates{samples, upTo (samples.size()), &remaining};
   const auto planes = extractAll (candidates, withinFiveCentimeters(), generator);
   ASSERT_EQ (planes.size(), 2u);
-  Indices all = candidates.left;
+  Indices all = candidates.samples_left;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     EXPECT_TRUE (isNear (planes[p].plane, scene.surfaces[p], 1_deg, 1_cm));
     EXPECT_EQ (countWithinDistance (remaining, planes[p].plane, 5_cm), 0u);
@@ -208,5 +212,5 @@ TEST (ExtractAll, FindsTheLargestFirstAndTakesThemOutOfSamplesAndRemainingPoints
   }
   std::sort (all.begin(), all.end());
   EXPECT_EQ (all, upTo (samples.size()));
-  EXPECT_EQ (remaining.size(), candidates.left.size());
+  EXPECT_EQ (remaining.size(), candidates.samples_left.size());
 }

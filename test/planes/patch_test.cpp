@@ -11,7 +11,7 @@ TEST (Patch, OfARectangleIsTheRectangle)
 {
   const Patch patch =
       patchOf (board ({5, 0, 1}, Vector3d::UnitZ(), {3.0, 2.0})).value();
-  EXPECT_TRUE (patch.half.isApprox (Eigen::Vector2d (1.5, 1.0), 0.01));
+  EXPECT_TRUE (patch.half_sides.isApprox (Eigen::Vector2d (1.5, 1.0), 0.01));
   EXPECT_NEAR (std::abs (patch.axes (0, 0)), 1.0, 1e-6) << "its long side is along x";
   EXPECT_NEAR (patch.area(), 6.0, 0.1);
 }
@@ -26,9 +26,10 @@ TEST (Patch, OfPointsOnALineIsNone)
 
 TEST (CommonArea, IsThatOfTheOverlapOfTwoSquares)
 {
+  // A square of 2 m x 2 m around (x, 0), turned by an angle.
   const auto square = [] (double x, double turn) {
     Patch patch;
-    patch.half = {1.0, 1.0};
+    patch.half_sides = {1.0, 1.0};
     return moved (Eigen::Translation3d (x, 0, 0) *
                       Eigen::AngleAxisd (turn, Vector3d::UnitZ()),
                   patch);

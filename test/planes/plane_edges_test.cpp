@@ -32,9 +32,10 @@ edgesOf (const LabelledScene& scene, const PlaneEdgeParameters& parameters = {})
   return findPlaneEdges (*scene.cloud, planesOf (scene), parameters);
 }
 
-/** \brief Builds a scene whose last surface belongs to the plane with this index. */
+/** \brief Builds a scene and gives the points of its last surface to a plane before it.
+ */
 LabelledScene
-withLastIn (int plane, Scene scene)
+withLastSurfaceOnPlane (int plane, Scene scene)
 {
   LabelledScene built = scene.build();
   const auto last = static_cast<int> (built.surfaces.size()) - 1;
@@ -43,7 +44,7 @@ withLastIn (int plane, Scene scene)
   return built;
 }
 
-/** \brief A floor and two walls of 4 m, 3 m and 2.5 m that meet at zero. */
+/** \brief A floor of 4 m x 3 m and two walls, 2.5 m high, that meet at zero. */
 Scene
 corner ()
 {
@@ -65,21 +66,27 @@ edgeBetween (const PlaneEdges& found, std::size_t first, std::size_t second)
   return edge;
 }
 
-/** \brief Fails unless an edge ends near these two points, in either order. */
+/** \brief Fails unless the ends of an edge are near these two, in either order. */
 void
-expectRuns (const PlaneEdge& edge, Vector3d from, Vector3d to, double tolerance)
+expectRuns (const PlaneEdge& edge,
+            const Vector3d& one_end,
+            const Vector3d& other_end,
+            double max_distance)
 {
-  if ((edge.from - from).norm() > (edge.from - to).norm())
-    std::swap (from, to);
-  EXPECT_LT ((edge.from - from).norm(), tolerance) << edge.from.transpose();
-  EXPECT_LT ((edge.to - to).norm(), tolerance) << edge.to.transpose();
+  const bool begins_at_other_end =
+      (edge.from - one_end).norm() > (edge.from - other_end).norm();
+  const Vector3d& from = begins_at_other_end ? other_end : one_end;
+  const Vector3d& to = begins_at_other_end ? one_end : other_end;
+  EXPECT_LT ((edge.from - from).norm(), max_distance) << edge.from.transpose();
+  EXPECT_LT ((edge.to - to).norm(), max_distance) << edge.to.transpose();
 }
 
 } // namespace
 
 TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
 {
-  PlaneEdgeParameters usual, far_reaching; // the corner is near both ends then
+  // With a gap of 100 m the corner is near both ends of each edge.
+  PlaneEdgeParameters usual, far_reaching;
   far_reaching.max_gap = 100_m;
   for (const PlaneEdgeParameters& parameters : {usual, far_reaching}) {
     const PlaneEdges found = edgesOf (corner().build(), parameters);
@@ -109,26 +116,28 @@ TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
 
 TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
 {
-  Scene scene; // the wall stands where the floor is not, but its hull is
+  Scene scene; // the wall stands within the hull of the L, where no floor is
   scene.surface ({0, 0, 0}, {4, 0, 0}, {0, 1, 0}).wall ({3, 2}, {4, 2}, 2_m);
   scene.surface ({0, 1, 0}, {1, 0, 0}, {0, 3, 0});
-  EXPECT_TRUE (edgesOf (withLastIn (0, scene)).edges.empty());
+  EXPECT_TRUE (edgesOf (withLastSurfaceOnPlane (0, scene)).edges.empty());
 }
 
 TEST (PlaneEdges, AreTwoWhereADoorOpens)
 {
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 1}, {1, 1}, 2.5_m).wall ({2, 1}, {4, 1}, 2.5_m);
-  const LabelledScene built = withLastIn (1, scene);
+  const LabelledScene built = withLastSurfaceOnPlane (1, scene);
   const PlaneEdges found = edgesOf (built);
   ASSERT_EQ (found.edges.size(), 2u);
-  const bool is_upwards = found.edges[0].from.x() < found.edges[1].from.x();
-  expectRuns (found.edges[is_upwards ? 0 : 1], {0, 1, 0}, {1, 1, 0}, 10_cm);
-  expectRuns (found.edges[is_upwards ? 1 : 0], {2, 1, 0}, {4, 1, 0}, 10_cm);
+  const bool is_left_first = found.edges[0].from.x() < found.edges[1].from.x();
+  const PlaneEdge& left_of_door = found.edges[is_left_first ? 0 : 1];
+  const PlaneEdge& right_of_door = found.edges[is_left_first ? 1 : 0];
+  expectRuns (left_of_door, {0, 1, 0}, {1, 1, 0}, 10_cm);
+  expectRuns (right_of_door, {2, 1, 0}, {4, 1, 0}, 10_cm);
 
-  PlaneEdgeParameters closed;
-  closed.max_gap = 1.2_m;
-  EXPECT_EQ (edgesOf (built, closed).edges.size(), 1u);
+  PlaneEdgeParameters over_door;
+  over_door.max_gap = 1.2_m;
+  EXPECT_EQ (edgesOf (built, over_door).edges.size(), 1u);
 }
 
 TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
@@ -145,22 +154,22 @@ TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
 
 TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
 {
-  Scene scene; // the second wall is one meter short of the first, where they'd meet
+  Scene scene; // the second wall ends 1 m before the first one, which it would meet
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
   scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // but for its upper end
-  const LabelledScene built = withLastIn (2, scene);
+  const LabelledScene built = withLastSurfaceOnPlane (2, scene);
   std::vector<PlaneSegment> planes = planesOf (built);
   for (int order = 0; order < 3; ++order) {
     const PlaneEdges found = findPlaneEdges (*built.cloud, planes);
     EXPECT_EQ (found.edges.size(), 3u);
-    EXPECT_TRUE (found.corners.empty()) << "edges of each two, at no common place";
+    EXPECT_TRUE (found.corners.empty()) << "edges of each two that end apart";
     std::rotate (planes.begin(), planes.begin() + 1, planes.end());
   }
 }
 
 TEST (PlaneEdges, AreAsManyAsPlanesMeet)
 {
-  const auto with = [] (auto member, double value) {
+  const auto parametersWith = [] (auto member, double value) {
     PlaneEdgeParameters parameters;
     parameters.*member = value;
     return parameters;
@@ -169,10 +178,11 @@ TEST (PlaneEdges, AreAsManyAsPlanesMeet)
     const Vector3d up (2 * std::cos (angle), 0, 2 * std::sin (angle));
     return Scene().floor (2_m, 2_m).surface ({2, 0, 0}, up, {0, 2, 0});
   };
+  // A wall at one end of a floor that begins at x, this far above the floor.
   const auto wallAt = [] (double x, double height) {
     return Scene().floor (2_m, 1_m).surface ({x, 0, height}, {2, 0, 0}, {0, 0, 1});
   };
-  const auto steep = with (&PlaneEdgeParameters::min_angle, 15_deg);
+  const auto steep = parametersWith (&PlaneEdgeParameters::min_angle, 15_deg);
   const Scene parallel = Scene().wall ({0, 0}, {4, 0}, 2).wall ({0, 1}, {4, 1}, 2);
   const Scene above = wallAt (0.0, 0.07).spacing (1_cm);
   const struct {
@@ -180,16 +190,21 @@ TEST (PlaneEdges, AreAsManyAsPlanesMeet)
     Scene scene;
     PlaneEdgeParameters parameters;
     std::size_t edges;
-  } rows[] = {
-      {"parallel walls", parallel, {}, 0},
-      {"a slope of 10 degrees", ramp (10_deg), steep, 0},
-      {"one of 20", ramp (20_deg), steep, 1},
-      {"one line, but not at the same places", wallAt (2.5, 0.0), {}, 0},
-      {"a wall that ends above the floor", wallAt (0.0, 0.3), {}, 0},
-      {"in reach", wallAt (0.0, 0.3), with (&PlaneEdgeParameters::reach, 0.4), 1},
-      {"7 cm above", Scene (above).noise (1_mm), {}, 0},
-      {"which noise may do as well", Scene (above).noise (2_cm), {}, 1},
-      {"an edge too short", corner(), with (&PlaneEdgeParameters::min_length, 2.8), 2}};
+  } rows[] = {{"parallel walls", parallel, {}, 0},
+              {"a slope of 10 degrees", ramp (10_deg), steep, 0},
+              {"one of 20", ramp (20_deg), steep, 1},
+              {"one line, but not at the same places", wallAt (2.5, 0.0), {}, 0},
+              {"a wall that ends above the floor", wallAt (0.0, 0.3), {}, 0},
+              {"in reach",
+               wallAt (0.0, 0.3),
+               parametersWith (&PlaneEdgeParameters::reach, 0.4),
+               1},
+              {"7 cm above", Scene (above).noise (1_mm), {}, 0},
+              {"which noise may do as well", Scene (above).noise (2_cm), {}, 1},
+              {"an edge too short",
+               corner(),
+               parametersWith (&PlaneEdgeParameters::min_length, 2.8),
+               2}};
   for (const auto& row : rows) {
     const PlaneEdges found = edgesOf (Scene (row.scene).build(), row.parameters);
     EXPECT_EQ (found.edges.size(), row.edges) << row.planes;

@@ -11,8 +11,8 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr double board_length = 1.0;
-constexpr double board_width = 0.6;
+constexpr double board_length = 1.0; // [m]
+constexpr double board_width = 0.6;  // [m]
 
 PlaneExtent
 extentOf (const Cloud& cloud, const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ())
@@ -42,11 +42,12 @@ scatteredBoard (int points, double noise)
     const double x = board_length * drawUnit (generator);
     const double y = board_width * drawUnit (generator);
     cloud.push_back (
-        toPoint (Eigen::Vector3d (x, y, 0.0) + noise * drawNormals (generator)));
+        toPoint (Eigen::Vector3d (x, y, 0.0) + noise * drawGaussians (generator)));
   }
   return cloud;
 }
 
+/** \brief Fails unless the extent is that of the board, up to a relative tolerance. */
 void
 expectBoard (const PlaneExtent& extent, double tolerance)
 {
@@ -91,7 +92,7 @@ extentOnGround (const PlanarPoints& points)
   return pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
 }
 
-/** \brief The extent of points of the ground that span no area. */
+/** \brief The extent of points of the ground; fails if they span an area. */
 PlaneExtent
 flatExtent (const PlanarPoints& points)
 {
@@ -113,12 +114,12 @@ pointsOverManyDecades (std::uint32_t seed)
   PlanarPoints points (600);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (Eigen::Vector2d& point : points) {
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
     for (int axis = 0; axis < 3; ++axis) {
       const double sign = drawUnit (generator) < 0.5 ? -1.0 : 1.0;
-      place[axis] = sign * std::pow (10.0, 23.0 * drawUnit (generator) - 10.0);
+      position[axis] = sign * std::pow (10.0, 23.0 * drawUnit (generator) - 10.0);
     }
-    point = (frame * place).head<2>();
+    point = (frame * position).head<2>();
     sum += point;
   }
   for (Eigen::Vector2d& point : points)
@@ -188,7 +189,8 @@ TEST (PlaneExtent, RunsCounterClockwiseSeenFromTheSideOfTheNormal)
 
 TEST (PlaneExtent, OfABoardFarAwayIsThatOfABoardNearBy)
 {
-  // At 10^6 m the numbers of a float are 6 cm apart: a board of 100 m feels only that.
+  // At 10^6 m the numbers of a float are 6 cm apart: little for a board of 100 m x 60
+  // m.
   Cloud cloud = gridOf (1_m, 0.6_m);
   for (pcl::PointXYZ& point : cloud)
     point = toPoint ({1e6 + 100.0 * point.x, -1e6 + 100.0 * point.y, 1e6});
@@ -220,10 +222,10 @@ TEST (PlaneExtent, OfNoPointsIsNothingAndOfEqualOnesAPoint)
 {
   EXPECT_EQ (flatExtent ({}).length, 0.0);
   for (const std::size_t number : {1u, 2u, 3u, 5000u}) {
-    const Eigen::Vector2d place (3.0, 4.0);
-    const PlaneExtent extent = flatExtent (PlanarPoints (number, place));
+    const Eigen::Vector2d point (3.0, 4.0);
+    const PlaneExtent extent = flatExtent (PlanarPoints (number, point));
     EXPECT_EQ (extent.length, 0.0);
-    EXPECT_TRUE (extent.center.isApprox (ground.toSpace (place)));
+    EXPECT_TRUE (extent.center.isApprox (ground.toSpace (point)));
   }
 }
 
@@ -254,7 +256,8 @@ TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangleAndOthersAreLeftOut)
 
 TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
 {
-  // A square without one corner, each in turn: along the cut it needs more.
+  // A square of 1 m without one of its corners, each in turn. A rectangle along the cut
+  // has a larger area than the square.
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5}) {
       const PlanarPoints points = {
@@ -277,20 +280,21 @@ TEST (PlaneExtent, RefusesInliersOutsideTheCloud)
 
 TEST (ConvexHull, HasTheFourCornersOfALatticeAlone)
 {
-  for (const int last : {10, 100}) { // of many points most are set aside
+  for (const int edge : {10, 100}) { // of many points most are set aside
     PlanarPoints lattice;
-    for (int x = 0; x <= last; ++x)
-      for (int y = 0; y <= last; ++y)
+    for (int x = 0; x <= edge; ++x)
+      for (int y = 0; y <= edge; ++y)
         lattice.emplace_back (x, y);
     const PlanarPoints hull = pcl_ops::convexHull (lattice, 0.0);
     EXPECT_EQ (hull.size(), 4u);
-    EXPECT_EQ (areaOf (hull), 1.0 * last * last) << "above 0: counter-clockwise";
+    EXPECT_EQ (areaOf (hull), 1.0 * edge * edge) << "counter-clockwise: above 0";
   }
 }
 
 TEST (ConvexHull, HasAllPointsOverManyDecadesInside)
 {
-  constexpr double rounding = 1e-9 * 1e13;
+  constexpr double largest_coordinate = 1e13;
+  constexpr double rounding = 1e-9 * largest_coordinate;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     const PlanarPoints points = pointsOverManyDecades (seed);
     const PlanarPoints hull = pcl_ops::convexHull (points, 0.0);

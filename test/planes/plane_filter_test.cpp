@@ -20,7 +20,8 @@ planeOf (const Vector3d& normal, Orientation orientation, std::size_t points)
   return plane;
 }
 
-/** \brief A floor of 400 points, a wall of 300, a roof tilted by 30 degrees of 200. */
+/** \brief A floor of 400 points, a wall of 300 points and a roof of 200 points, which
+ * is tilted by 30 degrees. */
 std::vector<PlaneSegment>
 house ()
 {
@@ -40,6 +41,7 @@ extentByPoints (const PlaneSegment& plane)
   return extent;
 }
 
+/** \brief For filters that need no extent. */
 PlaneExtent
 neverAsked (const PlaneSegment& /*plane*/)
 {
@@ -47,9 +49,10 @@ neverAsked (const PlaneSegment& /*plane*/)
   return {};
 }
 
-/** \brief The number of points of each plane that is left. */
+/** \brief The number of points of each plane of the house that is left; fails if the
+ * others are not all dropped for the same reason. */
 std::vector<std::size_t>
-left (const PlaneFilter& filter, std::size_t DroppedPlanes::*reason)
+leftOfHouse (const PlaneFilter& filter, std::size_t DroppedPlanes::*reason)
 {
   std::vector<PlaneSegment> planes = house();
   const DroppedPlanes dropped = filterPlanes (planes, filter, extentByPoints);
@@ -78,8 +81,8 @@ TEST (PlaneFilter, KeepsWhatItIsAskedFor)
   const auto towards = [&] (const Vector3d& direction, double tolerance) {
     return with (&F::direction, direction, with (&F::direction_tolerance, tolerance));
   };
-  const F along_x = with (&F::up_axis, Vector3d (3, 0, 0));
-  const F many = with (&F::min_points, 201);
+  const F up_along_x = with (&F::up_axis, Vector3d (3, 0, 0));
+  const F without_roof = with (&F::min_points, 201);
   const struct {
     F filter;
     std::size_t D::*reason;
@@ -97,15 +100,15 @@ TEST (PlaneFilter, KeepsWhatItIsAskedFor)
       {with (&F::max_width, 2.5), &D::by_max_width, {200}},
       {with (&F::slope, Slopes{5_deg, 29.9_deg}), &D::by_slope, {}},
       {with (&F::slope, Slopes{5_deg, 30.1_deg}), &D::by_slope, {200}},
-      {with (&F::slope, Slopes{0, 60.1_deg}, along_x), &D::by_slope, {300, 200}},
+      {with (&F::slope, Slopes{0, 60.1_deg}, up_along_x), &D::by_slope, {300, 200}},
       {with (&F::size, Size{10.0, 3.0, 0.01}), &D::by_size, {300}},
       {with (&F::size, Size{2.5, 10.4, 0.51}), &D::by_size, {300, 200}},
       {with (&F::size, Size{2.5, 11.0, 0.51}), &D::by_size, {}},
       {with (&F::max_planes, 2), &D::by_number, {400, 300}},
-      {with (&F::max_planes, 2, many), &D::by_points, {400, 300}}};
+      {with (&F::max_planes, 2, without_roof), &D::by_points, {400, 300}}};
   for (std::size_t row = 0; row < std::size (rows); ++row) {
     SCOPED_TRACE (row);
-    EXPECT_EQ (left (rows[row].filter, rows[row].reason), rows[row].left);
+    EXPECT_EQ (leftOfHouse (rows[row].filter, rows[row].reason), rows[row].left);
   }
 }
 

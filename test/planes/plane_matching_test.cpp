@@ -37,6 +37,7 @@ seenFrom (const Isometry3d& pose, Planes planes)
   return planes;
 }
 
+/** \brief A turn about an axis through zero, and then a shift [m]. */
 Isometry3d
 motion (double degrees, const Vector3d& axis, const Vector3d& shift)
 {
@@ -44,21 +45,26 @@ motion (double degrees, const Vector3d& axis, const Vector3d& shift)
          Eigen::AngleAxisd (degrees * 1_deg, axis.normalized());
 }
 
-const Isometry3d stays = Isometry3d::Identity();
+/** \brief For trackers that forget no plane by the number of frames. */
+constexpr std::nullopt_t never_by_frames = std::nullopt;
 
-const Labels each{0, 1, 2, 3, 4};
+const Isometry3d no_motion = Isometry3d::Identity();
+
+/** \brief The matches where the planes of roomCorner() come in the same order. */
+const Labels each_itself{0, 1, 2, 3, 4};
 
 } // namespace
 
 TEST (MatchPlanes, FindsEachPlaneOfAFrameInItselfInAnyOrder)
 {
   const Planes all = roomCorner();
-  EXPECT_EQ (matchPlanes (all, all).previous, each);
+  EXPECT_EQ (matchPlanes (all, all).previous, each_itself);
   EXPECT_EQ (matchPlanes (all, {all[4], all[1]}).previous, (Labels{4, 1}));
-  PlaneMatchingParameters all_of_it;
-  all_of_it.min_overlap = 1.0;
+  PlaneMatchingParameters whole_overlap;
+  whole_overlap.min_overlap = 1.0;
   const Planes turned = seenFrom (motion (40, {0, 0.2, 1}, {1, 0.5, 0}), all);
-  EXPECT_EQ (matchPlanes (turned, turned, stays, all_of_it).previous, each);
+  EXPECT_EQ (matchPlanes (turned, turned, no_motion, whole_overlap).previous,
+             each_itself);
 }
 
 TEST (MatchPlanes, TakesThePoseAsThatOfTheCurrentFrameInThePrevious)
@@ -67,7 +73,7 @@ TEST (MatchPlanes, TakesThePoseAsThatOfTheCurrentFrameInThePrevious)
   const Planes current = seenFrom (pose, roomCorner());
   PlaneMatchingParameters exact;
   exact.rotation_error = exact.translation_error = 0.001;
-  EXPECT_EQ (matchPlanes (roomCorner(), current, pose, exact).previous, each);
+  EXPECT_EQ (matchPlanes (roomCorner(), current, pose, exact).previous, each_itself);
   const Labels inverted =
       matchPlanes (roomCorner(), current, pose.inverse(), exact).previous;
   EXPECT_EQ (std::count (inverted.begin(), inverted.end(), no_plane), 5);
@@ -79,18 +85,19 @@ TEST (MatchPlanes, MendsAPoseThatIsOffUntilShelvesAreTheRightOnes)
   const Isometry3d error = motion (4, Vector3d::UnitX(), {0.03, 0, 0.02});
   const PlaneMatches matches =
       matchPlanes (roomCorner(), seenFrom (error, roomCorner()));
-  EXPECT_EQ (matches.previous, each);
+  EXPECT_EQ (matches.previous, each_itself);
   EXPECT_TRUE (matches.pose.isApprox (error, 0.005)) << matches.pose.matrix();
 }
 
 TEST (MatchPlanes, LetsOnePlaneAloneOfTheCurrentFrameTellWhereAPreviousOneIs)
 {
-  // A mat on the floor, 1 cm thick, that was not there before: the floor is taken.
+  // A mat on the floor, 1 cm thick, that was not there before. The floor before matches
+  // the floor now, and the mat tells nothing about the pose.
   Planes current = roomCorner();
   current.push_back (board ({0, 3, -0.99}, Vector3d::UnitZ(), {3.5, 3.5}));
   const PlaneMatches matches = matchPlanes (roomCorner(), current);
   EXPECT_EQ (matches.previous, (Labels{0, 1, 2, 3, 4, no_plane}));
-  EXPECT_TRUE (matches.pose.isApprox (stays, 1e-6)) << matches.pose.matrix();
+  EXPECT_TRUE (matches.pose.isApprox (no_motion, 1e-6)) << matches.pose.matrix();
 }
 
 TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
@@ -101,8 +108,9 @@ TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
       rough.rotation_error = degrees * 1_deg;
       const Isometry3d error = motion (degrees, axis, {0, 0, 0});
       const PlaneMatches matches =
-          matchPlanes (roomCorner(), seenFrom (error, roomCorner()), stays, rough);
-      EXPECT_EQ (matches.previous, each) << degrees << " about " << axis.transpose();
+          matchPlanes (roomCorner(), seenFrom (error, roomCorner()), no_motion, rough);
+      EXPECT_EQ (matches.previous, each_itself)
+          << degrees << " about " << axis.transpose();
     }
 }
 
@@ -123,7 +131,7 @@ partOfWall (double x, double width)
 }
 
 struct MatchingCase {
-  const char* name; // after "MatchPlanes"
+  const char* name; // of the test
   Planes previous;
   Planes current;
   PlaneMatchingParameters parameters;
@@ -178,7 +186,8 @@ matchingCases ()
        {table},
        withTranslationError (0.2),
        {0}},
-      {"TakesAPlaneWithinThreeStandardDeviationsOfThreeNumbers", // 3.76 of one
+      // Three standard deviations of three numbers are 3.76 of one: 0.376 m.
+      {"TakesAPlaneWithinThreeStandardDeviationsOfThreeNumbers",
        {floor},
        {levelBoard (0, 0.35, 1)},
        withTranslationError (0.1),
@@ -245,17 +254,18 @@ INSTANTIATE_TEST_SUITE_P (MatchPlanes,
 TEST_P (MatchPlanesCases, AreAsNamed)
 {
   const MatchingCase& row = GetParam();
-  EXPECT_EQ (matchPlanes (row.previous, row.current, stays, row.parameters).previous,
-             row.expected);
+  EXPECT_EQ (
+      matchPlanes (row.previous, row.current, no_motion, row.parameters).previous,
+      row.expected);
 }
 
 TEST (MatchPlanes, RefusesWrongArguments)
 {
   PlaneMatchingParameters wrong;
   wrong.min_overlap = 1.1;
-  EXPECT_THROW (matchPlanes ({}, {}, stays, wrong), std::invalid_argument);
+  EXPECT_THROW (matchPlanes ({}, {}, no_motion, wrong), std::invalid_argument);
   EXPECT_THROW (PlaneTracker{wrong}, std::invalid_argument);
-  Isometry3d nowhere = stays;
+  Isometry3d nowhere = no_motion;
   nowhere.translation().x() = NAN;
   EXPECT_THROW (matchPlanes ({}, {}, nowhere), std::invalid_argument);
 }
@@ -266,23 +276,24 @@ TEST (PlaneTracker, KnowsAPlaneWhereEarlierFramesSawIt)
   for (const auto& [from, to] : {std::pair (0.0, 4.0), {3.0, 5.0}, {0.0, 1.4}}) {
     const Vector3d middle (0.5 * (from + to), 3, -1);
     const Planes floor = {board (middle, Vector3d::UnitZ(), {to - from, 2})};
-    EXPECT_EQ (tracker.track (floor, stays), Numbers{1});
+    EXPECT_EQ (tracker.track (floor, no_motion), Numbers{1});
   }
 }
 
 TEST (PlaneTracker, KnowsAPlaneAgainThatWasOutOfSightUnlessToldToForgetIt)
 {
-  PlaneTracker forgets ({}, 2), remembers;
+  constexpr std::size_t frames_to_forget = 2;
+  PlaneTracker forgets ({}, frames_to_forget), remembers;
   const Planes all = roomCorner();
   const Planes without_shelf = {all[0], all[1], all[2], all[3]};
-  for (const int frames : {2, 3})
+  for (const std::size_t frames : {frames_to_forget, frames_to_forget + 1})
     for (PlaneTracker* const tracker : {&forgets, &remembers}) {
-      tracker->track (all, stays);
-      for (int i = 0; i < frames; ++i)
-        tracker->track (without_shelf, stays);
-      const bool is_known = tracker == &remembers || frames == 2;
+      tracker->track (all, no_motion);
+      for (std::size_t i = 0; i < frames; ++i)
+        tracker->track (without_shelf, no_motion);
+      const bool is_known = tracker == &remembers || frames <= frames_to_forget;
       EXPECT_EQ (tracker->planes().size(), is_known ? 5u : 4u);
-      EXPECT_EQ (tracker->track (all, stays),
+      EXPECT_EQ (tracker->track (all, no_motion),
                  (Numbers{1, 2, 3, 4, is_known ? 5u : 6u}));
     }
 }
@@ -302,14 +313,14 @@ TEST (PlaneTracker, StaysRigidWhereGivenPosesAreRounded)
 TEST (PlaneTracker, FollowsASensorThatDrifts)
 {
   PlaneTracker tracker;
-  Isometry3d truth = stays, told = stays;
+  Isometry3d true_pose = no_motion, told_pose = no_motion;
   for (int i = 0; i < 30; ++i) {
-    EXPECT_EQ (tracker.track (seenFrom (truth, roomCorner()), told),
+    EXPECT_EQ (tracker.track (seenFrom (true_pose, roomCorner()), told_pose),
                (Numbers{1, 2, 3, 4, 5}))
         << i;
-    EXPECT_TRUE (tracker.pose().isApprox (truth, 0.015)) << tracker.pose().matrix();
-    truth = truth * motion (1, Vector3d::UnitZ(), {0.01, 0.02, 0});
-    told = told * motion (2, Vector3d::UnitZ(), {0.02, 0.02, 0.01});
+    EXPECT_TRUE (tracker.pose().isApprox (true_pose, 0.015)) << tracker.pose().matrix();
+    true_pose = true_pose * motion (1, Vector3d::UnitZ(), {0.01, 0.02, 0});
+    told_pose = told_pose * motion (2, Vector3d::UnitZ(), {0.02, 0.02, 0.01});
   }
 }
 
@@ -331,8 +342,9 @@ TEST (PlaneTracker, CountsTheFramesOfEachPlane)
   const PlaneSegment floor = roomCorner()[0], wall = roomCorner()[1];
   PlaneTracker tracker;
   for (const Planes& frame : {Planes{floor}, {floor, wall}, {wall}, {floor}})
-    tracker.track (frame, stays);
-  std::vector<std::array<std::size_t, 3>> seen;
+    tracker.track (frame, no_motion);
+  std::vector<std::array<std::size_t, 3>>
+      seen; // first and last frame, number of frames
   for (const TrackedPlane& plane : tracker.planes())
     seen.push_back ({plane.first_seen, plane.last_seen, plane.times_seen});
   EXPECT_EQ (seen, (decltype (seen){{0, 3, 3}, {1, 2, 2}}));
@@ -342,7 +354,7 @@ TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
 {
   PlaneTracker tracker;
   for (const double x : {0.0, 1.0, 2.0, 1.0})
-    tracker.track ({board ({x, 3, -1}, Vector3d::UnitZ(), {2, 1})}, stays);
+    tracker.track ({board ({x, 3, -1}, Vector3d::UnitZ(), {2, 1})}, no_motion);
   ASSERT_EQ (tracker.planes().size(), 1U);
   const PlaneExtent& extent = tracker.planes()[0].extent;
   EXPECT_NEAR (extent.length, 4.0, 0.02);
@@ -354,11 +366,15 @@ TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
 
 TEST (PlaneTracker, KeepsAPlaneWhoseNearestPartMayBeWithinTheDistance)
 {
-  // A board of 4 m x 3 m reaches some 2.5 m from its middle.
-  for (const auto& [to_middle, planes] :
-       {std::pair<double, std::size_t>{7.3, 1}, {8.0, 0}}) {
-    PlaneTracker tracker ({}, std::nullopt, 5.0);
-    tracker.track ({board ({0, 0, 0}, Vector3d::UnitZ(), {4, 3})}, stays);
+  // A board of 4 m x 3 m reaches up to 2.5 m from its middle.
+  constexpr double max_distance = 5_m;
+  const struct {
+    double to_middle; // [m]
+    std::size_t planes;
+  } rows[] = {{7.3_m, 1}, {8.0_m, 0}};
+  for (const auto& [to_middle, planes] : rows) {
+    PlaneTracker tracker ({}, never_by_frames, max_distance);
+    tracker.track ({board ({0, 0, 0}, Vector3d::UnitZ(), {4, 3})}, no_motion);
     tracker.track ({}, motion (0, Vector3d::UnitZ(), {to_middle, 0, 0}));
     EXPECT_EQ (tracker.planes().size(), planes) << to_middle;
   }
@@ -366,13 +382,14 @@ TEST (PlaneTracker, KeepsAPlaneWhoseNearestPartMayBeWithinTheDistance)
 
 TEST (PlaneTracker, ForgetsPlanesFartherThanTold)
 {
-  PlaneTracker tracker ({}, std::nullopt, 5.0);
-  const auto goesOn = [&] (double x) {
+  constexpr double max_distance = 5_m;
+  PlaneTracker tracker ({}, never_by_frames, max_distance);
+  const auto planesAfterMovingTo = [&] (double x) {
     tracker.track ({}, motion (0, Vector3d::UnitZ(), {x, 0, 0}));
     return tracker.planes().size();
   };
-  tracker.track ({board ({0, 0, -1}, Vector3d::UnitZ(), {2, 2})}, stays);
-  EXPECT_EQ (goesOn (5), 1U) << "its near side is 4 m away";
-  EXPECT_EQ (goesOn (7), 0U);
-  EXPECT_THROW (PlaneTracker ({}, std::nullopt, -1.0), std::invalid_argument);
+  tracker.track ({board ({0, 0, -1}, Vector3d::UnitZ(), {2, 2})}, no_motion);
+  EXPECT_EQ (planesAfterMovingTo (5), 1U) << "its near side is 4 m away";
+  EXPECT_EQ (planesAfterMovingTo (7), 0U);
+  EXPECT_THROW (PlaneTracker ({}, never_by_frames, -1.0), std::invalid_argument);
 }

@@ -25,31 +25,34 @@ piecesOf (const Cloud& cloud, const PlanePiecesParameters& parameters = {})
   return findPlanePieces (cloud, {planeOf (cloud)}, parameters);
 }
 
-/** \brief A square of points 1 cm apart. */
+/** \brief Adds a square of steps x steps points 1 cm apart, with a corner at (x, y). */
 void
-addSquare (int side, double x, double y, Cloud& cloud)
+addSquare (int steps, double x, double y, Cloud& cloud)
 {
-  for (int i = 0; i < side; ++i)
-    for (int j = 0; j < side; ++j)
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j)
       cloud.push_back (toPoint ({x + spacing * i, y + spacing * j, 0.0}));
 }
 
-/** \brief 8 x 8 squares of 6 x 6 points.
- * \param[in] gap from one square to the next, in spacings of points */
+constexpr std::size_t tiles_of_floor = 8 * 8;
+
+/** \brief 8 x 8 tiles of 6 x 6 points.
+ * \param[in] gap from one tile to the next, in spacings of points */
 Cloud
-checkerboard (double gap)
+tiledFloor (double gap)
 {
-  constexpr int side = 6, squares = 8;
-  const double step = spacing * (side - 1 + gap);
+  constexpr int points = 6, tiles = 8; // along an edge
+  const double step = spacing * (points - 1 + gap);
   Cloud cloud;
-  for (int i = 0; i < squares; ++i)
-    for (int j = 0; j < squares; ++j)
-      addSquare (side, step * i, step * j, cloud);
+  for (int i = 0; i < tiles; ++i)
+    for (int j = 0; j < tiles; ++j)
+      addSquare (points, step * i, step * j, cloud);
   return cloud;
 }
 
-/** \brief What a lidar 1.7 m above the ground sees of it: beams from -15 degrees on,
- * each one 2 degrees higher, and 1,800 directions. */
+/** \brief What a lidar 1.7 m above the ground sees of it: the lowest beam is 15 degrees
+ * below the horizon, each next one 2 degrees higher; each beam has 1,800 points.
+ * \param[in] noise standard deviation of the ranges [m] */
 Cloud
 rings (int beams, double noise)
 {
@@ -61,23 +64,23 @@ rings (int beams, double noise)
     for (int i = 0; i < directions; ++i) {
       const double azimuth = 360.0_deg * i / directions;
       const double range = height / std::tan ((15.0 - 2.0 * beam) * 1.0_deg) +
-                           noise * drawNormal (generator);
+                           noise * drawGaussian (generator);
       cloud.push_back (
           toPoint ({range * std::cos (azimuth), range * std::sin (azimuth), 0.0}));
     }
   return cloud;
 }
 
-/** \brief The places of the points of each piece, sorted. */
+/** \brief The positions of the points of each piece, sorted; the pieces sorted, too. */
 std::vector<std::vector<std::array<float, 3>>>
-placesOf (const PlanePieces& found, const Cloud& cloud)
+positionsOf (const PlanePieces& found, const Cloud& cloud)
 {
   std::vector<std::vector<std::array<float, 3>>> all;
   for (const PlaneSegment& piece : found.pieces) {
-    auto& places = all.emplace_back();
+    std::vector<std::array<float, 3>>& positions = all.emplace_back();
     for (const pcl::index_t index : piece.inliers)
-      places.push_back ({cloud[index].x, cloud[index].y, cloud[index].z});
-    std::sort (places.begin(), places.end());
+      positions.push_back ({cloud[index].x, cloud[index].y, cloud[index].z});
+    std::sort (positions.begin(), positions.end());
   }
   std::sort (all.begin(), all.end());
   return all;
@@ -87,29 +90,29 @@ placesOf (const PlanePieces& found, const Cloud& cloud)
 
 TEST (PlanePieces, TilesTenSpacingsApartAreAPieceEach)
 {
-  EXPECT_EQ (piecesOf (checkerboard (10)).pieces.size(), 64u);
+  EXPECT_EQ (piecesOf (tiledFloor (10)).pieces.size(), tiles_of_floor);
 }
 
 TEST (PlanePieces, TilesSixSpacingsApartAreOnePiece)
 {
-  EXPECT_EQ (piecesOf (checkerboard (6)).pieces.size(), 1u);
+  EXPECT_EQ (piecesOf (tiledFloor (6)).pieces.size(), 1u);
 }
 
 TEST (PlanePieces, TheWidestGapIsAParameter)
 {
   PlanePiecesParameters parameters;
   parameters.max_gap = 4;
-  EXPECT_EQ (piecesOf (checkerboard (6), parameters).pieces.size(), 64u);
+  EXPECT_EQ (piecesOf (tiledFloor (6), parameters).pieces.size(), tiles_of_floor);
   parameters.max_gap = 12;
-  EXPECT_EQ (piecesOf (checkerboard (10), parameters).pieces.size(), 1u);
+  EXPECT_EQ (piecesOf (tiledFloor (10), parameters).pieces.size(), 1u);
 }
 
 TEST (PlanePieces, TheGapIsAMultipleOfTheSpacingWhateverThatIs)
 {
-  Cloud cloud = checkerboard (10);
+  Cloud cloud = tiledFloor (10);
   for (pcl::PointXYZ& point : cloud)
     point.getVector3fMap() *= 50.0f;
-  EXPECT_EQ (piecesOf (cloud).pieces.size(), 64u);
+  EXPECT_EQ (piecesOf (cloud).pieces.size(), tiles_of_floor);
 }
 
 TEST (PlanePieces, TilesOfScatteredPointsAreAPieceEach)
@@ -157,9 +160,9 @@ TEST (PlanePieces, AFineTileBesideACoarseOneIsApartByItsOwnSpacing)
 TEST (PlanePieces, ComeByFallingSizeWithThePlaneTheyLieOn)
 {
   Cloud cloud;
-  addSquare (10, 0, 0, cloud);   // the first plane
-  addSquare (20, 0.5, 0, cloud); // the second one, two pieces
-  addSquare (5, 1, 0, cloud);
+  addSquare (10, 0, 0, cloud);   // 100 points of the first plane
+  addSquare (20, 0.5, 0, cloud); // 400 points of the second plane
+  addSquare (5, 1, 0, cloud);    // 25 more of it
   pcl::Indices all = upTo<pcl::Indices> (cloud.size());
   const pcl::Indices first (all.begin(), all.begin() + 100);
   const pcl::Indices second (all.begin() + 100, all.end());
@@ -210,11 +213,11 @@ TEST (PlanePieces, FewPointsArePartOfTheNearestPiece)
 {
   Cloud cloud;
   addSquare (10, 0, 0, cloud);
-  addSquare (4, 0.3, 0, cloud); // 16 points
+  addSquare (4, 0.3, 0, cloud); // 16 points, too few for a piece
   addSquare (8, 0.8, 0, cloud);
   const PlanePieces found = piecesOf (cloud);
   ASSERT_EQ (found.pieces.size(), 2u);
-  EXPECT_EQ (found.pieces[0].inliers, upTo<pcl::Indices> (116));
+  EXPECT_EQ (found.pieces[0].inliers, upTo<pcl::Indices> (100 + 16));
   PlanePiecesParameters parameters;
   parameters.min_points = 10;
   EXPECT_EQ (piecesOf (cloud, parameters).pieces.size(), 3u);
@@ -222,24 +225,25 @@ TEST (PlanePieces, FewPointsArePartOfTheNearestPiece)
 
 TEST (PlanePieces, EqualPointsCountButLeaveTheSpacingAsItIs)
 {
-  Cloud cloud = checkerboard (10);
+  Cloud cloud = tiledFloor (10);
   const std::size_t size = cloud.size();
+  constexpr int copies = 20;
   for (std::size_t i = 0; i < size; ++i)
-    for (int copy = 0; copy < 20; ++copy)
+    for (int copy = 0; copy < copies; ++copy)
       cloud.push_back (cloud[i]);
   const PlanePieces found = piecesOf (cloud);
-  EXPECT_EQ (found.pieces.size(), 64u);
-  EXPECT_EQ (found.pieces[0].inliers.size(), 36u * 21u);
+  EXPECT_EQ (found.pieces.size(), tiles_of_floor);
+  EXPECT_EQ (found.pieces[0].inliers.size(), 36u * (1u + copies));
 }
 
 TEST (PlanePieces, LeaveOutInliersWithoutCoordinates)
 {
-  Cloud cloud = checkerboard (10);
+  Cloud cloud = tiledFloor (10);
   for (std::size_t i = 0; i < cloud.size(); i += 50)
     cloud[i].x = NAN;
-  PlaneSegment plane = planeOf (checkerboard (10));
+  PlaneSegment plane = planeOf (tiledFloor (10));
   const PlanePieces found = findPlanePieces (cloud, {plane});
-  EXPECT_EQ (found.pieces.size(), 64u);
+  EXPECT_EQ (found.pieces.size(), tiles_of_floor);
   for (const PlaneSegment& piece : found.pieces)
     for (const pcl::index_t index : piece.inliers)
       EXPECT_NE (index % 50, 0);
@@ -250,31 +254,31 @@ TEST (PlanePieces, AreTheSameForAnyOrderOfThePoints)
   Cloud cloud = rings (3, 2_cm);
   addSquare (10, 100.0, 0.0, cloud);
   addSquare (3, 103.0, 0.0, cloud);
-  const auto expected = placesOf (piecesOf (cloud), cloud);
+  const auto expected = positionsOf (piecesOf (cloud), cloud);
   ASSERT_EQ (expected.size(), 2u);
-  const PlaneSegment plane = planeOf (cloud);
+  const PlaneSegment plane = planeOf (cloud); // also of all reversed points
   Cloud reversed = cloud;
   std::reverse (reversed.begin(), reversed.end());
-  PlaneSegment same = plane;
-  const PlanePieces found = findPlanePieces (reversed, {same});
-  EXPECT_EQ (placesOf (found, reversed), expected);
+  const PlanePieces found = findPlanePieces (reversed, {plane});
+  EXPECT_EQ (positionsOf (found, reversed), expected);
   const PlanePieces in_order = findPlanePieces (cloud, {plane});
   EXPECT_EQ (found.pieces[0].moments.products, in_order.pieces[0].moments.products);
 }
 
 TEST (PlanePieces, AreTheSameForAnyNumberOfThreads)
 {
-  const Cloud cloud = checkerboard (10);
+  const Cloud cloud = tiledFloor (10);
   const PlaneSegment plane = planeOf (cloud);
-  const PlanePieces one = findPlanePieces (cloud, {plane}, {}, 1);
-  const PlanePieces four = findPlanePieces (cloud, {plane}, {}, 4);
-  ASSERT_EQ (one.pieces.size(), four.pieces.size());
-  for (std::size_t i = 0; i < one.pieces.size(); ++i)
-    EXPECT_EQ (one.pieces[i].inliers, four.pieces[i].inliers);
+  const PlanePieces by_one = findPlanePieces (cloud, {plane}, {}, one_thread);
+  const PlanePieces by_four = findPlanePieces (cloud, {plane}, {}, 4);
+  ASSERT_EQ (by_one.pieces.size(), by_four.pieces.size());
+  for (std::size_t i = 0; i < by_one.pieces.size(); ++i)
+    EXPECT_EQ (by_one.pieces[i].inliers, by_four.pieces[i].inliers);
 }
 
 TEST (PlanePieces, PointsOnALineAreOnePieceAsFarAsTheyAreEven)
 {
+  // A gap of 1 m divides the line.
   Cloud cloud;
   for (int i = 0; i < 100; ++i)
     cloud.push_back (toPoint ({spacing * i + (i < 50 ? 0.0 : 1.0), 0.0, 0.0}));

@@ -15,7 +15,8 @@ const Vector3d up = Vector3d::UnitZ();
 
 /** \brief A surface as a detector returns it, with a point every 10 cm and its normal
  * towards the eye.
- * \param[in] unit number of length units in a meter */
+ * \param[in] eye,surface in meters
+ * \param[in] unit number of length units of the plane in a meter */
 PlaneSegment
 seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
 {
@@ -30,6 +31,7 @@ seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
   return plane;
 }
 
+/** \brief Position of the sensor in \ref furnishedRoom. */
 const Vector3d eye (0.5_m, 2_m, 1.4_m);
 const Surface room_floor{{0, 0, 0}, {6, 0, 0}, {0, 4, 0}};
 const Surface table_top{{3, 1, 0.75}, {1.5, 0, 0}, {0, 1, 0}};
@@ -47,6 +49,7 @@ furnishedRoom (double unit = 1.0)
           seenFrom (eye, table_top, unit)};
 }
 
+/** \brief Fails unless the axis is z, up to a small angle [rad]. */
 void
 expectUp (const UpAxis& found, double tolerance)
 {
@@ -130,9 +133,9 @@ TEST (UpAxis, IsThatOfTheLargestPlanesHoweverManyBoardsLeanAgainstThem)
 
 TEST (UpAxis, NeedsAFloorAndAWall)
 {
-  const PlaneSegment floor = seenFrom (eye, room_floor),
-                     table = seenFrom (eye, table_top),
-                     wall = seenFrom (eye, wall_ahead);
+  const PlaneSegment floor = seenFrom (eye, room_floor);
+  const PlaneSegment table = seenFrom (eye, table_top);
+  const PlaneSegment wall = seenFrom (eye, wall_ahead);
   for (const std::vector<PlaneSegment>& planes :
        {std::vector<PlaneSegment>{}, {wall}, {floor, table}})
     EXPECT_FALSE (estimateUpAxis (planes, eye));
@@ -141,7 +144,7 @@ TEST (UpAxis, NeedsAFloorAndAWall)
 
 TEST (UpAxis, CannotBeToldInTheCornerOfACube)
 {
-  // The three faces are one and the same, seen along the diagonal.
+  // Seen along the diagonal, each of the three faces may be the floor.
   const Vector3d diagonal (3, 3, 3);
   const std::vector<PlaneSegment> planes{
       seenFrom (diagonal, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}),
@@ -151,7 +154,7 @@ TEST (UpAxis, CannotBeToldInTheCornerOfACube)
   UpAxisParameters parameters;
   parameters.min_confidence = 0.0;
   EXPECT_LE (estimateUpAxis (planes, diagonal, parameters).value().confidence, 0.34)
-      << "three are alike";
+      << "each of three has a third";
 }
 
 TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
@@ -167,7 +170,7 @@ TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
   for (const Surface& surface :
        {ceiling, lamp, wall_behind, wall_ahead_up, other_wall, wall_beside})
     planes.push_back (seenFrom (middle, surface));
-  EXPECT_TRUE (estimateUpAxis (planes, middle)) << "one of both only";
+  EXPECT_TRUE (estimateUpAxis (planes, middle)) << "no floor was seen";
   planes.push_back (seenFrom (middle, free_ground));
   EXPECT_FALSE (estimateUpAxis (planes, middle));
 }
@@ -177,7 +180,7 @@ TEST (UpAxis, RefusesWhatIsNotFiniteOrOutOfItsRangeAndLeavesOutBrokenPlanes)
   for (const Vector3d& nowhere : {Vector3d (NAN, 0, 0), Vector3d (0, INFINITY, 0)})
     EXPECT_FALSE (estimateUpAxis (furnishedRoom(), nowhere));
   UpAxisParameters in_degrees;
-  in_degrees.angle_tolerance = 7.0;
+  in_degrees.angle_tolerance = 7.0; // has to be in radians
   EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, in_degrees));
   std::vector<PlaneSegment> planes = furnishedRoom();
   planes.push_back (PlaneSegment()); // no points

@@ -15,8 +15,8 @@ namespace {
 
 const Vector3d camera (1, 2, 1.5);
 
-/** \brief What is seen from the camera, a ray every 0.3 degrees: a wall 4 m ahead, and
- * a board of 1 m x 1 m half way that hides some of it. */
+/** \brief What is seen from the camera, which looks along z, a ray every 0.3 degrees: a
+ * wall 4 m ahead, and a board of 1 m x 1 m half way that hides a part of it. */
 Cloud
 wallBehindABoard ()
 {
@@ -32,12 +32,15 @@ wallBehindABoard ()
   return cloud;
 }
 
-/** \brief What a lidar 1.7 m above a street sees: 64 beams, 0.6 degrees apart, which go
- * round in steps of 0.2 degrees, houses 8 m to its left and right, and a hedge on
- * either side, through which every other ray passes. */
+/** \brief What a lidar 1.7 m above a street sees: 64 beams, 0.6 degrees apart, which
+ * turn in steps of 0.2 degrees. Houses stand 8 m to its left and right. Before them, 4
+ * m away, are hedges 2.5 m high, through which every other ray passes. */
 Cloud
 streetSeenBy (const Vector3d& lidar)
 {
+  constexpr double lidar_height = 1.7; // [m]
+  constexpr double max_range = 80.0;   // [m]
+  constexpr double nothing_hit = 1e9;  // far beyond the range [m]
   Cloud cloud;
   for (int beam = 0; beam < 64; ++beam)
     for (int step = 0; step < 1800; ++step) {
@@ -46,26 +49,32 @@ streetSeenBy (const Vector3d& lidar)
       const Vector3d ray (std::cos (elevation) * std::cos (azimuth),
                           std::cos (elevation) * std::sin (azimuth),
                           std::sin (elevation));
-      const double to_house = 8.0 / std::max (1e-9, std::abs (ray.y()));
-      const double to_hedge = 4.0 / std::max (1e-9, std::abs (ray.y()));
-      const double to_ground = ray.z() < 0.0 ? -1.7 / ray.z() : 1e9;
-      const bool hits_hedge = step % 2 == 0 && 1.7 + to_hedge * ray.z() < 2.5;
+      const double sideways = std::max (1e-9, std::abs (ray.y()));
+      const double to_house = 8.0 / sideways;
+      const double to_hedge = 4.0 / sideways;
+      const double to_ground = ray.z() < 0.0 ? -lidar_height / ray.z() : nothing_hit;
+      const bool is_below_top = lidar_height + to_hedge * ray.z() < 2.5;
+      const bool hits_hedge = step % 2 == 0 && is_below_top;
       const double range =
-          std::min ({to_house, to_ground, hits_hedge ? to_hedge : 1e9});
-      if (range < 80.0)
+          std::min ({to_house, to_ground, hits_hedge ? to_hedge : nothing_hit});
+      if (range < max_range)
         cloud.push_back (toPoint (lidar + range * ray));
     }
   return cloud;
 }
 
-/** \brief A floor of 4 m x 4 m, a wall on it and a table in the middle. */
+constexpr int room_steps = 100;
+constexpr std::size_t points_of_room_surface = (room_steps + 1) * (room_steps + 1);
+
+/** \brief A floor of 4 m x 4 m, a wall on it and a table in the middle, each a grid of
+ * points. The points of the floor come first. */
 Cloud
 roomAt (const Vector3d& corner)
 {
   Cloud cloud;
   const auto add = [&] (const Vector3d& from, const Vector3d& u, const Vector3d& v) {
-    for (int i = 0; i <= 100; ++i)
-      for (int j = 0; j <= 100; ++j)
+    for (int i = 0; i <= room_steps; ++i)
+      for (int j = 0; j <= room_steps; ++j)
         cloud.push_back (toPoint (corner + from + 0.01 * (i * u + j * v)));
   };
   add ({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
@@ -74,8 +83,8 @@ roomAt (const Vector3d& corner)
   return cloud;
 }
 
-/** \brief Detects planes with a known sensor position and returns the normals of those
- * that are not vertical. */
+/** \brief Detects planes and returns the normals of those that are not vertical.
+ * \param[in] sensor its position; zero if it is not known */
 std::vector<Vector3d>
 normalsOf (const Cloud& cloud, const Vector3d& sensor = Vector3d::Zero())
 {
@@ -87,6 +96,7 @@ normalsOf (const Cloud& cloud, const Vector3d& sensor = Vector3d::Zero())
   return normals;
 }
 
+/** \brief Fails unless there are so many normals, and all point up. */
 void
 expectAllUp (const std::vector<Vector3d>& normals, std::size_t number)
 {
@@ -101,7 +111,7 @@ TEST (NormalsWithoutASensor, OfAFloorJustAboveZeroAndJustBelowPointUp)
 {
   for (const double height : {0.01, -0.01}) {
     Cloud floor = roomAt ({-1, -1, height});
-    floor.resize (101 * 101);
+    floor.resize (points_of_room_surface);
     expectAllUp (normalsOf (floor), 1);
   }
 }
@@ -119,7 +129,7 @@ TEST (NormalsWithoutASensor, OfAMapFarFromZeroPointUp)
 TEST (NormalsWithoutASensor, PointToASensorAtZeroThatSawThePlanes)
 {
   Cloud ceiling = roomAt ({-2, -2, 1.5});
-  ceiling.resize (101 * 101);
+  ceiling.resize (points_of_room_surface);
   const std::vector<Vector3d> normals = normalsOf (ceiling);
   ASSERT_EQ (normals.size(), 1u);
   EXPECT_LT (normals[0].z(), -0.9);
@@ -128,7 +138,7 @@ TEST (NormalsWithoutASensor, PointToASensorAtZeroThatSawThePlanes)
 TEST (NormalsWithoutASensor, PointToASensorAtZeroFromACeilingTwoDegreesAboveIt)
 {
   Cloud ceiling = roomAt ({1, -2, 0.1}); // 3 m ahead in the middle
-  ceiling.resize (101 * 101);
+  ceiling.resize (points_of_room_surface);
   const std::vector<Vector3d> normals = normalsOf (ceiling);
   ASSERT_EQ (normals.size(), 1u);
   EXPECT_LT (normals[0].z(), -0.9);
@@ -147,15 +157,15 @@ TEST (Visibility, IsGivenFromTheCameraAloneInAnyOrderOfPoints)
 {
   // From 2 m beside, the board stands before another part of the wall.
   const Vector3d beside = camera + Vector3d (2, 0, 0);
-  for (const Vector3d& place : {camera, beside}) {
+  for (const Vector3d& viewpoint : {camera, beside}) {
     Cloud cloud = wallBehindABoard();
-    cloud.sensor_origin_.head<3>() = place.cast<float>();
-    const double hidden = occludedFraction (CloudView (cloud), place);
-    EXPECT_EQ (hidden < 5_percent, place == camera);
-    EXPECT_EQ (isSeenFrom (place, CloudView (cloud)), place == camera);
-    EXPECT_EQ (isSeenFromItsOrigin (cloud), place == camera);
+    cloud.sensor_origin_.head<3>() = viewpoint.cast<float>();
+    const double hidden = occludedFraction (CloudView (cloud), viewpoint);
+    EXPECT_EQ (hidden < 5_percent, viewpoint == camera);
+    EXPECT_EQ (isSeenFrom (viewpoint, CloudView (cloud)), viewpoint == camera);
+    EXPECT_EQ (isSeenFromItsOrigin (cloud), viewpoint == camera);
     std::reverse (cloud.begin(), cloud.end());
-    EXPECT_EQ (occludedFraction (CloudView (cloud), place), hidden);
+    EXPECT_EQ (occludedFraction (CloudView (cloud), viewpoint), hidden);
   }
 }
 
@@ -216,16 +226,16 @@ TEST (Visibility, OfTooFewPointsIsAsGiven)
 TEST (Visibility, CountsAPlaceWithVeryManyPointsAsOneWithSome)
 {
   const Vector3d beside = camera + Vector3d (2, 0, 0);
-  const auto hidden = [&] (std::size_t equal) {
+  const auto hiddenWithEqualPoints = [&] (std::size_t number) {
     Cloud cloud = wallBehindABoard();
-    cloud.insert (cloud.end(), equal, toPoint (camera));
+    cloud.insert (cloud.end(), number, toPoint (camera));
     return occludedFraction (CloudView (cloud), beside);
   };
-  EXPECT_GT (hidden (0), 0.0);
-  EXPECT_EQ (hidden (4000), hidden (300));
+  EXPECT_GT (hiddenWithEqualPoints (0), 0.0);
+  EXPECT_EQ (hiddenWithEqualPoints (4000), hiddenWithEqualPoints (300));
 }
 
-TEST (Visibility, IsNotGivenFromAPlaceThatIsNotFinite)
+TEST (Visibility, IsNotGivenFromAPositionThatIsNotFinite)
 {
   const pcl::PointCloud<pcl::PointXYZ> cloud;
   EXPECT_FALSE (isSeenFrom ({NAN, 0.0, 0.0}, CloudView (cloud)));

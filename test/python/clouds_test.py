@@ -17,13 +17,15 @@ import numpy as np
 import pcl_ops
 from scene import las, room
 
+# Classes of messages: objects with the same members, and those of ROS where it is installed.
 kinds = [types.SimpleNamespace(PointCloud2=types.SimpleNamespace, PointField=types.SimpleNamespace)]
 try:
     import sensor_msgs.msg
     kinds.append(sensor_msgs.msg)
-except ImportError:  # only objects of the same parts
+except ImportError:
     pass
 
+# sensor_msgs/PointField: the number of each type.
 types_of_fields = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
 
 
@@ -42,6 +44,7 @@ def message(rows, data=bytes, height=1, row_padding=0, kind=kinds[-1]):
 
 
 def rows_of(points, layout):
+    """Points as a structured array; fields other than x, y and z are 0."""
     rows = np.zeros(len(points), np.dtype(layout))
     for axis, numbers in zip("xyz", points.T):
         rows[axis] = numbers
@@ -49,7 +52,7 @@ def rows_of(points, layout):
 
 
 def padded(kind, names="xyz"):
-    """Fields 16 bytes apart, after 12 that are nobody's."""
+    """A layout of fields 16 bytes apart, with 12 unused bytes before the first one."""
     return {"names": list(names), "formats": [kind] * 3, "offsets": [12, 28, 44], "itemsize": 64}
 
 
@@ -240,7 +243,7 @@ class Writer(unittest.TestCase):
         cloud = pcl_ops.read(self.folder / "a.las")
         labels, planes = pcl_ops.segment(cloud.points)
         distances = planes[0].distances(cloud.points)
-        back = self.written("a.las", cloud, labels, distances=distances)  # in its own place
+        back = self.written("a.las", cloud, labels, distances=distances)  # over itself
         np.testing.assert_array_equal(back.points, cloud.points)
         np.testing.assert_array_equal(back.labels, labels)
         records = (self.folder / "a.las").read_bytes()[-28 * len(points):]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example, run with the module as it is installed."""
+"""The examples, run with the installed module."""
 
 import importlib.util
 import os
@@ -46,9 +46,9 @@ class Example(unittest.TestCase):
                 self.assertGreater(len(colors), 100)
 
     def test_writes_no_picture_that_is_called_as_an_option(self):
-        for one in (script, examples / "noise_picture.py", examples / "plan_picture.py"):
+        for example in (script, examples / "noise_picture.py", examples / "plan_picture.py"):
             with tempfile.TemporaryDirectory() as name:
-                run = subprocess.run([sys.executable, "-B", one, "--help", "room.npy"],
+                run = subprocess.run([sys.executable, "-B", example, "--help", "room.npy"],
                                      capture_output=True, text=True, cwd=name,
                                      env={**os.environ, "MPLCONFIGDIR": name})
                 self.assertIn("Usage: ", run.stderr)

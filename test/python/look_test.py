@@ -20,6 +20,7 @@ labels, planes = pcl_ops.segment(points, viewpoint=viewpoint)
 
 
 def part_of(page, name):
+    """The text of the script element of this id."""
     return re.search(rf'id="{name}">(.*?)</script>', page, re.DOTALL)[1]
 
 
@@ -34,6 +35,7 @@ class Page(unittest.TestCase):
         return self.path.read_text(encoding="utf-8")
 
     def groups(self, page):
+        """The number of points and the positions of the shown ones of each group of a page."""
         numbers = np.frombuffer(base64.b64decode(part_of(page, "places")), "<u2").reshape(-1, 3)
         for group in json.loads(part_of(page, "groups")):
             steps, numbers = numbers[:group["shown"]], numbers[group["shown"]:]
@@ -47,11 +49,11 @@ class Page(unittest.TestCase):
             groups = list(self.groups(self.page(moved, *found)))
             self.assertEqual(len(groups), len(found[1]) + 1)
             finite = np.isfinite(moved).all(axis=1)
-            for i, (number, places) in enumerate(groups):
+            for i, (number, positions) in enumerate(groups):
                 inside = moved[finite & (found[0] == (i if i < len(found[1]) else -1))]
-                self.assertEqual((number, len(places)), (len(inside), len(inside)))
+                self.assertEqual((number, len(positions)), (len(inside), len(inside)))
                 for axis in range(3):
-                    np.testing.assert_allclose(np.sort(places[:, axis]), np.sort(inside[:, axis]),
+                    np.testing.assert_allclose(np.sort(positions[:, axis]), np.sort(inside[:, axis]),
                                                rtol=0, atol=1e-4)
 
     def test_describes_planes_and_where_they_meet(self):
@@ -69,8 +71,8 @@ class Page(unittest.TestCase):
 
     def test_of_many_points_shows_some_of_each_plane(self):
         groups = list(self.groups(self.page(points, labels, planes, max_points=1000, title="<b>")))
-        self.assertLessEqual(sum(len(places) for _, places in groups), 1000)
-        self.assertTrue(all(len(places) >= 100 for _, places in groups[:3]))
+        self.assertLessEqual(sum(len(positions) for _, positions in groups), 1000)
+        self.assertTrue(all(len(positions) >= 100 for _, positions in groups[:3]))
         self.assertEqual(groups[0][0], np.count_nonzero(labels == 0))
 
     def test_without_planes_is_a_page(self):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What editors, type checkers, pages and pip are told is what there is."""
+"""The stubs, the version, the code of the pages and the package for pip fit the module."""
 
 import ast
 import contextlib
@@ -32,6 +32,7 @@ names = [name for name in pcl_ops.__all__ if not name.startswith("_")]
 
 
 def keywords(function):
+    """The names of the keyword-only parameters of a function."""
     signature = inspect.signature(function).parameters.values()
     return {one.name for one in signature if one.kind == one.KEYWORD_ONLY}
 

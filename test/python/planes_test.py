@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What planes say of themselves, which way is up by them, where they meet, which are wanted,
-and which are found again in another frame."""
+"""Properties of planes, the up axis by planes, edges, merging, filters, matching and tracking,
+and files of planes."""
 
 import copy
 import json
@@ -43,10 +43,10 @@ class Planes(unittest.TestCase):
 
     def test_covariance_knows_noise_that_neighbors_share(self):
         rng = np.random.default_rng(1)
-        places = np.mgrid[0:100, 0:100].reshape(2, -1) * 0.02 + 1e6
+        x_and_y = np.mgrid[0:100, 0:100].reshape(2, -1) * 0.02 + 1e6
         for width, least, most in ((1, 0.5, 10.0), (10, 50.0, 1000.0)):
             noise = rng.normal(0.0, 0.01, (100 // width, 100 // width)).repeat(width, 0)
-            noisy = np.column_stack([*places, noise.repeat(width, 1).ravel()])
+            noisy = np.column_stack([*x_and_y, noise.repeat(width, 1).ravel()])
             # Steps that are flat between are planes of their own without a threshold.
             plane = pcl_ops.segment(noisy, distance_threshold=0.05)[1][0]
             ratio = np.diag(plane.covariance) / np.diag(plane.independent_covariance)
@@ -84,13 +84,13 @@ class Planes(unittest.TestCase):
     def test_concave_outlines_have_the_doors_of_walls_as_holes(self):
         wall = surface((0, 0, 0), (3, 0, 0), (0, 0, 2.5), 40000)
         in_window = (abs(wall[:, 0] - 1.5) < 0.5) & (abs(wall[:, 2] - 1.2) < 0.4)
-        for place in (np.zeros(3), np.array([5e5, 5.4e6, 300.0])):
-            plane = pcl_ops.segment(wall[~in_window] + place, viewpoint=place - (0, 9, 0))[1][0]
+        for shift in (np.zeros(3), np.array([5e5, 5.4e6, 300.0])):
+            plane = pcl_ops.segment(wall[~in_window] + shift, viewpoint=shift - (0, 9, 0))[1][0]
             rings, area = plane.concave_outline()
             self.assertEqual(len(rings), 2)
             self.assertAlmostEqual(area, 7.5 - 0.8, delta=0.15)
             self.assertAlmostEqual(plane.area, 7.5, delta=0.1)
-            np.testing.assert_allclose(rings[1].mean(axis=0) - place, (1.5, 0, 1.2), atol=0.1)
+            np.testing.assert_allclose(rings[1].mean(axis=0) - shift, (1.5, 0, 1.2), atol=0.1)
         self.assertEqual(plane.concave_outline(alpha=50.0)[0][1:], [])
         with self.assertRaisesRegex(ValueError, "^alpha: has to be a length or 0, not -1"):
             plane.concave_outline(-1)
@@ -194,11 +194,12 @@ class Planes(unittest.TestCase):
             self.assertTrue(getattr(buildings, name).__doc__, name)
 
     def test_of_two_rooms_make_these_by_falling_area(self):
-        def box(x, width):
+        def room_at(x, width):
+            """Points of the floor, the ceiling and the four walls."""
             return [*(surface((x, 0, z), (width, 0, 0), (0, 3, 0), 9000) for z in (0, 2.5)),
                     *(surface((x, y, 0), (width, 0, 0), (0, 0, 2.5), 8000) for y in (0, 3)),
-                    *(surface((at, 0, 0), (0, 3, 0), (0, 0, 2.5), 7000) for at in (x, x + width))]
-        found = pcl_ops.segment(np.vstack([*box(0, 3), *box(3.2, 4)]))[1]
+                    *(surface((end, 0, 0), (0, 3, 0), (0, 0, 2.5), 7000) for end in (x, x + width))]
+        found = pcl_ops.segment(np.vstack([*room_at(0, 3), *room_at(3.2, 4)]))[1]
         large, small = pcl_ops.buildings.rooms(found)
         self.assertAlmostEqual(large.area, 12.0, delta=0.1)
         self.assertAlmostEqual(small.area, 9.0, delta=0.1)
@@ -350,15 +351,15 @@ class UpAxis(unittest.TestCase):
 
 class Edges(unittest.TestCase):
     def test_are_found_near_zero_and_with_coordinates_in_the_millions(self):
-        for place in (np.zeros(3, np.float32), np.array([5e5, 5.4e6, 300.0])):
-            found = pcl_ops.segment(points + place, viewpoint=viewpoint + place)[1]
+        for shift in (np.zeros(3, np.float32), np.array([5e5, 5.4e6, 300.0])):
+            found = pcl_ops.segment(points + shift, viewpoint=viewpoint + shift)[1]
             edges, corners = pcl_ops.find_plane_edges(found)
             self.assertEqual([edge.planes for edge in edges], [(0, 1), (0, 2), (1, 2)])
             for edge, length in zip(edges, (4.0, 3.0, 2.5)):
                 self.assertAlmostEqual(np.linalg.norm(edge.end - edge.start), length, delta=0.1)
                 self.assertAlmostEqual(edge.angle, np.pi / 2, delta=0.01)
             self.assertEqual([corner.planes for corner in corners], [(0, 1, 2)])
-            np.testing.assert_allclose(corners[0].position - place, (0, 3, 0), atol=0.01)
+            np.testing.assert_allclose(corners[0].position - shift, (0, 3, 0), atol=0.01)
             self.assertEqual(len(pcl_ops.find_plane_edges(found, min_length=2.8)[0]), 2)
         self.assertEqual(pcl_ops.find_plane_edges([]), ([], []))
 
@@ -563,11 +564,12 @@ class WrittenPlanes(unittest.TestCase):
         self.assert_is_outline(rows[0][3], floor)
 
     def assert_is_outline(self, blob, plane):
-        size = 40  # of what is before the geometry: mark, system and box
+        header_size = 40  # magic, version, flags, reference system and box [byte]
+        polygon_z = 1003  # the type of a polygon with x, y, z in well-known binary
         self.assertEqual(blob[:4], b"GP\0\3")
-        order, kind, rings, corners = struct.unpack_from("<B3I", blob, size)
-        self.assertEqual((order, kind, rings, corners), (1, 1003, 1, len(plane.hull) + 1))
-        ring = np.frombuffer(blob, "<f8", 3 * corners, size + 13).reshape(-1, 3)
+        order, kind, rings, corners = struct.unpack_from("<B3I", blob, header_size)
+        self.assertEqual((order, kind, rings, corners), (1, polygon_z, 1, len(plane.hull) + 1))
+        ring = np.frombuffer(blob, "<f8", 3 * corners, header_size + 13).reshape(-1, 3)
         np.testing.assert_allclose(ring[0], ring[-1])
         for corner in ring:
             self.assertLess(np.linalg.norm(plane.hull - corner, axis=1).min(), 0.001)

@@ -28,7 +28,8 @@ class SameLabels(unittest.TestCase):
 
     @classmethod
     def run_program(cls, command):
-        return subprocess.run(command.split(), cwd=cls.folder, check=True, stdout=-1).stdout
+        return subprocess.run(command.split(), cwd=cls.folder, check=True,
+                              stdout=subprocess.PIPE).stdout
 
     def assertSame(self, options, **arguments):
         self.run_program(f"pcl_ops_segment room.pcd out.pcd --planes out.json --quiet {options}")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds of the tests, and poses they are seen from."""
+"""Clouds of the tests, and poses of sensors."""
 
 import struct
 
@@ -8,9 +8,11 @@ import numpy as np
 
 
 def surface(corner, first, second, number, noise=0.002, seed=1):
-    """Random points of a parallelogram, with noise [m] along its normal.
+    """Random points of a parallelogram.
 
-    corner: where the sides first and second begin.
+    corner: where the sides first and second begin
+    number: of points
+    noise: standard deviation along the normal [m]
     """
     draws = np.random.default_rng(seed)
     normal = np.cross(first, second)
@@ -21,7 +23,7 @@ def surface(corner, first, second, number, noise=0.002, seed=1):
 
 
 def room():
-    """A floor of 4 m x 3 m, two walls of 2.5 m, and points without coordinates, mixed."""
+    """A floor of 4 m x 3 m, two walls of 2.5 m height, and 100 points of NaN, in random order."""
     cloud = np.vstack([
         surface((0, 0, 0), (4, 0, 0), (0, 3, 0), 12000, seed=1),
         surface((0, 3, 0), (4, 0, 0), (0, 0, 2.5), 10000, seed=2),
@@ -32,10 +34,10 @@ def room():
 
 
 def turn(degrees):
-    """The pose turned about z, as a 4 x 4 matrix."""
-    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    """A pose that is turned about z, as a 4 x 4 matrix."""
+    cosine, sine = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     pose = np.eye(4)
-    pose[:2, :2] = [[c, -s], [s, c]]
+    pose[:2, :2] = [[cosine, -sine], [sine, cosine]]
     return pose
 
 
@@ -47,7 +49,7 @@ def seen_from(pose, points):
 def las(points, geo_keys=()):
     """The bytes of a LAS 1.2 file. Its integers are millimeters from the least coordinates on.
 
-    geo_keys: (id, value) of each key of GeoTIFF that names its reference system.
+    geo_keys: (id, value) of each key of GeoTIFF of the reference system
     """
     offset = np.nanmin(points, axis=0).astype(np.float64)
     # Point format 0: of its 20 bytes only the coordinates are used.
@@ -64,5 +66,5 @@ def las(points, geo_keys=()):
         header_size, header_size + len(directory),  # where points begin
         1, 0, 20, len(points),  # variable length records, point format, its bytes, points
         *[0.001] * 3, *offset,  # scale [m] and offset of x, y, z
-        *[1e7, 0.0] * 3)  # largest and least x, y, z, which nobody reads
+        *[1e7, 0.0] * 3)  # largest and least x, y, z, which pcl_ops does not read
     return header + directory + records.tobytes()

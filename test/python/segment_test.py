@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever way an array lies in memory, its points get the same labels; what is wrong is said by
-name, and nothing crashes; while planes are looked for, Python goes on."""
+"""Arrays of any layout in memory get the same labels; errors name the argument that is wrong, and
+nothing crashes; other threads of Python run while planes are looked for."""
 
 import concurrent.futures
 import os
@@ -29,6 +29,7 @@ def unaligned(points, kind):
     return record["xyz"]
 
 
+# The ways in which an array can lie in memory, as functions that make it so.
 layouts = {
     "Fortran order": np.asfortranarray,
     "columns of a wider array": lambda points: np.tile(points, 3)[:, 3:6],
@@ -56,7 +57,6 @@ class Arrays(unittest.TestCase):
                 np.testing.assert_array_equal(found, labels)
                 for plane, expected in zip(same, planes):
                     np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
-
 
     def test_planes_with_fewer_points_than_the_minimum_are_left_out(self):
         smallest = len(planes) - 1
@@ -86,10 +86,9 @@ class Arrays(unittest.TestCase):
             pcl_ops.merge_planes(of_both + pcl_ops.segment(image[50:])[1])
 
 
-
 class Warnings(unittest.TestCase):
     def doubts(self, call):
-        """Codes of what is warned of while it runs, and what it returns."""
+        """The codes of the warnings of a call, and what it returns."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             result = call()
@@ -110,8 +109,9 @@ class Warnings(unittest.TestCase):
     def test_say_that_points_were_not_seen_from_a_viewpoint(self):
         boards = np.vstack([surface((-1, depth, 0), (2, 0, 0), (0, 0, 2), 4000)
                             for depth in (1, 2, 3, 4)])
-        place = 5e5, 5e5 - 1, 5e5 + 1
-        codes, (_, found) = self.doubts(lambda: pcl_ops.segment(boards + 5e5, viewpoint=place))
+        viewpoint = 5e5, 5e5 - 1, 5e5 + 1
+        codes, (_, found) = self.doubts(
+            lambda: pcl_ops.segment(boards + 5e5, viewpoint=viewpoint))
         self.assertEqual(codes, ["viewpoint"])
         self.assertRegex(str(found.warnings[0]), r"not seen from viewpoint=\(500000,499999,500001\)")
         self.assertEqual(self.doubts(lambda: pcl_ops.segment(boards))[0], [])
@@ -179,41 +179,41 @@ class NormalsWithoutASensor(unittest.TestCase):
 class FarAway(unittest.TestCase):
     """Coordinates as surveys have them: the planes keep their millimeters."""
 
-    place = np.array([498765.4321, 5412345.6789, 312.3456])
+    shift = np.array([498765.4321, 5412345.6789, 312.3456])
 
     @classmethod
     def setUpClass(cls):
-        # Digits that single precision does not have, so that they are not to be lost.
+        # Digits that single precision does not have: the module has to keep them.
         cls.near = points + np.random.default_rng(5).uniform(-1e-9, 1e-9, points.shape)
         cls.near_labels, cls.near_planes = pcl_ops.segment(cls.near)
-        cls.labels, cls.planes = pcl_ops.segment(cls.near + cls.place, viewpoint=cls.place)
+        cls.labels, cls.planes = pcl_ops.segment(cls.near + cls.shift, viewpoint=cls.shift)
 
     def test_planes_are_in_the_frame_of_the_array(self):
         self.assertGreater((self.labels == self.near_labels).mean(), 0.99)
         self.assertEqual(len(self.planes), 3)
         for plane, near in zip(self.planes, self.near_planes):
-            np.testing.assert_allclose(plane.centroid - self.place, near.centroid, atol=2e-3)
+            np.testing.assert_allclose(plane.centroid - self.shift, near.centroid, atol=2e-3)
             np.testing.assert_allclose(plane.normal, near.normal, atol=1e-3)
-            # Evaluated at the place the terms are 5,000 km long.
+            # At the shifted centroid the terms of the equation are up to 5,000 km.
             self.assertAlmostEqual(
-                plane.coefficients @ np.append(self.place + near.centroid, 1.0), 0.0, delta=1e-3)
+                plane.coefficients @ np.append(self.shift + near.centroid, 1.0), 0.0, delta=1e-3)
             self.assertAlmostEqual(plane.rms, near.rms, delta=1e-4)
             self.assertAlmostEqual(plane.area, near.area, delta=0.01 * near.area)
             offsets = (plane.hull - plane.centroid) @ plane.normal
             self.assertLess(np.abs(offsets).max(), 1e-6)
 
     def test_one_outlier_takes_no_digits(self):
-        cloud = self.near + self.place
+        cloud = self.near + self.shift
         cloud[0] = 1e9, -1e9, 1e9
-        found, on = pcl_ops.segment(cloud, viewpoint=self.place)
+        found, on = pcl_ops.segment(cloud, viewpoint=self.shift)
         self.assertEqual((found[0], len(on)), (-1, 3))
         self.assertLess(on[0].rms, 0.003)
 
     def test_merged_planes_keep_the_frame(self):
         found = pcl_ops.segment(
-            self.near + self.place, viewpoint=self.place, merging_enabled=False)[1]
+            self.near + self.shift, viewpoint=self.shift, merging_enabled=False)[1]
         for plane, near in zip(pcl_ops.merge_planes(found)[0], self.near_planes):
-            np.testing.assert_allclose(plane.centroid - self.place, near.centroid, atol=0.01)
+            np.testing.assert_allclose(plane.centroid - self.shift, near.centroid, atol=0.01)
             self.assertAlmostEqual(plane.area, near.area, delta=0.01 * near.area)
 
 
@@ -239,8 +239,8 @@ def call(function, *given, **arguments):
     return lambda: getattr(pcl_ops, function)(*given, **arguments)
 
 
-# What is called, what it raises, and what that begins with.
-table = [
+# What is called, the error that it raises, and the beginning of its text.
+bad_calls = [
     (segment(np.zeros((5, 2), np.float32)), ValueError, "points: shape (5, 2) is none of (N, 3), "),
     (segment(np.zeros((5, 6), np.float32)), ValueError,
      "points: shape (5, 6) is none of (N, 3), (N, 4), (H, W, 3) and (H, W, 4); give points[..., :3]"),
@@ -309,7 +309,7 @@ table = [
 
 class BadInput(unittest.TestCase):
     def test_is_said_by_name(self):
-        for bad_call, error, beginning in table:
+        for bad_call, error, beginning in bad_calls:
             with self.subTest(beginning):
                 with self.assertRaises(error) as raised:
                     bad_call()
@@ -335,14 +335,14 @@ class BadInput(unittest.TestCase):
                 self.assertEqual((no_planes, set(none.tolist())), ([], {-1}))
 
 
-def large(kind):
-    """Points enough for some tenths of a second."""
+def large_cloud(kind):
+    """So many points that a call takes some tenths of a second."""
     many = np.tile(points, (20, 1)).astype(kind)
     return many + np.random.default_rng(1).normal(0, 0.002, many.shape).astype(kind)
 
 
 def ticks_during(call):
-    """How often another thread had its turn while a call was at work."""
+    """How often another thread of Python ran during a call."""
     ticks = []
     done = threading.Event()
 
@@ -361,14 +361,14 @@ def ticks_during(call):
 
 class Threads(unittest.TestCase):
     def test_others_work_during_segment_and_evaluate(self):
-        truth = pcl_ops.segment(large(np.float32))[0]
+        truth = pcl_ops.segment(large_cloud(np.float32))[0]
         for kind in (np.float32, np.float64):
-            cloud = large(kind)
+            cloud = large_cloud(kind)
             for call in (*(lambda method=method: pcl_ops.segment(cloud, method)
                            for method in ("ops", "fspf", "kht")),
                          lambda: pcl_ops.evaluate(truth, truth, cloud)):
-                # With the interpreter held there are none, but for one as it begins and ends;
-                # on a busy machine there may be few in one call.
+                # A call that held the interpreter would let it run only as it begins and ends; on
+                # a busy machine it may run few times during one call.
                 self.assertTrue(any(ticks_during(call) > 5 for _ in range(20)))
 
     def test_calls_at_once_find_the_same(self):
@@ -397,7 +397,7 @@ time.sleep(0.2)
             self.assertEqual((run.returncode, run.stderr), (0, b""))
 
     def test_interruption_is_not_lost(self):
-        cloud = large(np.float32)
+        cloud = large_cloud(np.float32)
         with self.assertRaises(KeyboardInterrupt):
             threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT)).start()
             pcl_ops.segment(cloud)

@@ -2,16 +2,18 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Prints a checksum of simulated clouds and of the labels that each method gives their points,
-# a line each: what two builds are to agree on (scripts/check). It fails if labels depend on
-# the number of threads, or if there are none. The programs are those in its own folder.
+# Prints a line with a checksum for each of some simulated clouds, and for the labels that each
+# method gives its points. scripts/check compares these lines of two builds. Fails if labels
+# depend on the number of threads, or if no method finds a plane in a cloud. Calls the programs
+# in the folder of this script.
 set -eu
 PATH="$(cd "$(dirname "$0")" && pwd):$PATH"
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 cd "$folder"
 
-# label NAME OPTION...: of cloud.pcd
+# label NAME OPTION...: labels the points of cloud.pcd, prints the checksum of the labels, and
+# adds the number of planes to all_planes.
 label() {
   name=$1
   shift

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What scripts/accuracy makes of measured values.
+"""What scripts/accuracy computes, prints and stores.
 
 python3 accuracy_test.py SOURCES: the project's folder.
 """
@@ -24,21 +24,24 @@ LOADER.exec_module(accuracy)
 
 
 def with_truth(f_score, **others):
+    """The values of a set with truth."""
     return {"clouds": 4, "f_score": f_score, "f_score_75": 0.5, "on_planes_share": 0.9,
             "thick_factor_share": 0.0, "thick_length_share": 0.0, **others}
 
 
 def without_truth(on_planes, on_thick):
+    """The values of a set without truth, by the shares of points on planes and on thick ones."""
     return {**with_truth(math.nan), "f_score_75": math.nan, "on_planes_share": on_planes,
             "thick_length_share": on_thick}
 
 
 def agreeing(values, *clouds):
-    """With agreements of moved clouds."""
+    """The values of a set with agreements of moved clouds."""
     return {**values, "agreements": {"moved": clouds}, "moved": sum(clouds) / len(clouds)}
 
 
 def printed(call, *arguments):
+    """The lines that a call prints."""
     with contextlib.redirect_stdout(io.StringIO()) as output:
         call(*arguments)
     return output.getvalue().splitlines()
@@ -97,11 +100,11 @@ class Lines(unittest.TestCase):
         now = {"rooms": agreeing(with_truth(0.7), 0.5), "wild-kitti": agreeing(with_truth(0.7), 1)}
         before = accuracy.overall({"rooms": agreeing(with_truth(0.7), 0.25)})
         lines = printed(accuracy.compare, now, {}, before)
-        for place, start in ((-4, "all clouds: moved 0.750/0.500; turned -/-;"),
+        for line, start in ((-4, "all clouds: moved 0.750/0.500; turned -/-;"),
                              (-3, "all clouds, before: moved 0.250/0.250;"),
                              (-2, "real clouds: moved 1.000/1.000;"),
                              (-1, "real clouds, before: moved -/-;")):
-            self.assertTrue(lines[place].startswith("agreement, " + start), lines[place])
+            self.assertTrue(lines[line].startswith("agreement, " + start), lines[line])
 
 
 class Agreements(unittest.TestCase):

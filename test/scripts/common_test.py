@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts say of themselves, and while they are at work.
+"""The help and the progress of the scripts, and the installation of packages.
 
 python3 common_test.py SOURCES: the project's folder.
 """
@@ -16,6 +16,7 @@ SCRIPTS = pathlib.Path(sys.argv[1]) / "scripts"
 
 
 def bash(command, **environment):
+    """Begins a command of bash that has the functions of common.sh."""
     return subprocess.Popen(["bash", "-c", f"source '{SCRIPTS}/common.sh'; {command}"],
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                             env={**os.environ, **environment})
@@ -69,7 +70,7 @@ class Progress(unittest.TestCase):
     def test_is_said_while_a_command_is_at_work(self):
         for how in ("quietly", "aloud"):
             os.mkfifo(self.folder / how)
-            # It ends when it is let: what it said before is told meanwhile.
+            # The command ends once the FIFO is written; until then its last line is its progress.
             script = bash(f"{how} '{self.folder}/log' sh -c "
                           f"'echo \"[1/2] step\"; read line < \"{self.folder}/{how}\"'; echo end",
                           PCL_OPS_SILENCE="0.1")
@@ -90,7 +91,8 @@ class Progress(unittest.TestCase):
         self.assertEqual(script.returncode, 3)
 
 
-# What it is asked goes to the file asked, a line each. What names its size is not installed.
+# Writes each call to the file "asked". With --print-uris it prints sizes; another installation
+# fails, with the exit code STATUS.
 APT_GET = """#!/bin/sh
 echo "$*" >> "$FOLDER/asked"
 case "$*" in
@@ -112,6 +114,7 @@ class Installation(unittest.TestCase):
             (self.folder / name).chmod(0o755)
 
     def install(self, status):
+        """The exit code, output and errors of install_packages, where apt-get ends with a status."""
         script = bash(f"root='{self.folder}'; install_packages a b", FOLDER=str(self.folder),
                       STATUS=status, PATH=f"{self.folder}:{os.environ['PATH']}")
         output, errors = script.communicate()

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A second scripts/demo configures again: it is to compile nothing again.
+"""A second run of CMake, as by a second scripts/demo, writes no file that would be compiled again.
 
-python3 configure_test.py SOURCES CMAKE COMPILER: the project's folder, and with what it is built.
+python3 configure_test.py SOURCES CMAKE COMPILER: the project's folder, the programs that build it.
 """
 
 import pathlib
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 SOURCES, CMAKE, COMPILER = sys.argv[1:4]
-COMPILED = {".h", ".hpp", ".cpp", ".cxx", ".c"}
+COMPILED_EXTENSIONS = {".h", ".hpp", ".cpp", ".cxx", ".c"}
 
 
 def configure(folder):
@@ -22,9 +22,9 @@ def configure(folder):
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def times_of_what_is_compiled(folder):
+def times_of_compiled_files(folder):
     return {file.relative_to(folder): file.stat().st_mtime_ns
-            for file in folder.rglob("*") if file.suffix in COMPILED}
+            for file in folder.rglob("*") if file.suffix in COMPILED_EXTENSIONS}
 
 
 class Configuring(unittest.TestCase):
@@ -32,10 +32,10 @@ class Configuring(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             configure(folder)
-            before = times_of_what_is_compiled(folder)
+            before = times_of_compiled_files(folder)
             configure(folder)
             self.assertIn("point_types.h", {file.name for file in before})
-            self.assertEqual(times_of_what_is_compiled(folder), before)
+            self.assertEqual(times_of_compiled_files(folder), before)
 
 
 if __name__ == "__main__":

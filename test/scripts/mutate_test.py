@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which lines scripts/mutate can break, and what becomes of them.
+"""Which lines scripts/mutate can break, and how.
 
 python3 mutate_test.py SOURCES: the project's folder.
 """
@@ -24,9 +24,9 @@ class Lines(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        root = mutate.ROOT, mutate.TREE
-        self.addCleanup(lambda: setattr(mutate, "ROOT", root[0]))
-        self.addCleanup(lambda: setattr(mutate, "TREE", root[1]))
+        root, tree = mutate.ROOT, mutate.TREE
+        self.addCleanup(lambda: setattr(mutate, "ROOT", root))
+        self.addCleanup(lambda: setattr(mutate, "TREE", tree))
         mutate.ROOT = mutate.TREE = pathlib.Path(folder.name)
         self.source = mutate.TREE / "src" / "a.cpp"
         self.source.parent.mkdir()

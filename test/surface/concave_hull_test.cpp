@@ -12,7 +12,8 @@ namespace {
 
 const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
 
-/** \brief The outer ring alone. */
+/** \brief The outer ring of the concave outline; empty if there is none.
+ * \param[in] alpha radius that decides which gaps are outside [m]; 0: by the spacing */
 PlanarPoints
 concaveHull (const PlanarPoints& points, double alpha = 0.0)
 {
@@ -31,14 +32,18 @@ shareInside (const PlanarPoints& points, const PlanarPoints& outline)
   return static_cast<double> (inside) / static_cast<double> (points.size());
 }
 
-/** \brief An L of two bars of 2 m x 0.5 m: 1.75 m^2 of a hull of 2.875 m^2. */
+/** \brief Whether a point is in an L of two bars of 2 m x 0.5 m along x and y. */
 bool
 isInL (const Eigen::Vector2d& point)
 {
   return point.maxCoeff() <= 2.0 + 1e-9 && point.minCoeff() <= 0.5;
 }
 
-/** \brief The points of a grid of a square of 3 m that are in a shape. */
+constexpr double area_of_l = 1.75;
+constexpr double area_of_convex_hull_of_l = 2.875;
+
+/** \brief The points of a grid on a square of 3 m that are in a shape.
+ * \param[in] steps number of steps of the grid along each edge of the square */
 template <typename Shape>
 PlanarPoints
 gridOf (int steps, Shape&& isInShape)
@@ -52,7 +57,8 @@ gridOf (int steps, Shape&& isInShape)
   return grid;
 }
 
-/** \brief A wall of 3 m x 2.5 m with a window of 1 m x 0.8 m. */
+/** \brief Whether a point is in a wall of 3 m x 2.5 m with a window of 1 m x 0.8 m.
+ * Points on the rims are in it, also those moved a little by rounding. */
 bool
 isInWall (const Eigen::Vector2d& p)
 {
@@ -60,9 +66,11 @@ isInWall (const Eigen::Vector2d& p)
          !(p.x() > 1.001 && p.x() < 1.999 && p.y() > 1.001 && p.y() < 1.799);
 }
 
-constexpr double area_of_l = 1.75;
+constexpr double area_around_window = 3_m * 2.5_m;
+constexpr double area_of_window = 1_m * 0.8_m;
 
-/** \brief Draws points in a square of 3 m until a number of them are in a shape. */
+/** \brief Draws points in a square of 3 m until a number of them are in a shape.
+ * \param[in] noise standard deviation of both coordinates [m] */
 template <typename Shape>
 PlanarPoints
 scattered (std::size_t number, double noise, Shape&& isInShape)
@@ -72,8 +80,8 @@ scattered (std::size_t number, double noise, Shape&& isInShape)
   while (points.size() < number) {
     const double x = 3.0 * drawUnit (generator), y = 3.0 * drawUnit (generator);
     if (isInShape ({x, y}))
-      points.emplace_back (x + noise * drawNormal (generator),
-                           y + noise * drawNormal (generator));
+      points.emplace_back (x + noise * drawGaussian (generator),
+                           y + noise * drawGaussian (generator));
   }
   return points;
 }
@@ -83,9 +91,10 @@ scattered (std::size_t number, double noise, Shape&& isInShape)
 TEST (ConcaveHull, FollowsAnLWhereTheConvexHullDoesNot)
 {
   const PlanarPoints l = gridOf (300, isInL);
-  EXPECT_NEAR (areaOf (convexHull (l)), 2.875, 1e-6);
+  EXPECT_NEAR (areaOf (convexHull (l)), area_of_convex_hull_of_l, 1e-6);
   EXPECT_NEAR (areaOf (concaveHull (l)) / area_of_l, 1.0, 1_percent);
-  EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), 2.875, 0.01) << "with a radius given";
+  EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), area_of_convex_hull_of_l, 0.01)
+      << "with a radius given";
 }
 
 TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInsideTheSameEveryTime)
@@ -137,14 +146,15 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHoleAndTakesItOffTheArea)
   const PlanarPoints wall = gridOf (150, isInWall);
   const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 2u);
-  EXPECT_NEAR (areaOf (outline[0]), 7.5, 1_percent * 7.5);
-  EXPECT_NEAR (areaOf (outline[1]), -0.8, 5_percent) << "clockwise";
+  EXPECT_NEAR (areaOf (outline[0]), area_around_window, 1_percent * area_around_window);
+  EXPECT_NEAR (areaOf (outline[1]), -area_of_window, 5_percent) << "clockwise";
   for (const Eigen::Vector2d& corner : outline[1]) {
     EXPECT_NEAR (corner.x(), 1.5, 0.5 + 1e-9);
     EXPECT_NEAR (corner.y(), 1.4, 0.4 + 1e-9);
   }
   const PlaneExtent extent = extentOf (outline, wall, ground);
-  EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
+  EXPECT_NEAR (
+      extent.area, area_around_window - area_of_window, 1_percent * area_around_window);
   ASSERT_EQ (extent.holes.size(), 1u);
   ASSERT_EQ (extent.rings().size(), 2u);
   EXPECT_EQ (extent.rings()[0], extent.hull);
@@ -155,15 +165,16 @@ TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPointsAndOfAFullSurfaceNoHole)
 {
   const PlanarRings outline = concaveOutline (scattered (30000, 5_mm, isInWall));
   ASSERT_EQ (outline.size(), 2u);
-  EXPECT_NEAR (areaOf (outline[1]), -0.8, 10_percent);
+  EXPECT_NEAR (areaOf (outline[1]), -area_of_window, 10_percent);
   EXPECT_EQ (concaveOutline (gridOf (300, isInL)).size(), 1u);
   EXPECT_EQ (concaveOutline (scattered (30000, 5_mm, isInL)).size(), 1u);
 }
 
 TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
 {
-  // Through the first three goes a circle of radius 1.001 without points in it, and
-  // none as large through others: a hole 2 long and 0.2 wide.
+  // The circle through the first three points has a radius of 1.001, above alpha, and
+  // no point in it: a hole 2 m long and 0.2 m wide. No circle through other points is
+  // as large.
   PlanarPoints points = {{-0.9985, 0.1}, {-0.9985, -0.1}, {0.9985, 0.0}};
   for (const double sign : {1.0, -1.0}) {
     points.emplace_back (0.0, sign * 1.05);
@@ -172,7 +183,8 @@ TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
       points.emplace_back (-corner.x(), sign * corner.y());
     }
   }
-  EXPECT_EQ (concaveOutline (points, 1.0).size(), 1u);
+  constexpr double alpha = 1.0;
+  EXPECT_EQ (concaveOutline (points, alpha).size(), 1u);
 }
 
 TEST (ConcaveOutline, OfAWallOfAnySizeIsTheSame)
@@ -208,10 +220,10 @@ TEST (ConcaveOutline, OfRoundedCoordinatesHasNoHoles)
 TEST (ConcaveOutline, HasHolesByFallingArea)
 {
   PlanarPoints wall = gridOf (150, isInWall);
-  const auto is_vent = [] (const Eigen::Vector2d& point) {
+  const auto isVent = [] (const Eigen::Vector2d& point) {
     return (point - Eigen::Vector2d (2.5, 2.0)).lpNorm<Eigen::Infinity>() < 0.2;
   };
-  wall.erase (std::remove_if (wall.begin(), wall.end(), is_vent), wall.end());
+  wall.erase (std::remove_if (wall.begin(), wall.end(), isVent), wall.end());
   const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 3u);
   EXPECT_LT (areaOf (outline[1]), areaOf (outline[2]));
@@ -226,7 +238,8 @@ TEST (ConcavePlaneExtent, OfTheInliersOfAStandingWallHasItsWindow)
   cloud.push_back (toPoint ({10.0, 2.0, 0.0})); // of another plane
   const PlaneSegment wall = planeOfPoints (cloud, inliers, Eigen::Vector3d::UnitY());
   const PlaneExtent extent = concavePlaneExtent (cloud, wall);
-  EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
+  EXPECT_NEAR (
+      extent.area, area_around_window - area_of_window, 1_percent * area_around_window);
   EXPECT_NEAR (extent.length, 3.0, 1_mm);
   ASSERT_EQ (extent.holes.size(), 1u);
   for (const Eigen::Vector3d& corner : extent.holes[0])

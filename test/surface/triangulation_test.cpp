@@ -18,9 +18,10 @@ areaOfTriangles (const pcl_ops::PlanarRings& rings)
     corners.insert (corners.end(), ring.begin(), ring.end());
   double area = 0.0;
   for (const auto& [a, b, c] : pcl_ops::triangulate (rings)) {
-    const double own = pcl_ops::internal::areaOf ({corners[a], corners[b], corners[c]});
-    EXPECT_GE (own, 0.0);
-    area += own;
+    const double area_of_triangle =
+        pcl_ops::internal::areaOf ({corners[a], corners[b], corners[c]});
+    EXPECT_GE (area_of_triangle, 0.0);
+    area += area_of_triangle;
   }
   return area;
 }
@@ -46,7 +47,9 @@ TEST (Triangulation, OfACombWithAHundredTeethCoversEveryTooth)
     comb.emplace_back (tooth + 0.5, 1.0);
   }
   comb.emplace_back (0.0, 0.0);
-  EXPECT_NEAR (areaOfTriangles ({comb}), 100.0 + 50.0, 1e-6);
+  constexpr double area_of_handle = 100.0 * 1.0;
+  constexpr double area_of_teeth = 100 * 0.5;
+  EXPECT_NEAR (areaOfTriangles ({comb}), area_of_handle + area_of_teeth, 1e-6);
 }
 
 TEST (Triangulation, OfNoAreaIsNone)
@@ -58,14 +61,17 @@ TEST (Triangulation, OfNoAreaIsNone)
 
 TEST (Triangulation, LeavesEachOfManyHolesFree)
 {
+  constexpr double hole = 0.2; // its edge
   pcl_ops::PlanarRings sieve = {square_of_three};
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 5; ++y) {
       const double left = 0.2 + 0.6 * x, low = 0.2 + 0.6 * y;
-      sieve.push_back (
-          {{left, low}, {left, low + 0.2}, {left + 0.2, low + 0.2}, {left + 0.2, low}});
+      sieve.push_back ({{left, low},
+                        {left, low + hole},
+                        {left + hole, low + hole},
+                        {left + hole, low}});
     }
-  EXPECT_NEAR (areaOfTriangles (sieve), 9.0 - 25 * 0.04, 1e-9);
+  EXPECT_NEAR (areaOfTriangles (sieve), 9.0 - 25 * hole * hole, 1e-9);
 }
 
 TEST (Triangulation, LeavesOutRingsWithoutCorners)

@@ -10,12 +10,22 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief Assigns points up to four times the noise from their plane. */
 AssignedPoints
 assign (const VoxelScene& scene)
 {
+  constexpr std::nullopt_t no_threshold = std::nullopt;
+  constexpr double noise_factor = 4.0;
+  const std::vector<char> no_voxel_left_out;
   AssignedPoints assigned{Labels (scene.points.size(), no_plane), {}};
-  assignToBoundedPlanes (
-      scene.points, scene.grid(), scene.planes, std::nullopt, 4.0, 1, {}, assigned);
+  assignToBoundedPlanes (scene.points,
+                         scene.grid(),
+                         scene.planes,
+                         no_threshold,
+                         noise_factor,
+                         one_thread,
+                         no_voxel_left_out,
+                         assigned);
   return assigned;
 }
 
@@ -24,11 +34,12 @@ assign (const VoxelScene& scene)
 TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
 {
   const VoxelScene scene ({{ground}, {wall}}, 5_mm);
-  const auto assigned = assign (scene);
-  const auto expected = momentsOfLabels (scene.points, assigned.labels, 2, 1);
+  const AssignedPoints assigned = assign (scene);
+  const std::vector<pcl_ops::Moments> expected =
+      momentsOfLabels (scene.points, assigned.labels, 2, one_thread);
   ASSERT_EQ (assigned.moments.size(), 2u);
   for (std::size_t p = 0; p < 2; ++p) {
-    EXPECT_GT (assigned.moments[p].count, 14000.0);
+    EXPECT_GT (assigned.moments[p].count, 14000.0) << "of points_of_surface";
     EXPECT_EQ (assigned.moments[p].count, expected[p].count);
     EXPECT_LT ((assigned.moments[p].sum - expected[p].sum).norm(), 1e-6);
   }
@@ -36,33 +47,36 @@ TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
 
 TEST (BoundedAssignment, GivesAPointBetweenPlanesToTheNoisierAndOneOnBothToTheCleaner)
 {
-  // The points lie at z = 5 cm. Left of x = 1 m a plane is this far below them, right
-  // of it another plane is above them.
+  // The points lie at z = 5 cm. Voxels left of x = 1 m are on plane 0, which lies below
+  // the points; voxels right of it are on plane 1, as far above them.
   VoxelScene scene ({{ground}});
-  scene.label (1, [] (const auto& at) { return at.x() > 1.0; });
-  for (const double off : {3_cm, 1_mm})
+  scene.label (1, [] (const Eigen::Vector3d& centroid) { return centroid.x() > 1.0; });
+  for (const double distance : {3_cm, 1_mm})
     for (const std::int32_t noisier : {0, 1}) {
-      scene.planes.planes = {Plane{Eigen::Vector3d::UnitZ(), off - 5_cm},
-                             Plane{Eigen::Vector3d::UnitZ(), -off - 5_cm}};
+      scene.planes.planes = {Plane{Eigen::Vector3d::UnitZ(), distance - 5_cm},
+                             Plane{Eigen::Vector3d::UnitZ(), -distance - 5_cm}};
       scene.planes.noise = {noisier == 0 ? 4_cm : 1_cm, noisier == 1 ? 4_cm : 1_cm};
-      const std::int32_t expected = off > 1_cm ? noisier : 1 - noisier;
+      const std::int32_t cleaner = 1 - noisier;
+      const std::int32_t expected = distance > 1_cm ? noisier : cleaner;
       const Labels labels = assign (scene).labels;
-      for (std::size_t i = 0; i < labels.size(); ++i)
-        EXPECT_TRUE (std::abs (scene.points.x[i] - 1.0f) > 0.1f ||
-                     labels[i] == expected);
+      for (std::size_t i = 0; i < labels.size(); ++i) {
+        const bool has_both_planes_around = std::abs (scene.points.x[i] - 1.0f) <= 0.1f;
+        EXPECT_TRUE (!has_both_planes_around || labels[i] == expected);
+      }
     }
 }
 
 TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
 {
-  // Four times 6 mm; each point in a voxel of its own, above the ground's.
+  // Four times 6 mm are 24 mm. Two points above the ground, each in a voxel of its own.
   VoxelScene scene ({{{{0, 0, 0.09}, {2, 0, 0}, {0, 2, 0}}}});
-  const std::size_t on_the_ground = scene.points.size();
+  const std::size_t first_above = scene.points.size();
   scene.points.add (0.55f, 0.55f, 0.105f);
   scene.points.add (1.55f, 0.55f, 0.120f);
   scene.voxelize();
-  scene.label (no_plane, [] (const auto& at) { return at.z() > 0.1; });
+  scene.label (no_plane,
+               [] (const Eigen::Vector3d& centroid) { return centroid.z() > 0.1; });
   const Labels labels = assign (scene).labels;
-  EXPECT_EQ (labels[on_the_ground], 0) << "15 mm off";
-  EXPECT_EQ (labels[on_the_ground + 1], no_plane) << "30 mm off";
+  EXPECT_EQ (labels[first_above], 0) << "15 mm off";
+  EXPECT_EQ (labels[first_above + 1], no_plane) << "30 mm off";
 }

@@ -11,6 +11,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief A plane through the middle of the ground, tilted by 6 degrees. */
 const Plane tilted =
     pcl_ops::planeThrough (ground.center(), Eigen::Vector3d (0.1, 0, 1).normalized());
 
@@ -27,10 +28,11 @@ threeVoxels ()
   Coordinates points;
   for (const float x : {0.05f, 0.15f, 0.25f})
     points.add (x, 0.05f, 0.05f);
-  return voxelize (points, 10_cm, 1);
+  return voxelize (points, 10_cm, one_thread);
 }
 
-/** \brief Voxels of \ref threeVoxels on planes. */
+/** \brief Two planes on the voxels of \ref threeVoxels.
+ * \param[in] plane_of_point for each of the three points the plane of its voxel */
 BoundedPlanes
 planesOf (const VoxelGrid& grid, const Labels& plane_of_point)
 {
@@ -49,7 +51,9 @@ TEST (Refitting, FitsEachPlaneToItsVoxelsAndLeavesOneWithoutAsItIs)
 {
   VoxelScene scene ({{ground}, {wall}});
   scene.planes.planes = {tilted, tilted, tilted};
-  scene.label (no_plane, [] (const auto& at) { return at.x() < 0.1 && at.z() < 0.1; });
+  scene.label (no_plane, [] (const Eigen::Vector3d& centroid) {
+    return centroid.x() < 0.1 && centroid.z() < 0.1;
+  });
   refitPlanes (scene.grid(), scene.planes);
   EXPECT_TRUE (isNear (scene.planes.planes[0], ground, 1e-6, 1e-6));
   EXPECT_TRUE (isNear (scene.planes.planes[1], wall, 1e-6, 1e-6));
@@ -60,10 +64,10 @@ TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxelsAndWhatTheyHaveElsewhere)
 {
   const VoxelGrid three = threeVoxels();
   BoundedPlanes planes = planesOf (three, {1, no_plane, 1});
-  for (const double elsewhere : {0.0, 1.0}) {
-    const auto moments = momentsOfPlanes (three, planes);
+  for (const double points_elsewhere : {0.0, 1.0}) {
+    const std::vector<Moments> moments = momentsOfPlanes (three, planes);
     ASSERT_EQ (moments.size(), 2u);
-    EXPECT_EQ (moments[0].count, elsewhere);
+    EXPECT_EQ (moments[0].count, points_elsewhere) << "plane 0 has no voxel";
     EXPECT_EQ (moments[1].count, 2.0);
     EXPECT_NEAR (moments[1].sum.x(), 0.05 + 0.25, 1e-6);
     planes.moments_elsewhere.resize (1);
@@ -85,7 +89,7 @@ TEST (Renumbering, PutsVoxelsAndMomentsOnThePlanesTheirsWereMergedInto)
   planes.planes = {atHeight (0), atHeight (1), atHeight (2), atHeight (3)};
   planes.plane_of_voxel = {0, 1, 2, 3, no_plane, 1};
   planes.moments_elsewhere.resize (4);
-  for (const int p : {0, 1, 2, 3})
+  for (const int p : {0, 1, 2, 3}) // x of 1, 2, 4 and 8: sums tell them apart
     planes.moments_elsewhere[p].add (1 << p, 0, 0);
   pcl_ops::MergedPlanes merged;
   merged.merged_into = {1, 0, 1, no_plane}; // the last was dropped

@@ -8,14 +8,16 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// 15 voxels of 10 cm, fewer than the 20 a plane needs; of 5 cm there are 60.
+/** \brief A narrow board in 15 voxels of 10 cm, fewer than the 20 that a plane needs,
+ * but in 60 voxels of 5 cm. */
 const Surface board = {{0, 0, 1.01}, {1.5, 0, 0}, {0, 0.1, 0}};
 
-/** \brief 14400 points of each surface, moved along its normal by up to a noise [m]. */
+/** \brief points_of_surface points on each surface.
+ * \param[in] max_offset of points along the normal, as in \ref addGrid [m] */
 Points
-pointsOf (const std::vector<Surface>& surfaces, double noise = 0.0)
+pointsOf (const std::vector<Surface>& surfaces, double max_offset = 0.0)
 {
-  return gridsOf (surfaces, 120, noise);
+  return gridsOf (surfaces, grid_steps, max_offset);
 }
 
 using Parameters = pcl_ops::OrientedPointSamplingParameters;
@@ -52,21 +54,23 @@ TEST (DetectOnVoxels, MakesOnePlaneOfTwoThatAGapDividesAndFindsANarrowBoard)
   const LabelledPlanes found = detect (pointsOf ({ground, beyond, board}));
   EXPECT_EQ (found.planes_before_merging, 3u);
   EXPECT_EQ (found.planes.fits.size(), 2u);
-  EXPECT_EQ (pointsOn (0, found), 28800u);
-  EXPECT_EQ (pointsOn (1, found), 14400u) << "found in voxels of half the edge";
+  EXPECT_EQ (pointsOn (0, found), 2 * points_of_surface);
+  EXPECT_EQ (pointsOn (1, found), points_of_surface)
+      << "found in voxels of half the edge";
 }
 
 TEST (DetectOnVoxels, SaysTheVoxelSizeAndTheDistanceThatItUsed)
 {
-  // Noise evenly up to 2 cm has an rms of 1.15 cm, of which a point may have five.
+  // Offsets drawn uniformly up to 2 cm have an rms of 2 cm / sqrt (3) = 1.15 cm. A
+  // point may be five times that from its plane.
   const LabelledPlanes noisy = detect (pointsOf ({ground}, 2_cm));
   EXPECT_EQ (noisy.used.voxel_size, usual().surfels.voxel_size);
   ASSERT_TRUE (noisy.used.distance_threshold);
   EXPECT_NEAR (*noisy.used.distance_threshold, 5 * 0.0115, 1_cm);
-  Parameters by_itself = usual();
-  by_itself.surfels.voxel_size.reset();
-  by_itself.distance_threshold = 1_cm;
-  const LabelledPlanes limited = detect (pointsOf ({ground}, 2_cm), by_itself);
+  Parameters threshold_alone = usual();
+  threshold_alone.surfels.voxel_size.reset();
+  threshold_alone.distance_threshold = 1_cm;
+  const LabelledPlanes limited = detect (pointsOf ({ground}, 2_cm), threshold_alone);
   EXPECT_GT (limited.used.voxel_size.value_or (0), 1_cm);
   EXPECT_NEAR (*limited.used.distance_threshold, 1_cm, 1e-6);
   EXPECT_EQ (detect (Points()).used.distance_threshold, std::nullopt);
@@ -74,19 +78,20 @@ TEST (DetectOnVoxels, SaysTheVoxelSizeAndTheDistanceThatItUsed)
 
 TEST (DetectOnVoxels, KeepsApartWhatNoiseDoesNotExplain)
 {
-  // 3 cm higher: nearer than theta_h of the paper.
-  for (const double noise : {0.0, 6_cm}) {
+  // A second ground 3 cm higher: nearer than theta_h of the paper, 5 cm.
+  for (const double max_offset : {0.0, 6_cm}) {
     const Points points =
-        pointsOf ({ground, {{3, 0, 0.08}, {2, 0, 0}, {0, 2, 0}}}, noise);
-    EXPECT_EQ (detect (points).planes.fits.size(), noise == 0.0 ? 2u : 1u);
+        pointsOf ({ground, {{3, 0, 0.08}, {2, 0, 0}, {0, 2, 0}}}, max_offset);
+    EXPECT_EQ (detect (points).planes.fits.size(), max_offset == 0.0 ? 2u : 1u);
   }
 }
 
 TEST (DetectOnVoxels, CountsEachPointOnce)
 {
-  // The ground below the board on it is looked at in voxels of both sizes.
-  const LabelledPlanes found =
-      detect (pointsOf ({ground, {{0, 1.05, 0.1}, {1.5, 0, 0}, {0, 0, 0.1}}}));
+  // An upright board on the ground. Planes are searched for around it in voxels of 10
+  // cm and of 5 cm.
+  const Surface upright_board = {{0, 1.05, 0.1}, {1.5, 0, 0}, {0, 0, 0.1}};
+  const LabelledPlanes found = detect (pointsOf ({ground, upright_board}));
   ASSERT_EQ (found.planes.fits.size(), 2u);
   for (const std::int32_t plane : {0, 1})
     EXPECT_EQ (found.planes.moments[static_cast<std::size_t> (plane)].count,
@@ -98,16 +103,21 @@ TEST (DetectOnVoxels, TakesSurfelsUpToAThicknessOfEachSizeOfVoxels)
   // Points up to 4 cm off: thick in voxels of either size.
   const Points points = pointsOf ({ground}, 4_cm);
   Parameters parameters = usual (1);
-  for (const auto& [sure, largest] : {std::pair (0.0, 0.0), {1.0, 0.0}, {0.0, 1.0}}) {
-    parameters.surfels.sure_thickness = sure;
-    parameters.surfels.max_thickness = largest;
-    EXPECT_EQ (detect (points, parameters).planes.fits.empty(), sure + largest == 0.0);
+  const struct {
+    double sure_thickness, max_thickness;
+    bool has_planes;
+  } rows[] = {{0.0, 0.0, false}, {1.0, 0.0, true}, {0.0, 1.0, true}};
+  for (const auto& row : rows) {
+    parameters.surfels.sure_thickness = row.sure_thickness;
+    parameters.surfels.max_thickness = row.max_thickness;
+    EXPECT_EQ (!detect (points, parameters).planes.fits.empty(), row.has_planes);
   }
 }
 
 TEST (DetectOnVoxels, AsksForPointsEnoughForANormal)
 {
-  // 36 points in each voxel, 9 voxels around: 324 points, half as many as 648.
+  // 36 points in each voxel, 9 voxels in a neighborhood: 324 points. A surfel needs
+  // half of k points: 2 * 324 = 648.
   const Points points = pointsOf ({ground});
   Parameters parameters = usual (1);
   for (const int k : {30, 640, 650}) {

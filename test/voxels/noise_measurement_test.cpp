@@ -10,8 +10,8 @@ TEST (Noise, IsThatOfTheOwnPlanesVoxelsAloneAndNoLessThanAShareOfTheirSize)
   // Two halves of a ground, the plane of the right one 4 cm off its points.
   VoxelScene scene ({{ground}, {{{2, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}}});
   scene.planes.planes[1].offset += 4_cm;
-  measureNoise (scene.grid(), 1, scene.planes);
-  EXPECT_NEAR (scene.planes.noise.at (0), 3_mm, 1e-6) << "of voxels of 10 cm";
+  measureNoise (scene.grid(), one_thread, scene.planes);
+  EXPECT_NEAR (scene.planes.noise.at (0), 3_mm, 1e-6) << "3 % of 10 cm";
   EXPECT_NEAR (scene.planes.noise.at (1), 4_cm, 1e-6);
 }
 
@@ -23,7 +23,7 @@ TEST (Noise, IsThatOfMostOfThePlaneAndOfOneWithoutVoxelsIsKept)
                     1_cm);
   scene.addPlane ({Eigen::Vector3d::UnitX(), 7.0});
   scene.planes.noise[1] = 1_m;
-  measureNoise (scene.grid(), 1, scene.planes);
+  measureNoise (scene.grid(), one_thread, scene.planes);
   // The standard deviation of a uniform distribution from -1 cm to 1 cm.
   EXPECT_NEAR (scene.planes.noise[0], 1_cm / std::sqrt (3.0), 1_mm);
   EXPECT_EQ (scene.planes.noise[1], 1_m);

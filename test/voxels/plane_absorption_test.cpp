@@ -13,18 +13,25 @@ splitOff (double width, VoxelScene& scene)
 {
   const auto splinter = static_cast<std::int32_t> (scene.planes.size());
   scene.addPlane (scene.planes.planes[0]);
-  scene.label (splinter, [width] (const auto& at) { return at.x() < width; });
+  scene.label (splinter, [width] (const Eigen::Vector3d& centroid) {
+    return centroid.x() < width;
+  });
 }
 
-/** \brief For each plane the index of the plane that absorbs it. */
+/** \brief For each plane the index of the plane that absorbs it; its own if none does.
+ */
 pcl_ops::Labels
-absorbed (const VoxelScene& scene)
+absorbersIn (const VoxelScene& scene)
 {
-  return absorbPlanes (scene.grid(), 2.0, scene.planes);
+  constexpr double noise_factor = 2.0;
+  return absorbPlanes (scene.grid(), noise_factor, scene.planes);
 }
 
-/** \brief Index of the plane that absorbs a strip at a height above a ground [m], when
- * both have this noise [m]. */
+constexpr std::int32_t by_ground = 0;
+constexpr std::int32_t by_none = 1; // the strip, which is plane 1, keeps its own index
+
+/** \brief Index of the plane that absorbs a strip of 10 cm beside the ground.
+ * \param[in] height of the strip above the ground [m] */
 std::int32_t
 absorberOfStrip (double height, double noise_of_ground, double noise_of_strip)
 {
@@ -34,22 +41,23 @@ absorberOfStrip (double height, double noise_of_ground, double noise_of_strip)
   scene.voxelize();
   scene.addPlane (pcl_ops::planeThrough (strip.center(), strip.normal()));
   scene.planes.noise = {noise_of_ground, noise_of_strip};
-  scene.label (1, [] (const auto& at) { return at.x() > 2.0; });
-  return absorbed (scene)[1];
+  scene.label (1, [] (const Eigen::Vector3d& centroid) { return centroid.x() > 2.0; });
+  return absorbersIn (scene)[1];
 }
 
 } // namespace
 
 TEST (Absorption, GivesSplintersToThePlaneAroundThem)
 {
-  // One splinter; one of a splinter, which it touches alone; and three strips, of which
-  // the first and the last touch when one of them has the middle one.
+  // Each width splits off the left part of the ground. One splinter; a splinter of a
+  // splinter, which touches that alone; and three strips, of which the outer two touch
+  // only after one of them has absorbed the middle one.
   for (const std::vector<double>& widths :
        {std::vector<double>{20_cm}, {40_cm, 10_cm}, {1.2_m, 80_cm}}) {
     VoxelScene scene ({{ground}}, 5_mm);
     for (const double width : widths)
       splitOff (width, scene);
-    const pcl_ops::Labels into = absorbed (scene);
+    const pcl_ops::Labels into = absorbersIn (scene);
     EXPECT_EQ (std::count (into.begin(), into.end(), into[0]), into.size());
   }
 }
@@ -58,40 +66,44 @@ TEST (Absorption, TakesAPlaneThatTouchesOneAndIsNoHigherThanTheNoiseOfBothExplai
 {
   const struct {
     const char* other;
-    double x, height, noise;
-    std::int32_t into;
-  } rows[] = {{"a step of many times the noise", 2_m, 8_cm, 5_mm, 1},
-              {"one of seven times the noise", 2_m, 2_cm, 3_mm, 1},
-              {"not as high as the noise", 2_m, 2_cm, 3_cm, 0},
-              {"coplanar, but apart", 3_m, 0_m, 0_m, 1}};
+    double x, height; // where the other plane begins, above the ground [m]
+    double noise;     // the largest offset of points of both planes [m]
+    std::int32_t absorber;
+  } rows[] = {{"a step of many times the noise", 2_m, 8_cm, 5_mm, by_none},
+              {"one of seven times the noise", 2_m, 2_cm, 3_mm, by_none},
+              {"not as high as the noise", 2_m, 2_cm, 3_cm, by_ground},
+              {"coplanar, but apart", 3_m, 0_m, 0_m, by_none}};
   for (const auto& row : rows) {
     const Surface other = {{row.x, 0, 0.05 + row.height}, {1, 0, 0}, {0, 2, 0}};
-    EXPECT_EQ (absorbed (VoxelScene ({{ground}, {other}}, row.noise)),
-               (pcl_ops::Labels{0, row.into}))
+    EXPECT_EQ (absorbersIn (VoxelScene ({{ground}, {other}}, row.noise)),
+               (pcl_ops::Labels{0, row.absorber}))
         << row.other;
   }
 }
 
 TEST (Absorption, TakesABumpThatTheNoiseOfBothExplainsButNoRoughPatchOfACleanPlane)
 {
-  EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 9_mm), 0);
-  EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 1_mm), 1) << "of its own noise it is sure";
-  EXPECT_EQ (absorberOfStrip (8_cm, 5_cm, 5_cm), 0);
-  EXPECT_EQ (absorberOfStrip (8_cm, 5_mm, 5_cm), 1);
+  EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 9_mm), by_ground);
+  EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 1_mm), by_none) << "clean points of its own";
+  EXPECT_EQ (absorberOfStrip (8_cm, 5_cm, 5_cm), by_ground);
+  EXPECT_EQ (absorberOfStrip (8_cm, 5_mm, 5_cm), by_none);
 }
 
 TEST (Absorption, WeighsWhatAPlaneHasElsewhere)
 {
-  // A strip 6 mm above the ground is larger than the ground here, but not in all.
-  for (const bool has_more : {false, true}) {
+  // A strip 6 mm above the ground has more points than the ground in these voxels, but
+  // the ground may have still more elsewhere. The smaller plane is absorbed by the
+  // larger one.
+  for (const bool ground_has_more : {false, true}) {
     VoxelScene scene ({{{{0, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}}},
                        {{{1.5, 0, 0.056}, {2, 0, 0}, {0, 2, 0}}}},
                       1_cm);
     const VoxelScene elsewhere ({{{{-50, -50, 0.05}, {40, 0, 0}, {0, 100, 0}}}});
-    if (has_more)
+    if (ground_has_more)
       scene.planes.moments_elsewhere =
           momentsOfPlanes (elsewhere.grid(), elsewhere.planes);
-    scene.label (1, [] (const auto& at) { return at.x() > 1.4; });
-    EXPECT_EQ (absorbed (scene)[0], has_more ? 0 : 1);
+    scene.label (1,
+                 [] (const Eigen::Vector3d& centroid) { return centroid.x() > 1.4; });
+    EXPECT_EQ (absorbersIn (scene)[0], ground_has_more ? 0 : 1);
   }
 }

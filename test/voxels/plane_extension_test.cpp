@@ -9,48 +9,53 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief A square of the floor, which is plane 0, and rows of points beside it along
- * y, on no plane. */
+/** \brief A rectangle of the floor, which is plane 0, and rows of points beside it
+ * along y, which are on no plane. */
 struct FloorAndRows {
-  static constexpr int on_floor = 2304, of_row = 20;
+  static constexpr int floor_steps = 48;
+  static constexpr int points_of_floor = floor_steps * floor_steps;
+  static constexpr int points_of_row = 20;
   Coordinates points;
 
+  /** \param[in] width of the floor along y [m] */
   explicit FloorAndRows (double width = 1.6)
   {
-    addGrid (points, {{0, 0, 0}, {1.6, 0, 0}, {0, width, 0}}, 48, 1_mm);
+    addGrid (points, {{0, 0, 0}, {1.6, 0, 0}, {0, width, 0}}, floor_steps, 1_mm);
   }
 
-  FloorAndRows&
+  /** \brief Adds a row of points 8 cm apart. */ FloorAndRows&
   row (double x, double height)
   {
-    for (int i = 0; i < of_row; ++i)
+    for (int i = 0; i < points_of_row; ++i)
       points.add (static_cast<float> (x), 0.08f * i, static_cast<float> (height));
     return *this;
   }
 
-  /** \brief The label of each row after plane extension in voxels of 10 cm; fails if
-   * the points of a row differ in label. */
+  /** \brief The label of each row after planes were extended from voxels of 10 cm;
+   * fails if the points of a row differ in label.
+   * \param[in] doublings how many times the edge of voxels is doubled */
   Labels
-  extended (int levels, std::optional<double> distance_threshold = {}) const
+  extended (int doublings, std::optional<double> distance_threshold = {}) const
   {
     const VoxelGrid grid = connectedGrid (points, 10_cm);
     AssignedPoints assigned{Labels (points.size(), no_plane), {{}}};
-    for (int i = 0; i < on_floor; ++i) {
+    for (int i = 0; i < points_of_floor; ++i) {
       assigned.labels[i] = 0;
       assigned.moments[0].add (points.x[i], points.y[i], points.z[i]);
     }
     extendPlanes (points,
                   grid,
                   openPoints (grid, upTo (grid.size()), assigned.labels),
-                  levels,
+                  doublings,
                   distance_threshold,
                   assigned);
     EXPECT_EQ (assigned.moments[0].count,
                std::count (assigned.labels.begin(), assigned.labels.end(), 0));
     Labels of_rows;
-    for (auto row = assigned.labels.begin() + on_floor; row != assigned.labels.end();
-         row += of_row) {
-      EXPECT_EQ (std::count (row, row + of_row, *row), of_row);
+    for (auto row = assigned.labels.begin() + points_of_floor;
+         row != assigned.labels.end();
+         row += points_of_row) {
+      EXPECT_EQ (std::count (row, row + points_of_row, *row), points_of_row);
       of_rows.push_back (*row);
     }
     return of_rows;

@@ -8,7 +8,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief The surface of the ground that goes on 2 m farther, some way up. */
+/** \brief A surface beside the ground, as large, and higher [m]. */
 Surface
 higherBy (double height)
 {
@@ -18,7 +18,7 @@ higherBy (double height)
 void
 grow (VoxelScene& scene, std::optional<double> theta_h = std::nullopt)
 {
-  growPlanes (scene.grid(), theta_h, 1, scene.planes);
+  growPlanes (scene.grid(), theta_h, one_thread, scene.planes);
 }
 
 } // namespace
@@ -26,56 +26,65 @@ grow (VoxelScene& scene, std::optional<double> theta_h = std::nullopt)
 TEST (Growing, ReachesTheVoxelsAtTheEdgeOfAPlane)
 {
   VoxelScene scene ({{ground}, {wall}}, 5_mm);
-  scene.label (no_plane, [] (const auto& at) { return at.x() < 0.4 && at.z() < 0.4; });
-  EXPECT_GT (voxelsOn (no_plane, scene.planes), 100u);
+  scene.label (no_plane, [] (const Eigen::Vector3d& centroid) {
+    return centroid.x() < 0.4 && centroid.z() < 0.4;
+  });
+  EXPECT_GT (countVoxelsOn (no_plane, scene.planes), 100u);
   grow (scene);
   // A row of voxels where ground and wall meet belongs to neither alone.
-  EXPECT_LE (voxelsOn (no_plane, scene.planes), 21u);
+  EXPECT_LE (countVoxelsOn (no_plane, scene.planes), 21u);
 }
 
 TEST (Growing, GoesOnForAsFarAsThereAreVoxels)
 {
   // All but the first row, so that each row can be taken after the one before only.
   VoxelScene scene ({{ground}});
-  scene.label (no_plane, [] (const auto& at) { return at.x() > 0.1; });
-  EXPECT_EQ (voxelsOn (0, scene.planes), 20u);
+  scene.label (no_plane,
+               [] (const Eigen::Vector3d& centroid) { return centroid.x() > 0.1; });
+  EXPECT_EQ (countVoxelsOn (0, scene.planes), 20u);
   grow (scene);
-  EXPECT_EQ (voxelsOn (0, scene.planes), 400u);
+  EXPECT_EQ (countVoxelsOn (0, scene.planes), voxels_of_surface);
 }
 
 TEST (Growing, GivesAVoxelToTheNearerOfThePlanesNextToIt)
 {
-  // Next to the step of 1 cm either plane could take it, at 1.67 times the noise.
+  // A row of voxels on either side of a step of 1 cm. Either plane may take it: 1 cm
+  // is 1.67 times the noise.
   for (const double row : {1.9, 2.0}) {
     VoxelScene scene ({{ground}, {higherBy (1_cm)}});
-    scene.label (no_plane,
-                 [row] (const auto& at) { return at.x() > row && at.x() < row + 0.1; });
-    EXPECT_EQ (voxelsOn (no_plane, scene.planes), 20u);
+    scene.label (no_plane, [row] (const Eigen::Vector3d& centroid) {
+      return centroid.x() > row && centroid.x() < row + 0.1;
+    });
+    EXPECT_EQ (countVoxelsOn (no_plane, scene.planes), 20u);
     grow (scene);
-    EXPECT_EQ (voxelsOn (0, scene.planes), 400u);
-    EXPECT_EQ (voxelsOn (1, scene.planes), 400u);
+    EXPECT_EQ (countVoxelsOn (0, scene.planes), voxels_of_surface);
+    EXPECT_EQ (countVoxelsOn (1, scene.planes), voxels_of_surface);
   }
 }
 
 TEST (Growing, TakesVoxelsUpToThreeTimesTheNoiseAndTheThreshold)
 {
-  // What lies beyond three quarters of the ground is on no plane.
+  // The last quarter of the ground and all beyond the step are on no plane at first.
+  // The plane of the ground takes the quarter, and what is beyond if it is near enough.
   const struct {
     double height, noise;
     std::optional<double> theta_h;
-    std::size_t voxels;
-  } rows[] = {{10_cm, 6_mm, {}, 400},
-              {1_cm, 3_mm, {}, 400},
-              {1_cm, 4_mm, {}, 800},
-              {8_mm, 6_mm, 5_mm, 400},
-              {8_mm, 6_mm, 1_cm, 800}};
+    std::size_t voxels; // of the ground's plane after it grew
+  } rows[] = {{10_cm, 6_mm, {}, voxels_of_surface},
+              {1_cm, 3_mm, {}, voxels_of_surface},
+              {1_cm, 4_mm, {}, 2 * voxels_of_surface},
+              {8_mm, 6_mm, 5_mm, voxels_of_surface},
+              {8_mm, 6_mm, 1_cm, 2 * voxels_of_surface}};
   for (const auto& row : rows) {
     VoxelScene scene ({{ground}, {higherBy (row.height)}});
-    scene.label (no_plane, [] (const auto& at) { return at.x() > 1.5; });
+    scene.label (no_plane,
+                 [] (const Eigen::Vector3d& centroid) { return centroid.x() > 1.5; });
     scene.planes.noise[0] = row.noise;
     grow (scene, row.theta_h);
-    EXPECT_EQ (voxelsOn (0, scene.planes), row.voxels) << row.height;
-    EXPECT_EQ (voxelsOn (no_plane, scene.planes), 800 - row.voxels) << row.height;
+    EXPECT_EQ (countVoxelsOn (0, scene.planes), row.voxels) << row.height;
+    EXPECT_EQ (countVoxelsOn (no_plane, scene.planes),
+               2 * voxels_of_surface - row.voxels)
+        << row.height;
   }
 }
 

@@ -10,9 +10,9 @@ using namespace pcl_ops::internal;
 namespace {
 
 bool
-isRight (const Eigen::Vector3d& at)
+isRight (const Eigen::Vector3d& centroid)
 {
-  return at.x() > 1.0;
+  return centroid.x() > 1.0;
 }
 
 /** \brief The ground; only its left half is on its plane. */
@@ -27,7 +27,7 @@ halfExplained ()
 Refinement
 refined (const VoxelScene& scene)
 {
-  return refine (scene.voxelized, scene.planes, 1);
+  return refine (scene.voxelized, scene.planes, one_thread);
 }
 
 } // namespace
@@ -36,7 +36,7 @@ TEST (Refinement, IsOfVoxelsWithoutAPlaneAndOfThoseNextToThem)
 {
   const VoxelScene scene = halfExplained();
   const Refinement refinement = refined (scene);
-  ASSERT_EQ (refinement.is_refined.size(), 400u);
+  ASSERT_EQ (refinement.is_refined.size(), voxels_of_surface);
   for (std::size_t i = 0; i < scene.grid().size(); ++i)
     EXPECT_EQ (refinement.is_refined[i] != 0, scene.centroid (i).x() > 0.9);
 }
@@ -56,17 +56,17 @@ TEST (Refinement, HasThePointsOfThoseVoxels)
 TEST (Refinement, OfAllVoxelsHasAllPoints)
 {
   VoxelScene scene ({{ground}});
-  scene.label (no_plane, [] (const auto&) { return true; });
+  scene.label (no_plane, [] (const Eigen::Vector3d&) { return true; });
   const VoxelGrid finer = refined (scene).grid;
   std::size_t points = 0;
-  double counted = 0.0;
+  double points_of_moments = 0.0;
   for (std::size_t voxel = 0; voxel < finer.size(); ++voxel) {
     const IndexRange of_voxel = finer.pointsOf (voxel);
     points += static_cast<std::size_t> (of_voxel.end() - of_voxel.begin());
-    counted += finer.moments[voxel].count;
+    points_of_moments += finer.moments[voxel].count;
   }
   EXPECT_EQ (points, scene.points.size());
-  EXPECT_EQ (counted, static_cast<double> (points));
+  EXPECT_EQ (points_of_moments, static_cast<double> (points));
 }
 
 TEST (Refinement, HalvesTheVoxels)
@@ -74,8 +74,8 @@ TEST (Refinement, HalvesTheVoxels)
   const Refinement refinement = refined (halfExplained());
   const VoxelGrid& grid = refinement.grid;
   EXPECT_DOUBLE_EQ (grid.voxel_size, 5_cm);
-  EXPECT_EQ (grid.size(), 22u * 40u) << "of eleven rows of twenty, four each";
-  EXPECT_EQ (grid.neighbors.places.size(), grid.size());
+  EXPECT_EQ (grid.size(), 11u * 20u * 4u) << "eleven rows of twenty, each in four";
+  EXPECT_EQ (grid.neighbors.occupied.size(), grid.size());
 }
 
 TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
@@ -86,7 +86,8 @@ TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
     for (int i = 0; i < number; ++i)
       scene.points.add (0.55f, 0.55f, 1.01f + 0.01f * static_cast<float> (i));
     scene.voxelize();
-    scene.label (no_plane, [] (const auto& at) { return at.z() > 0.5; });
+    scene.label (no_plane,
+                 [] (const Eigen::Vector3d& centroid) { return centroid.z() > 0.5; });
     EXPECT_EQ (refined (scene).grid.size() > 0, number == 8);
   }
 }
@@ -100,7 +101,7 @@ TEST (Refinement, LosesNoPointOfAPlane)
   refinement.planes.plane_of_voxel.assign (refinement.grid.size(), 0);
   const Moments all = momentsOfPlanes (refinement.grid, refinement.planes).at (0);
   EXPECT_LT (refinement.planes.moments_elsewhere.at (0).count, 0.5 * all.count);
-  EXPECT_EQ (all.count, 14400.0);
+  EXPECT_EQ (all.count, points_of_surface);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     sum += scene.points[i];
@@ -111,8 +112,8 @@ TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
 {
   const Refinement refinement = refined (VoxelScene ({{ground}}));
   EXPECT_EQ (refinement.grid.size(), 0u);
-  EXPECT_EQ (refinement.is_refined, std::vector<char> (400, 0));
-  EXPECT_EQ (refinement.planes.moments_elsewhere.at (0).count, 14400.0);
+  EXPECT_EQ (refinement.is_refined, std::vector<char> (voxels_of_surface, 0));
+  EXPECT_EQ (refinement.planes.moments_elsewhere.at (0).count, points_of_surface);
 }
 
 TEST (Refinement, KeepsTheCoarsePlanesAndThatOfTheVoxelThatHoldsAFinerOne)
@@ -137,8 +138,8 @@ TEST (Refinement, KeepsNoPlaneThatTheFinerPointsAreNotOn)
   const Refinement refinement = refined (scene);
   const VoxelGrid& grid = refinement.grid;
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    const Eigen::Vector3d at = grid.moments[i].centroid();
+    const Eigen::Vector3d centroid = grid.moments[i].centroid();
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
-               isRight (at) || at.z() > 8_cm ? no_plane : 0);
+               isRight (centroid) || centroid.z() > 8_cm ? no_plane : 0);
   }
 }

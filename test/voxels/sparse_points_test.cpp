@@ -9,18 +9,21 @@ using namespace pcl_ops::internal;
 namespace {
 
 constexpr double min_points = 30.0;
+constexpr int dense_steps = 120;
+constexpr std::size_t dense_points = dense_steps * dense_steps;
 
-/** \brief A dense square of 14,400 points, and a sparse one in another place, of so
- * many points a meter from each other, in voxels of 10 cm. */
+/** \brief A dense square of \ref dense_points points, and a sparse square somewhere
+ * else of sparse_steps x sparse_steps points 1 m apart, in voxels of 10 cm. */
 VoxelGrid
 denseAndSparse (int sparse_steps)
 {
-  Coordinates points = gridsOf ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, 120);
+  Coordinates points = gridsOf ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, dense_steps);
   const double edge = sparse_steps * 1_m;
   addGrid (points, {{10, 0, 0}, {edge, 0, 0}, {0, edge, 0}}, sparse_steps);
   return connectedGrid (points, 10_cm);
 }
 
+/** \brief The sparse points of a grid, all points of which have a label. */
 Indices
 sparseAmong (const VoxelGrid& grid, std::int32_t label = no_plane)
 {
@@ -33,23 +36,24 @@ sparseAmong (const VoxelGrid& grid, std::int32_t label = no_plane)
 
 TEST (SparsePoints, AreThoseWithFewAround)
 {
-  Indices sparse (400);
-  std::iota (sparse.begin(), sparse.end(), 14400u);
+  Indices sparse (20 * 20);
+  std::iota (sparse.begin(), sparse.end(), static_cast<std::uint32_t> (dense_points));
   EXPECT_EQ (sparseAmong (denseAndSparse (20)), sparse);
 }
 
 TEST (SparsePoints, AreOnNoPlaneAndAHundredthToHalfOfTheCloud)
 {
   EXPECT_TRUE (sparseAmong (denseAndSparse (20), 0).empty()) << "on a plane";
-  EXPECT_TRUE (sparseAmong (denseAndSparse (12)).empty()) << "left alone";
+  EXPECT_TRUE (sparseAmong (denseAndSparse (12)).empty())
+      << "144 points, less than a hundredth";
   EXPECT_TRUE (sparseAmong (denseAndSparse (121)).empty())
-      << "more than half have voxels of their own already";
+      << "more than half: the voxel size suits them already";
 }
 
 TEST (SparsePoints, AreOnNoPlaneIfTheyScatterLikeAMist)
 {
-  // Points 1 cm above and below the first plane, and farther from the others; 1 m, 10
-  // cm and 10 cm from each other.
+  // Each plane has 100 points, by turns above and below it. Points of plane 2 scatter
+  // by as much as they are apart, and far more than those of the dense plane.
   const auto plane = [] (double spacing, double height) {
     pcl_ops::Moments moments;
     for (int i = 0; i < 100; ++i)
@@ -61,7 +65,7 @@ TEST (SparsePoints, AreOnNoPlaneIfTheyScatterLikeAMist)
   AssignedPoints sparse{
       {0, 1, no_plane, 2, 0},
       {plane (1_m, 10_cm), plane (10_cm, 5_cm), plane (10_cm, 10_cm)}};
-  rejectMist ({plane (1_cm, 1_cm)}, 1, sparse);
+  rejectMist ({plane (1_cm, 1_cm)}, one_thread, sparse);
   EXPECT_EQ (sparse.labels, (pcl_ops::Labels{0, 1, no_plane, no_plane, 0}));
   EXPECT_EQ (sparse.moments[0].count, 100.0);
   EXPECT_EQ (sparse.moments[2].count, 0.0);

@@ -12,11 +12,19 @@ namespace {
 
 using Surfels = std::vector<std::optional<Surfel>>;
 
+/** \brief In 25 voxels, in the plane of the ground but a meter beyond its end. */
 const Surface tile = {{3, 0, 0.05}, {0.5, 0, 0}, {0, 0.5, 0}};
 
 using Parameters = pcl_ops::OrientedPointSamplingParameters;
 
 constexpr double max_thickness = 0.25;
+
+/** \brief The surfels of a grid at three resolutions, each of 30 points or more. */
+Surfels
+usualSurfels (const VoxelGrid& grid)
+{
+  return findSurfels (grid, 3, 30.0, one_thread);
+}
 
 BoundedPlanes
 planesAmong (const VoxelGrid& grid,
@@ -31,16 +39,17 @@ planesAmong (const VoxelGrid& grid,
 BoundedPlanes
 planesOf (const VoxelGrid& grid, const Parameters& parameters = {})
 {
-  return planesAmong (grid, findSurfels (grid, 3, 30.0, 1), parameters);
+  return planesAmong (grid, usualSurfels (grid), parameters);
 }
 
 VoxelGrid
-gridOf (const std::vector<Surface>& surfaces, double noise = 0.0)
+gridOf (const std::vector<Surface>& surfaces, double max_offset = 0.0)
 {
-  return VoxelScene ({surfaces}, noise).grid();
+  return VoxelScene ({surfaces}, max_offset).grid();
 }
 
-/** \brief Half a barrel of a radius, 2 m long. */
+/** \brief Half a barrel, 2 m long.
+ * \param[in] radius [m] */
 VoxelGrid
 barrel (double radius)
 {
@@ -53,8 +62,8 @@ barrel (double radius)
   return connectedGrid (points, 0.1);
 }
 
-/** \brief Every voxel with a surfel through its centroid that a test may change.
- * \param[in] change (surfel, centroid) */
+/** \brief A surfel of thickness 0 through the centroid of each voxel.
+ * \param[in] change called for each (surfel, centroid): sets its normal and the like */
 template <typename Change>
 Surfels
 surfelsWith (const VoxelGrid& grid, Change&& change)
@@ -70,7 +79,7 @@ surfelsWith (const VoxelGrid& grid, Change&& change)
   return surfels;
 }
 
-/** \brief A normal that leans towards x. */
+/** \brief A normal that leans from z towards x by an angle [rad]. */
 Eigen::Vector3d
 leaning (double angle)
 {
@@ -86,11 +95,11 @@ TEST (VoxelExtraction, DoesNotGoRoundACorner)
   ASSERT_EQ (planes.size(), 2u);
   const bool is_ground_first = std::abs (planes.planes[0].normal.z()) > 0.5;
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    const Eigen::Vector3d at = grid.moments[i].centroid();
+    const Eigen::Vector3d centroid = grid.moments[i].centroid();
     const bool is_on_ground = planes.plane_of_voxel[i] == (is_ground_first ? 0 : 1);
-    EXPECT_FALSE (is_on_ground && at.z() > 0.1);
-    EXPECT_FALSE (planes.plane_of_voxel[i] != no_plane && !is_on_ground &&
-                  at.x() > 0.1);
+    const bool is_on_wall = planes.plane_of_voxel[i] != no_plane && !is_on_ground;
+    EXPECT_FALSE (is_on_ground && centroid.z() > 0.1);
+    EXPECT_FALSE (is_on_wall && centroid.x() > 0.1);
   }
 }
 
@@ -99,8 +108,8 @@ TEST (VoxelExtraction, TellsFloorAndCeilingApart)
   const Surface ceiling = {{0, 0, 2.55}, {2, 0, 0}, {0, 2, 0}};
   const BoundedPlanes planes = planesOf (gridOf ({ground, ceiling}, 5_mm));
   ASSERT_EQ (planes.size(), 2u);
-  EXPECT_EQ (voxelsOn (0, planes), 400u);
-  EXPECT_EQ (voxelsOn (1, planes), 400u);
+  EXPECT_EQ (countVoxelsOn (0, planes), voxels_of_surface);
+  EXPECT_EQ (countVoxelsOn (1, planes), voxels_of_surface);
 }
 
 TEST (VoxelExtraction, StopsAtAStepOfManyTimesTheNoise)
@@ -109,7 +118,7 @@ TEST (VoxelExtraction, StopsAtAStepOfManyTimesTheNoise)
   const VoxelGrid grid = gridOf ({ground, step}, 3_mm);
   const BoundedPlanes planes = planesOf (grid);
   ASSERT_EQ (planes.size(), 2u);
-  std::set<std::pair<std::int32_t, bool>> sides;
+  std::set<std::pair<std::int32_t, bool>> sides; // a plane, whether left of the step
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (planes.plane_of_voxel[i] != no_plane)
       sides.emplace (planes.plane_of_voxel[i], grid.moments[i].centroid().x() < 2.0);
@@ -128,33 +137,37 @@ TEST (VoxelExtraction, AsksForThetaNConnectedVoxels)
 
 TEST (VoxelExtraction, LeavesAnIslandOfFewerThanThetaNVoxels)
 {
-  // 25 voxels a meter beyond the end of the ground, in its plane.
+  // The 25 voxels of the tile.
   const VoxelGrid grid = gridOf ({ground, tile});
   Parameters parameters;
   parameters.min_samples = 25;
   EXPECT_EQ (planesOf (grid, parameters).size(), 2u) << "not connected";
   parameters.min_samples = 26;
-  EXPECT_EQ (voxelsOn (no_plane, planesOf (grid, parameters)), 25u);
+  EXPECT_EQ (countVoxelsOn (no_plane, planesOf (grid, parameters)), 25u);
 }
 
 TEST (VoxelExtraction, LeavesMostOfABarrelAlone)
 {
   const VoxelGrid slender = barrel (40_cm), wide = barrel (1_m);
-  EXPECT_GT (voxelsOn (no_plane, planesOf (slender)), 70_percent * slender.size());
-  EXPECT_GT (voxelsOn (no_plane, planesOf (wide)), 90_percent * wide.size());
+  EXPECT_GT (countVoxelsOn (no_plane, planesOf (slender)), 70_percent * slender.size());
+  EXPECT_GT (countVoxelsOn (no_plane, planesOf (wide)), 90_percent * wide.size());
 }
 
 TEST (VoxelExtraction, BeginsWithTheFlattestSurfels)
 {
-  // The wall comes first whichever is larger, and whichever has the first voxel.
-  for (const double flat : {0.0, 0.1}) {
+  // The surfels of a second surface at x = 5 m have a thickness of 0.05. Those of the
+  // ground, which is larger and has the first voxel, are flatter or thicker.
+  for (const double ground_thickness : {0.0, 0.1}) {
     const VoxelGrid grid = gridOf ({ground, {{5, 0, 1}, {1, 0, 0}, {0, 1, 0}}});
-    const auto surfels = surfelsWith (grid, [flat] (Surfel& surfel, const auto& at) {
-      surfel.thickness = at.x() < 3.0 ? flat : 0.05;
-    });
+    const auto surfels = surfelsWith (
+        grid, [ground_thickness] (Surfel& surfel, const Eigen::Vector3d& centroid) {
+          surfel.thickness = centroid.x() < 3.0 ? ground_thickness : 0.05;
+        });
     const BoundedPlanes planes = planesAmong (grid, surfels);
     ASSERT_EQ (planes.size(), 2u);
-    EXPECT_NEAR (std::abs (planes.planes[0].offset), flat < 0.05 ? 0.05 : 1.0, 1e-3);
+    // The ground has an offset of 0.05 m, the other surface one of 1 m.
+    EXPECT_NEAR (
+        std::abs (planes.planes[0].offset), ground_thickness < 0.05 ? 0.05 : 1.0, 1e-3);
   }
 }
 
@@ -166,8 +179,7 @@ TEST (VoxelExtraction, AddsToPlanesFoundBefore)
   planes.planes.push_back ({Eigen::Vector3d::UnitX(), 7.0});
   for (const pcl_ops::Moments& voxel : grid.moments)
     planes.plane_of_voxel.push_back (voxel.centroid().x() < 1.0 ? 0 : no_plane);
-  extractSurfelPlanes (
-      grid, findSurfels (grid, 3, 30.0, 1), Parameters(), max_thickness, planes);
+  extractSurfelPlanes (grid, usualSurfels (grid), Parameters(), max_thickness, planes);
   ASSERT_EQ (planes.size(), 2u);
   EXPECT_EQ (planes.planes[0].offset, 7.0);
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -178,31 +190,35 @@ TEST (VoxelExtraction, AddsToPlanesFoundBefore)
 
 TEST (VoxelExtraction, LeavesOutSurfelsThatLean)
 {
-  // The right half of the ground with normals of 40 degrees, and later in turn.
+  // The normals of the right half of the ground lean by 40 degrees; its surfels are
+  // thicker, so that planes begin at the left half.
   const VoxelGrid grid = gridOf ({ground});
-  const auto surfels = surfelsWith (grid, [] (Surfel& surfel, const auto& at) {
-    surfel.plane.normal = leaning (at.x() < 1.0 ? 0.0 : 40_deg);
-    surfel.thickness = at.x() < 1.0 ? 0.0 : 0.1;
-  });
+  const auto surfels =
+      surfelsWith (grid, [] (Surfel& surfel, const Eigen::Vector3d& centroid) {
+        surfel.plane.normal = leaning (centroid.x() < 1.0 ? 0.0 : 40_deg);
+        surfel.thickness = centroid.x() < 1.0 ? 0.0 : 0.1;
+      });
   Parameters parameters;
-  EXPECT_EQ (voxelsOn (0, planesAmong (grid, surfels, parameters)), 200u);
+  EXPECT_EQ (countVoxelsOn (0, planesAmong (grid, surfels, parameters)), 200u);
   parameters.surfels.angle_threshold = 50_deg;
-  EXPECT_EQ (voxelsOn (0, planesAmong (grid, surfels, parameters)), 400u);
+  EXPECT_EQ (countVoxelsOn (0, planesAmong (grid, surfels, parameters)),
+             voxels_of_surface);
 }
 
 TEST (VoxelExtraction, LeavesOutThickSurfelsAndVoxelsWithoutOne)
 {
   const VoxelGrid grid = gridOf ({ground});
-  Surfels surfels = surfelsWith (grid, [] (Surfel& surfel, const auto& at) {
-    surfel.thickness = at.x() < 0.5 ? 0.26 : 0.24;
-  });
+  Surfels surfels =
+      surfelsWith (grid, [] (Surfel& surfel, const Eigen::Vector3d& centroid) {
+        surfel.thickness = centroid.x() < 0.5 ? 0.26 : 0.24;
+      });
   const BoundedPlanes planes = planesAmong (grid, surfels);
-  EXPECT_EQ (voxelsOn (0, planes), 300u);
-  EXPECT_EQ (voxelsOn (no_plane, planes), 100u);
+  EXPECT_EQ (countVoxelsOn (0, planes), 300u);
+  EXPECT_EQ (countVoxelsOn (no_plane, planes), 100u);
   for (std::optional<Surfel>& surfel : surfels)
     if (surfel->thickness > max_thickness)
       surfel.reset();
-  EXPECT_EQ (voxelsOn (no_plane, planesAmong (grid, surfels)), 100u);
+  EXPECT_EQ (countVoxelsOn (no_plane, planesAmong (grid, surfels)), 100u);
 }
 
 TEST (VoxelExtraction, RefitsAPlaneOnItsWay)
@@ -216,23 +232,26 @@ TEST (VoxelExtraction, RefitsAPlaneOnItsWay)
   parameters.min_samples = 400;
   const BoundedPlanes planes = planesAmong (grid, surfels, parameters);
   ASSERT_EQ (planes.size(), 1u);
-  EXPECT_EQ (voxelsOn (0, planes), 400u);
+  EXPECT_EQ (countVoxelsOn (0, planes), voxels_of_surface);
   EXPECT_TRUE (isNear (planes.planes[0], ground, 1e-3, 1e-3));
 }
 
 TEST (VoxelExtraction, TakesNoMoreThanHalfAgainTheNoiseOfTheVoxelBefore)
 {
-  // The last of 80 rows has surfels of 10 cm of noise, as next to another surface, and
-  // lies off the plane by less or more than twice 1.5 times the noise of 1 cm before
-  // it.
-  for (const double off : {2_cm, 4_cm}) {
-    const VoxelGrid grid = gridOf ({{{0, 0, 0.05}, {7.9, 0, 0}, {0, 2, 0}},
-                                    {{7.9, 0, 0.05 + off}, {0.1, 0, 0}, {0, 2, 0}}},
-                                   5_mm);
-    const auto surfels = surfelsWith (grid, [] (Surfel& surfel, const auto& at) {
-      surfel.noise = at.x() > 7.9 ? 10_cm : 1_cm;
-      surfel.thickness = at.x() > 7.9 ? 0.1 : 0.0;
-    });
-    EXPECT_EQ (voxelsOn (0, planesAmong (grid, surfels)), off < 3_cm ? 1600u : 1580u);
+  // 79 rows of voxels have surfels with a noise of 1 cm. The last row has surfels with
+  // a noise of 10 cm, as next to another surface, which counts as 1.5 cm. It lies off
+  // the plane by less or more than twice that.
+  for (const double distance : {2_cm, 4_cm}) {
+    const VoxelGrid grid =
+        gridOf ({{{0, 0, 0.05}, {7.9, 0, 0}, {0, 2, 0}},
+                 {{7.9, 0, 0.05 + distance}, {0.1, 0, 0}, {0, 2, 0}}},
+                5_mm);
+    const auto surfels =
+        surfelsWith (grid, [] (Surfel& surfel, const Eigen::Vector3d& centroid) {
+          surfel.noise = centroid.x() > 7.9 ? 10_cm : 1_cm;
+          surfel.thickness = centroid.x() > 7.9 ? 0.1 : 0.0;
+        });
+    EXPECT_EQ (countVoxelsOn (0, planesAmong (grid, surfels)),
+               distance < 3_cm ? 80 * 20u : 79 * 20u);
   }
 }

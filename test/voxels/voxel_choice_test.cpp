@@ -8,69 +8,76 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// 100,000 points in some 420 voxels, of 20 cm.
-constexpr int many = 224;
-constexpr double few_voxels = 0.003;
+/** \brief Steps of the grid on each of two floors of 4 m: 100,000 points. */
+constexpr int many_steps = 224;
+/** \brief A sampling rate by which they are in some 420 voxels of 20 cm. */
+constexpr double low_rate = 0.003;
 
-/** \brief Voxels of a floor of 40 m, 40,000 points and 13 in a voxel, with 10,000 more
- * on a patch of it; half of the points are \p noise above the floor and half below. */
+/** \brief Voxels of a floor of 40 m with 40,000 points, 13 in a voxel, and 10,000 more
+ * points on a patch of it. Half of the points lie \p noise above the floor and half as
+ * far below. */
 VoxelGrid
 gridOfFloorWithPatch (double patch_edge, double noise)
 {
-  constexpr double usual_samples = 0.03;
+  constexpr double default_rate = 0.03;
   const double corner = -0.5 * patch_edge;
   Points points;
-  // Not about zero, where voxels begin.
+  // Around 15 cm and not around zero, where voxels begin.
   for (const double height : {15_cm - noise, 15_cm + noise}) {
     addGrid (points, {{-20, -20, height}, {40, 0, 0}, {0, 40, 0}}, 141);
     addGrid (
         points, {{corner, corner, height}, {patch_edge, 0, 0}, {0, patch_edge, 0}}, 70);
   }
-  return voxelizeByNoise (points, usual_samples, 1).coarse;
+  return voxelizeByNoise (points, default_rate, one_thread).coarse;
 }
 
-/** \brief Voxels of a floor of 4 m; one half has two layers this far apart [m]. */
+/** \brief Voxels of a floor of 4 m whose right half has two layers.
+ * \param[in] apart distance of the layers [m] */
 VoxelGrid
-gridOfHalfALayer (double apart)
+gridOfHalfTwoLayers (double apart)
 {
   const Points points = gridsOf ({{{-2, -2, 0}, {2, 0, 0}, {0, 4, 0}},
                                   {{0, -2, 0}, {2, 0, 0}, {0, 4, 0}},
                                   {{0, -2, apart}, {2, 0, 0}, {0, 4, 0}}},
-                                 many);
-  return voxelizeByNoise (points, few_voxels, 1).coarse;
+                                 many_steps);
+  return voxelizeByNoise (points, low_rate, one_thread).coarse;
 }
 
-/** \brief Voxels of two floors of 4 m, one this far above the other [m]. */
+/** \brief Voxels of two floors of 4 m, one above the other.
+ * \param[in] apart distance of the floors [m] */
 VoxelGrid
 gridOfFloors (double apart, int steps, double sampling_rate)
 {
   const Points points = gridsOf (
       {{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}, {{-2, -2, apart}, {4, 0, 0}, {0, 4, 0}}},
       steps);
-  return voxelizeByNoise (points, sampling_rate, 1).coarse;
+  return voxelizeByNoise (points, sampling_rate, one_thread).coarse;
 }
 
 } // namespace
 
 TEST (VoxelChoice, TakesSmallVoxelsOfManyPointsWithoutNoise)
 {
-  const VoxelGrid noisy = gridOfFloors (4_cm, many, few_voxels);
-  const VoxelGrid exact = gridOfFloors (0.0, many, few_voxels);
+  const VoxelGrid noisy = gridOfFloors (4_cm, many_steps, low_rate);
+  const VoxelGrid exact = gridOfFloors (0.0, many_steps, low_rate);
   EXPECT_LT (exact.voxel_size, 0.6 * noisy.voxel_size);
 }
 
 TEST (VoxelChoice, TakesVoxelsOfSeventyTimesTheNoise)
 {
-  // Half of the points 1.4 mm above the floor and half below; there are enough of them.
-  EXPECT_NEAR (gridOfFloors (0.0028, many, few_voxels).voxel_size, 10_cm, 1_cm);
+  // The floors are 2.8 mm apart: as one floor with a noise of 1.4 mm. There are points
+  // enough for voxels of 70 times that.
+  EXPECT_NEAR (gridOfFloors (0.0028, many_steps, low_rate).voxel_size, 10_cm, 1_cm);
 }
 
 TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
 {
   // Exact planes, and planes whose noise alone would allow voxels of 36 mm.
   for (const double apart : {0.0, 1_mm})
-    EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many, few_voxels)), 8.0);
-  EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, 23, 0.03)), 3.0)
+    EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many_steps, low_rate)), 8.0);
+  constexpr int few_steps = 23;
+  constexpr double default_rate = 0.03;
+  EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, few_steps, default_rate)), 3.0)
       << "a small cloud";
 }
 
@@ -86,15 +93,15 @@ TEST (VoxelSizeFor, OfAnyCloudTellsTwoPointsApart)
 
 TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)
 {
-  Points points = gridsOf ({{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, many);
+  Points points = gridsOf ({{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, many_steps);
   points.origin = {0.0, 1e6, 0.0}; // steps of 6.25 cm
-  EXPECT_GE (voxelizeByNoise (points, few_voxels, 1).coarse.voxel_size, 1_m);
+  EXPECT_GE (voxelizeByNoise (points, low_rate, one_thread).coarse.voxel_size, 1_m);
 }
 
 TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
 {
-  EXPECT_GT (gridOfFloors (4_cm, many, few_voxels).voxel_size,
-             1.5 * gridOfFloors (4_cm, many, 3.0 * few_voxels).voxel_size);
+  EXPECT_GT (gridOfFloors (4_cm, many_steps, low_rate).voxel_size,
+             1.5 * gridOfFloors (4_cm, many_steps, 3.0 * low_rate).voxel_size);
 }
 
 TEST (VoxelChoice, SuitsTheDensePlacesOfACloudUnlessTheyAreNoisy)
@@ -107,17 +114,17 @@ TEST (VoxelChoice, SuitsTheDensePlacesOfACloudUnlessTheyAreNoisy)
 
 TEST (VoxelChoice, TakesTheStepsOfAQuantizedDepthForNoLackOfNoise)
 {
-  EXPECT_GT (gridOfHalfALayer (4_cm).voxel_size,
-             1.5 * gridOfHalfALayer (0.0).voxel_size);
+  EXPECT_GT (gridOfHalfTwoLayers (4_cm).voxel_size,
+             1.5 * gridOfHalfTwoLayers (0.0).voxel_size);
 }
 
 TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
 {
-  // A floor of 40 m, in voxels of some 2 m, and half as many points on a square
+  // A floor of 40 m, in voxels of some 2 m, and half as many_steps points on a square
   // millimeter of it.
   Points points;
   addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 300);
   addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, 200);
-  const VoxelGrid grid = voxelizeByNoise (points, few_voxels, 1).coarse;
+  const VoxelGrid grid = voxelizeByNoise (points, low_rate, one_thread).coarse;
   EXPECT_GT (grid.voxel_size, 10_cm);
 }

@@ -19,9 +19,26 @@ struct LabelledPlaneScene {
   std::vector<PlaneSegment> planes;
   RandomGenerator generator = RandomGenerator (seedOfTest());
 
-  /** \brief Adds points on a surface, and a plane of these points if \p is_plane. */
+  /** \brief Adds a plane: points on a surface.
+   * \param[in] noise standard deviation along the normal [m] */
   LabelledPlaneScene&
-  add (const Surface& surface, std::size_t points, double noise, bool is_plane = true)
+  add (const Surface& surface, std::size_t points, double noise)
+  {
+    planes.push_back (planeOn (surface, points, noise));
+    return *this;
+  }
+
+  /** \brief Adds points on a surface that are on no plane. */
+  LabelledPlaneScene&
+  addUnassigned (const Surface& surface, std::size_t points, double noise)
+  {
+    planeOn (surface, points, noise);
+    return *this;
+  }
+
+  /** \brief Adds points on a surface to the cloud and returns their plane. */
+  PlaneSegment
+  planeOn (const Surface& surface, std::size_t points, double noise)
   {
     PlaneSegment plane;
     plane.centroid = plane.moments.origin = surface.center();
@@ -36,9 +53,7 @@ struct LabelledPlaneScene {
     plane.noise = noise;
     plane.orientation =
         orientationOf (plane.normal, Eigen::Vector3d::UnitZ(), paper_angle_tolerance);
-    if (is_plane)
-      planes.push_back (plane);
-    return *this;
+    return plane;
   }
 
   std::vector<ResultWarning>
@@ -57,6 +72,14 @@ struct LabelledPlaneScene {
     return codes;
   }
 };
+
+/** \brief Whether a text has a part; a failure shows the text. */
+testing::AssertionResult
+contains (const std::string& text, const std::string& part)
+{
+  return testing::AssertionResult (text.find (part) != std::string::npos)
+         << "the text: " << text;
+}
 
 const Surface floor_of_room = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}};
 const Surface wall_of_room = {{0, 3, 0}, {4, 0, 0}, {0, 0, 2.5}};
@@ -80,12 +103,13 @@ TEST (ResultWarnings, SayThatCoordinatesOfUtmStepInSinglePrecision)
 {
   const auto codes = [] (double east) {
     LabelledPlaneScene room;
-    room.add ({{east, 0, 0}, {4, 0, 0}, {0, 3, 0}}, 3000, 2_mm); // 6 cm apart
+    // Points are 6 cm apart.
+    room.add ({{east, 0, 0}, {4, 0, 0}, {0, 3, 0}}, 3000, 2_mm);
     room.cloud[0].x = 0.0f; // a stray point tells nothing
     return room.codes();
   };
-  EXPECT_EQ (codes (-500000.0), "coarse-coordinates"); // steps of 3 cm
-  EXPECT_EQ (codes (100000.0), "");                    // of 8 mm
+  EXPECT_EQ (codes (-500000.0), "coarse-coordinates") << "steps of 3 cm";
+  EXPECT_EQ (codes (100000.0), "") << "steps of 8 mm";
   LabelledPlaneScene shifted = roomOfTwoPlanes();
   ResultContext context;
   context.shift = {500000.0, 5400000.0, 0.0};
@@ -106,15 +130,13 @@ TEST (ResultWarnings, SayThatPlanesAreThickerThanThreeNoises)
   hill.planes[0].noise = 0.06;
   ASSERT_EQ (hill.codes(), "thick-planes");
   const std::string text = hill.warnings()[0].text;
-  EXPECT_NE (text.find ("100 % of the points on planes"), std::string::npos) << text;
-  EXPECT_NE (text.find ("; for thinner planes give --threshold 0.18"),
-             std::string::npos)
-      << text;
+  EXPECT_TRUE (contains (text, "100 % of the points on planes"));
+  EXPECT_TRUE (contains (text, "; for thinner planes give --threshold 0.18"));
 }
 
 TEST (ResultWarnings, AreNoneOfPlanesAsThickAsThreeNoisesOrAnEighthOfTheirSpacing)
 {
-  // 3025 points on 100 m x 100 m: 1.8 m apart.
+  // 3025 points on 100 m x 100 m: 1.8 m apart, an eighth of which is 0.23 m.
   const auto codes = [] (double rms, double noise) {
     LabelledPlaneScene hill;
     hill.add ({{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, 3025, rms);
@@ -130,16 +152,18 @@ TEST (ResultWarnings, AreNoneOfPlanesAsThickAsThreeNoisesOrAnEighthOfTheirSpacin
 TEST (ResultWarnings, TellRmsAndNoiseOfTheLargestThickPlane)
 {
   LabelledPlaneScene hills;
-  const double heights[] = {0.5, 1.0, 0.7};
-  const std::size_t points[] = {2000, 4000, 3000};
-  for (int hill = 0; hill < 3; ++hill) {
-    hills.add (
-        {{200.0 * hill, 0, 0}, {100, 0, 0}, {0, 100, 0}}, points[hill], heights[hill]);
-    hills.planes.back().noise = 0.1 * heights[hill];
+  const struct {
+    double x; // where the hill begins [m]
+    double rms;
+    std::size_t points;
+  } rows[] = {{0.0, 0.5, 2000}, {200.0, 1.0, 4000}, {400.0, 0.7, 3000}};
+  for (const auto& row : rows) {
+    hills.add ({{row.x, 0, 0}, {100, 0, 0}, {0, 100, 0}}, row.points, row.rms);
+    hills.planes.back().noise = 0.1 * row.rms;
   }
   ASSERT_EQ (hills.codes(), "thick-planes");
   const std::string text = hills.warnings()[0].text;
-  EXPECT_NE (text.find ("noise 0.1 of the largest"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "noise 0.1 of the largest"));
 }
 
 TEST (ResultWarnings, NameParametersAsPythonDoes)
@@ -151,7 +175,7 @@ TEST (ResultWarnings, NameParametersAsPythonDoes)
   context.names = ParameterNames::Python;
   ASSERT_EQ (hill.codes (context), "thick-planes");
   const std::string text = hill.warnings (context)[0].text;
-  EXPECT_NE (text.find ("give distance_threshold=0.18"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "give distance_threshold=0.18"));
 }
 
 TEST (ResultWarnings, SayThatPlanesOfNoRmsLieOneBehindAnother)
@@ -161,19 +185,17 @@ TEST (ResultWarnings, SayThatPlanesOfNoRmsLieOneBehindAnother)
     levels.add ({{0, 0, depth}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
   ASSERT_EQ (levels.codes(), "exact-levels");
   const std::string text = levels.warnings()[0].text;
-  EXPECT_NE (text.find ("3 planes have an rms of 0"), std::string::npos) << text;
-  EXPECT_NE (text.find ("use --method ops without --voxel-size"), std::string::npos)
-      << text;
+  EXPECT_TRUE (contains (text, "3 planes have an rms of 0"));
+  EXPECT_TRUE (contains (text, "use --method ops without --voxel-size"));
   ResultContext of_default;
   of_default.search = OrientedPointSamplingParameters();
   const std::string by_default = levels.warnings (of_default)[0].text;
-  EXPECT_NE (by_default.find ("give --voxel-size 0.15"), std::string::npos)
-      << by_default;
+  EXPECT_TRUE (contains (by_default, "give --voxel-size 0.15"));
 }
 
 TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
 {
-  // A shelf, which has a side.
+  // A shelf of three boards with a side, in which no plane is one of several levels.
   EXPECT_EQ (LabelledPlaneScene()
                  .add ({{0, 0, 0.5}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
                  .add ({{0, 0, 0.25}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
@@ -196,14 +218,14 @@ TEST (ResultWarnings, AreNoneOfAModelWhoseSidesAreSmall)
 
 TEST (ResultWarnings, AreNoneOfLevelsWithLessThan5PerCentOfThePointsOnPlanes)
 {
-  const auto with_wall = [] (std::size_t points) {
+  const auto codesWithWall = [] (std::size_t points) {
     LabelledPlaneScene levels;
     for (const double depth : {3.0, 3.03, 3.06})
       levels.add ({{0, 0, depth}, {2, 0, 0}, {0, 2, 0}}, 1200, 0.0);
     return levels.add ({{0, 0, 5}, {4, 0, 0}, {0, 3, 0}}, points, 2_mm).codes();
   };
-  EXPECT_EQ (with_wall (60'000), "exact-levels");
-  EXPECT_EQ (with_wall (80'000), "");
+  EXPECT_EQ (codesWithWall (60'000), "exact-levels");
+  EXPECT_EQ (codesWithWall (80'000), "");
 }
 
 TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
@@ -217,26 +239,26 @@ TEST (ResultWarnings, AreNoneOfAThinWallWithoutNoise)
 
 TEST (ResultWarnings, AreNoneOfExactPlanesFartherApartThanATenthOfTheirWidth)
 {
-  const auto with_step = [] (double step) {
-    LabelledPlaneScene plates; // of 2 m x 2 m
+  const auto codesWithStep = [] (double step) {
+    LabelledPlaneScene plates; // 2 m x 2 m each
     for (const int level : {0, 1, 2})
       plates.add ({{0, 0, level * step}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
     return plates.codes();
   };
-  EXPECT_EQ (with_step (17_cm), "exact-levels");
-  EXPECT_EQ (with_step (23_cm), "");
+  EXPECT_EQ (codesWithStep (17_cm), "exact-levels");
+  EXPECT_EQ (codesWithStep (23_cm), "");
 }
 
 TEST (ResultWarnings, AreNoneOfExactPlanesBesideEachOther)
 {
-  const auto with_distance = [] (double meters) {
-    LabelledPlaneScene plates; // of 2 m x 2 m, each 3 cm before the next
+  const auto codesWithDistance = [] (double meters) {
+    LabelledPlaneScene plates; // 2 m x 2 m each, 3 cm above the one before
     for (const int plate : {0, 1, 2})
       plates.add ({{plate * meters, 0, 3_cm * plate}, {2, 0, 0}, {0, 2, 0}}, 1500, 0.0);
     return plates.codes();
   };
-  EXPECT_EQ (with_distance (1.5), "exact-levels");
-  EXPECT_EQ (with_distance (2.5), "");
+  EXPECT_EQ (codesWithDistance (1.5), "exact-levels");
+  EXPECT_EQ (codesWithDistance (2.5), "");
 }
 
 TEST (ResultWarnings, AreNoneOfStairsWithoutNoise)
@@ -256,9 +278,8 @@ TEST (ResultWarnings, SayThatLabelsAreMixedPointByPoint)
   wall.add (again, 2500, 5_mm);
   ASSERT_EQ (wall.codes(), "mixed-labels");
   const std::string text = wall.warnings()[0].text;
-  EXPECT_NE (text.find ("planes 1 and 2; for one plane give --merge-distance 0.00"),
-             std::string::npos)
-      << text;
+  EXPECT_TRUE (
+      contains (text, "planes 1 and 2; for one plane give --merge-distance 0.00"));
 }
 
 TEST (ResultWarnings, AreNoneOfPlanesThatMeet)
@@ -276,8 +297,8 @@ LabelledPlaneScene
 roomWithThinWall ()
 {
   LabelledPlaneScene room = roomOfTwoPlanes();
-  room.add ({{1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm, false);
-  room.add ({{1.1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm, false);
+  room.addUnassigned ({{1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm);
+  room.addUnassigned ({{1.1, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 3000, 2_mm);
   return room;
 }
 
@@ -290,9 +311,8 @@ TEST (ResultWarnings, SayWhichSamplingRatePutsPointsOnPlanes)
   context.search = OrientedPointSamplingParameters();
   ASSERT_EQ (roomWithThinWall().codes (context), "unassigned-points");
   const std::string text = roomWithThinWall().warnings (context)[0].text;
-  EXPECT_NE (text.find ("52 % of the points are on no plane"), std::string::npos)
-      << text;
-  EXPECT_NE (text.find (" give --sampling-rate 0.3"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "52 % of the points are on no plane"));
+  EXPECT_TRUE (contains (text, " give --sampling-rate 0.3"));
 }
 
 TEST (ResultWarnings, DoNotCallTheObserverOfTheSearch)
@@ -308,37 +328,38 @@ TEST (ResultWarnings, DoNotCallTheObserverOfTheSearch)
 TEST (ResultWarnings, SayWhichGivenValueLeavesPointsOut)
 {
   LabelledPlaneScene room = roomOfTwoPlanes();
-  room.add ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 5000, 2_mm, false);
+  room.addUnassigned ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, 5000, 2_mm);
   ResultContext context;
   context.search = OrientedPointSamplingParameters();
   context.search->min_points = 1'000'000;
   ASSERT_EQ (room.codes (context), "unassigned-points");
   const std::string text = room.warnings (context)[0].text;
-  EXPECT_NE (text.find ("on planes leave out --min-points"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "on planes leave out --min-points"));
 }
 
 TEST (ResultWarnings, AdviseAnotherValueOnlyIfItPuts20PerCentMoreOnPlanes)
 {
   // 20,000 points: a floor and a wall, another wall on no plane, and a tree.
-  const auto with_wall = [] (std::size_t points) {
+  const auto codesWithWall = [] (std::size_t points) {
     LabelledPlaneScene garden;
     garden.add (floor_of_room, 6000, 2_mm).add (wall_of_room, 4000, 2_mm);
-    garden.add ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, points, 2_mm, false);
-    garden.add ({{9, 9, 1}, {1, 0.1, 0}, {-0.1, 1, 0}}, 10'000 - points, 50_cm, false);
+    garden.addUnassigned ({{0, 0, 0}, {0, 3, 0}, {0, 0, 2.5}}, points, 2_mm);
+    garden.addUnassigned (
+        {{9, 9, 1}, {1, 0.1, 0}, {-0.1, 1, 0}}, 10'000 - points, 50_cm);
     ResultContext context;
     context.search = OrientedPointSamplingParameters();
     context.search->min_points = 1'000'000;
     return garden.codes (context);
   };
-  EXPECT_EQ (with_wall (3000), "") << "15 %";
-  EXPECT_EQ (with_wall (5000), "unassigned-points") << "25 %";
+  EXPECT_EQ (codesWithWall (3000), "") << "15 %";
+  EXPECT_EQ (codesWithWall (5000), "unassigned-points") << "25 %";
 }
 
 TEST (ResultWarnings, AreNoneOfPointsOnNoPlaneThatNoValuePutsOnOne)
 {
   LabelledPlaneScene tree = roomOfTwoPlanes();
   for (int i = 0; i < 10; ++i)
-    tree.add ({{1, 1, 0.2 * i}, {1, 0.1, 0}, {-0.1, 1, 0}}, 600, 20_cm, false);
+    tree.addUnassigned ({{1, 1, 0.2 * i}, {1, 0.1, 0}, {-0.1, 1, 0}}, 600, 20_cm);
   ResultContext context;
   context.search = OrientedPointSamplingParameters();
   EXPECT_EQ (tree.codes (context), "");
@@ -353,8 +374,7 @@ TEST (ResultWarnings, SayWhichVoxelSizeMakesPlanesOfTilesThinner)
   context.tiles.emplace().voxel_size = 3.0;
   ASSERT_EQ (hill.codes (context), "thick-planes");
   const std::string text = hill.warnings (context)[0].text;
-  EXPECT_NE (text.find ("for thinner planes give --voxel-size 1.5"), std::string::npos)
-      << text;
+  EXPECT_TRUE (contains (text, "for thinner planes give --voxel-size 1.5"));
 }
 
 TEST (ResultWarnings, CompareThicknessWithTheSpacingOfTheSurveyNotOfItsSample)
@@ -373,23 +393,21 @@ TEST (ResultWarnings, SayWhichVoxelSizePutsPlacesOfTilesOnPlanes)
 {
   const Surface board = {{0, 5, 0}, {2, 0, 0}, {0, 0, 2}};
   LabelledPlaneScene boards;
-  boards.add (floor_of_room, 2000, 2_mm).add (board, 4000, 2_mm, false);
-  const LabelledPlaneScene place = LabelledPlaneScene().add (board, 4000, 2_mm);
+  boards.add (floor_of_room, 2000, 2_mm).addUnassigned (board, 4000, 2_mm);
+  const LabelledPlaneScene around_board = LabelledPlaneScene().add (board, 4000, 2_mm);
   LabelledPlaneScene tree;
   for (int i = 0; i < 10; ++i)
     tree.add ({{1, 1, 0.2 * i}, {1, 0.1, 0}, {-0.1, 1, 0}}, 600, 20_cm);
   ResultContext context;
   TiledSearch& tiles = context.tiles.emplace();
   tiles.voxel_size = 0.4;
-  tiles.places_on_none = {place.cloud};
+  tiles.places_on_none = {around_board.cloud};
   ASSERT_EQ (boards.codes (context), "unassigned-points");
   const std::string text = boards.warnings (context)[0].text;
-  EXPECT_NE (text.find ("67 % of the points are on no plane; for some "),
-             std::string::npos)
-      << text;
-  EXPECT_NE (text.find (" on planes give --voxel-size 0.2"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "67 % of the points are on no plane; for some "));
+  EXPECT_TRUE (contains (text, " on planes give --voxel-size 0.2"));
   tiles.places_on_none.push_back (tree.cloud);
-  EXPECT_EQ (boards.codes (context), "") << "one place is a tree";
+  EXPECT_EQ (boards.codes (context), "") << "of two samples one is a tree";
 }
 
 TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
@@ -399,8 +417,8 @@ TEST (ResultWarnings, SayThatACloudLooksLikeMillimeters)
   room.add ({{0, 3000, 0}, {4000, 0, 0}, {0, 0, 2500}}, 2500, 2.0);
   ASSERT_EQ (room.codes(), "millimeters");
   const std::string text = room.warnings()[0].text;
-  EXPECT_NE (text.find ("3900 x 2900 x 2400 wide"), std::string::npos) << text;
-  EXPECT_NE (text.find ("; give --meter 1000"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "3900 x 2900 x 2400 wide"));
+  EXPECT_TRUE (contains (text, "; give --meter 1000"));
   ResultContext context;
   context.has_meter = true;
   EXPECT_EQ (room.codes (context), "");
@@ -432,7 +450,7 @@ TEST (ResultWarnings, SayThatAReferenceSystemIsInFeetOrDegrees)
   context.unit = CoordinateUnit::Foot;
   ASSERT_EQ (roomOfTwoPlanes().codes (context), "feet");
   const std::string text = roomOfTwoPlanes().warnings (context)[0].text;
-  EXPECT_NE (text.find ("; give --meter 3.2808"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "; give --meter 3.2808"));
   context.has_meter = true;
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "");
   context.unit = CoordinateUnit::Degree;
@@ -447,9 +465,9 @@ TEST (ResultWarnings, SayThatAWidthOfDegreesHasAHeightOfMeters)
   ResultContext in_meters;
   in_meters.unit = CoordinateUnit::Meter;
   EXPECT_EQ (wall_in_degrees.codes (in_meters), "");
-  ResultContext where_no_degrees_are;
-  where_no_degrees_are.shift = {512345, 5412345, 0};
-  EXPECT_EQ (wall_in_degrees.codes (where_no_degrees_are), "");
+  ResultContext beyond_degrees;
+  beyond_degrees.shift = {512345, 5412345, 0};
+  EXPECT_EQ (wall_in_degrees.codes (beyond_degrees), "");
 }
 
 TEST (ResultWarnings, TakeLessThanADegreeWith200TimesTheHeightForDegrees)
@@ -471,24 +489,25 @@ TEST (ResultWarnings, SayThatPosesAreOfACamera)
   context.has_camera_poses = true;
   ASSERT_EQ (roomOfTwoPlanes().codes (context), "camera-poses");
   const std::string text = roomOfTwoPlanes().warnings (context)[0].text;
-  EXPECT_NE (text.find ("; give --calib calib.txt"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "; give --calib calib.txt"));
 }
 
 TEST (ResultWarnings, SayThatACloudWasNotSeenFromItsViewpoint)
 {
-  // A board before the wall hides a part of it from the true place only.
+  // Four boards, each behind the one before. Seen from the given viewpoint the first
+  // would hide the others.
   LabelledPlaneScene boards;
   for (const double depth : {1.0, 2.0, 3.0, 4.0})
     boards.add ({{-1, depth, 0}, {2, 0, 0}, {0, 0, 2}}, 4000, 2_mm);
   ResultContext context;
-  EXPECT_EQ (boards.codes (context), "") << "a place that nobody named";
+  EXPECT_EQ (boards.codes (context), "") << "no viewpoint was given";
   context.viewpoint = Eigen::Vector3d (0, -1, 1);
   ASSERT_EQ (boards.codes (context), "viewpoint");
   const std::string text = boards.warnings (context)[0].text;
-  EXPECT_NE (text.find ("VIEWPOINT 0,-1,1"), std::string::npos) << text;
-  EXPECT_NE (text.find ("or 0 0 0 if it is not known"), std::string::npos) << text;
+  EXPECT_TRUE (contains (text, "VIEWPOINT 0,-1,1"));
+  EXPECT_TRUE (contains (text, "or 0 0 0 if it is not known"));
   context.viewpoint = Eigen::Vector3d (2, 1, 1);
-  EXPECT_EQ (roomOfTwoPlanes().codes (context), "") << "a place in the room";
+  EXPECT_EQ (roomOfTwoPlanes().codes (context), "") << "from within the room";
 }
 
 TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
@@ -503,10 +522,9 @@ TEST (ResultWarnings, SayThatKindsNeedToKnowWhichWayIsUp)
   context.uses_kinds = true;
   ASSERT_EQ (seen.codes (context), "unknown-up");
   const std::string text = seen.warnings (context)[0].text;
-  EXPECT_NE (text.find ("0,0,1 is ahead in a cloud that looks like a depth camera's"),
-             std::string::npos)
-      << text;
-  EXPECT_NE (text.find ("; give --up auto or --up x,y,z"), std::string::npos) << text;
+  EXPECT_TRUE (
+      contains (text, "0,0,1 is ahead in a cloud that looks like a depth camera's"));
+  EXPECT_TRUE (contains (text, "; give --up auto or --up x,y,z"));
   EXPECT_EQ (roomOfTwoPlanes().codes (context), "") << "z as it mostly is";
   LabelledPlaneScene roof;
   roof.add ({{50, 50, 20}, {8, 0, 0}, {0, 4, 3}}, 1000, 2_cm);
@@ -524,14 +542,14 @@ TEST (ResultWarnings, TakeTheLowestLevelOf3PerCentOfThePointsForAFloor)
   ResultContext context;
   context.up_knowledge = UpKnowledge::Assumed;
   context.uses_kinds = true;
-  const auto with_level = [&] (std::size_t points) {
+  const auto codesWithLevel = [&] (std::size_t points) {
     return LabelledPlaneScene()
         .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
         .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, points, 2_mm)
         .codes (context);
   };
-  EXPECT_EQ (with_level (240), "");
-  EXPECT_EQ (with_level (120), "unknown-up");
+  EXPECT_EQ (codesWithLevel (240), "");
+  EXPECT_EQ (codesWithLevel (120), "unknown-up");
 }
 
 TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
@@ -539,46 +557,50 @@ TEST (ResultWarnings, TakeNoLevelForAFloorThat10PerCentOfThePointsAreBelow)
   ResultContext context;
   context.up_knowledge = UpKnowledge::Assumed;
   context.uses_kinds = true;
-  const auto with_points_below = [&] (std::size_t points) {
+  const auto codesWithPointsBelow = [&] (std::size_t points) {
     return LabelledPlaneScene()
         .add ({{-2, 1, 1}, {4, 0, 0}, {0, 0, 3}}, 6000, 2_mm)
         .add ({{-0.1, 0.1, 0.5}, {0.2, 0, 0}, {0, 0.2, 0}}, 500, 2_mm)
-        .add ({{-0.1, 0.1, 0.3}, {0.2, 0, 0}, {0, 0.2, 0}}, points, 2_mm, false)
+        .addUnassigned ({{-0.1, 0.1, 0.3}, {0.2, 0, 0}, {0, 0.2, 0}}, points, 2_mm)
         .codes (context);
   };
-  EXPECT_EQ (with_points_below (400), "") << "6 %";
-  EXPECT_EQ (with_points_below (1000), "unknown-up") << "13 %";
+  EXPECT_EQ (codesWithPointsBelow (400), "") << "6 %";
+  EXPECT_EQ (codesWithPointsBelow (1000), "unknown-up") << "13 %";
 }
 
 TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
 {
-  const auto text_of = [] (const PlanCounts& counts, const LabelledPlaneScene& scene) {
+  const auto textOf = [] (const PlanCounts& counts, const LabelledPlaneScene& scene) {
     ResultContext context;
     context.plan = counts;
     const std::vector<ResultWarning> warnings = scene.warnings (context);
     return warnings.empty() ? "" : warnings[0].code + ": " + warnings[0].text;
   };
-  const auto starts = [&] (const PlanCounts& counts, const std::string& begin) {
-    const std::string text = text_of (counts, roomOfTwoPlanes());
+  const auto expectBegin = [&] (const PlanCounts& counts, const std::string& begin) {
+    const std::string text = textOf (counts, roomOfTwoPlanes());
     EXPECT_EQ (text.substr (0, begin.size()), begin);
   };
-  starts (
+  // Walls of the plan, planes that are walls before and after filters, has_floor.
+  expectBegin (
       {0, 0, 0, false},
       "empty-plan: the floor plan has 0 walls: no plane is a wall and none a floor; "
       "give --up");
-  starts ({0, 0, 0, true},
-          "empty-plan: the floor plan has 0 walls: no plane is a wall; give --up");
-  starts ({0, 12, 0, true},
-          "empty-plan: the floor plan has 0 walls: filters drop all planes that are "
-          "walls (12); leave them out");
-  starts ({0, 12, 12, true},
-          "empty-plan: the floor plan has 0 walls: none of the planes that are walls "
-          "(12) is where it is cut; give another --plan-height");
-  EXPECT_EQ (text_of ({3, 12, 12, true}, roomOfTwoPlanes()), "");
-  LabelledPlaneScene room;
-  room.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 2.0);
-  EXPECT_NE (text_of ({0, 0, 0, true}, room).find ("looks like millimeters"),
-             std::string::npos);
+  expectBegin ({0, 0, 0, true},
+               "empty-plan: the floor plan has 0 walls: no plane is a wall; give --up");
+  expectBegin (
+      {0, 12, 0, true},
+      "empty-plan: the floor plan has 0 walls: filters drop all planes that are "
+      "walls (12); leave them out");
+  expectBegin (
+      {0, 12, 12, true},
+      "empty-plan: the floor plan has 0 walls: none of the planes that are walls "
+      "(12) is where it is cut; give another --plan-height");
+  EXPECT_EQ (textOf ({3, 12, 12, true}, roomOfTwoPlanes()), "");
+  LabelledPlaneScene wall_in_millimeters;
+  wall_in_millimeters.add ({{0, 3000, 0}, {4000, 2000, 0}, {0, 0, 2500}}, 2500, 2.0);
+  EXPECT_NE (
+      textOf ({0, 0, 0, true}, wall_in_millimeters).find ("looks like millimeters"),
+      std::string::npos);
 }
 
 TEST (ResultWarnings, AreTheThreeMostImportant)

@@ -12,6 +12,7 @@ namespace {
 
 using Arguments = std::vector<const char*>;
 
+/** \return whether the program is to proceed */
 bool
 parse (CommandLine& line, Arguments arguments)
 {
@@ -19,6 +20,7 @@ parse (CommandLine& line, Arguments arguments)
   return line.parse (static_cast<int> (arguments.size()), arguments.data());
 }
 
+/** \brief The values that the command line of a program "detect" sets. */
 struct Detector {
   std::string input;
   double threshold = 0.05;
@@ -106,15 +108,16 @@ TEST (CommandLine, PrintsHelpAndVersion)
 
 TEST (CommandLine, HelpsInTwoColumnsAndBreaksLinesBetweenWords)
 {
-  std::string value;
+  std::string ignored;
   CommandLine line ("detect", "Detects.", "1.0");
-  const std::string full = "as many words as a line of 79 columns can hold, and no";
-  line.addArgument ("INPUT", value, "a cloud");
-  line.addArgument ("OUTPUT.pcd", value, "the same with labels");
-  line.add ("detector FILE", value).help (full + " more");
+  const std::string full_line =
+      "as many words as a line of 79 columns can hold, and no";
+  line.addArgument ("INPUT", ignored, "a cloud");
+  line.addArgument ("OUTPUT.pcd", ignored, "the same with labels");
+  line.add ("detector FILE", ignored).help (full_line + " more");
   EXPECT_TRUE (contains (line.help(),
                          "\nArguments:\n  INPUT        a cloud\n  OUTPUT.pcd   the"));
   EXPECT_TRUE (contains (line.help(),
-                         "\n  --detector FILE       " + full + "\n" +
+                         "\n  --detector FILE       " + full_line + "\n" +
                              std::string (24, ' ') + "more\n"));
 }

@@ -12,6 +12,7 @@ using namespace pcl_ops::apps;
 
 TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
 {
+  // The exit code, and what is on standard error.
   const auto run = [] (const std::function<int()>& body) {
     testing::internal::CaptureStderr();
     const int code = runProgram ("detect", body);
@@ -70,7 +71,7 @@ TEST_F (InterruptedProgram, IsEndedByALaterSignal)
 {
   const auto interrupted_again = [] {
     noteInterruptions();
-    while (true) // until one is later than "at once"
+    while (true) // until a signal does not count as one with the first
       std::raise (SIGINT);
   };
   EXPECT_EXIT (interrupted_again(), testing::KilledBySignal (SIGINT), "");

@@ -15,7 +15,9 @@ using namespace pcl_ops::apps;
 
 namespace {
 
+// Least time from one message to the next.
 constexpr std::chrono::milliseconds seldom = std::chrono::seconds (10), always{0};
+/** \brief What erases the line of a terminal. */
 const std::string erased = "\r\033[K";
 
 /** \brief The output of a run of two steps after some steps and a note. */
@@ -37,11 +39,12 @@ saidAfter (int steps, ProgressStyle style, std::chrono::milliseconds between = s
 TEST (Progress, SaysHowFarItIsInAWayThatFitsTheStream)
 {
   using Style = ProgressStyle;
-  const std::string note = "a.pcd: done\n", half = "1 of 2 tiles, 50 %, 0 s left",
-                    bar = erased + "[" + std::string (15, '=') + std::string (15, ' ') +
-                          "] " + half;
+  const std::string note = "a.pcd: done\n";
+  const std::string half = "1 of 2 tiles, 50 %, 0 s left";
+  const std::string half_bar = std::string (15, '=') + std::string (15, ' ');
+  const std::string bar = erased + "[" + half_bar + "] " + half;
   EXPECT_EQ (saidAfter (1, Style::Bar), bar + erased + note + bar + erased)
-      << "drawn anew below a line, and none is left where the run ends before";
+      << "drawn again below the note, and erased as the run ends before it is full";
   EXPECT_EQ (saidAfter (2, Style::Lines, always),
              half + "\n2 of 2 tiles, 100 %, took 0 s\n" + note);
   EXPECT_EQ (saidAfter (2, Style::Lines), note) << "soon done";

@@ -11,14 +11,16 @@
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-/** Points 5 cm apart on a surface above 4 x 4 m, as one plane. */
+/** The hint on a surface above 4 m x 4 m whose points, 5 cm apart, are all on one
+ * plane. */
 std::string
 hintOn (const std::function<double (double, double)>& height)
 {
   XyzCloud cloud;
   PlaneSegment plane;
-  for (int i = 0; i < 6400; ++i) {
-    const double x = 0.05 * (i / 80), y = 0.05 * (i % 80);
+  constexpr int steps = 80;
+  for (int i = 0; i < steps * steps; ++i) {
+    const double x = 0.05 * (i / steps), y = 0.05 * (i % steps);
     cloud.emplace_back (float (x), float (y), float (height (x, y)));
     plane.moments.add (x, y, height (x, y));
     plane.inliers.push_back (i);

@@ -13,11 +13,12 @@ const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ()
 
 TEST (CommonUp, IsWhatMostAnswersAgreeOn)
 {
+  // The axis and the confidence of each answer.
   const auto found = commonUp ({{z, 0.8}, {x, 0.9}, {z, 0.8}});
   ASSERT_TRUE (found);
   EXPECT_TRUE (found->axis.direction.isApprox (z));
-  EXPECT_EQ (found->answers, 2u);
-  EXPECT_NEAR (found->axis.confidence, 1.6 / 2.5, 1e-9);
+  EXPECT_EQ (found->agreeing, 2u);
+  EXPECT_NEAR (found->axis.confidence, (0.8 + 0.8) / (0.8 + 0.9 + 0.8), 1e-9);
 }
 
 TEST (CommonUp, IsTheMeanOfAnswersThatAreOffALittle)

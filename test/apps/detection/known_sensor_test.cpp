@@ -16,9 +16,10 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief A floor of 4 m by 4 m below zero, and half of it a second time, lower. */
+/** \brief A floor of 4 m x 4 m at z = -1.5 m and a point of a wall.
+ * \param[in] has_cellar half of the floor comes a second time, 2.5 m lower */
 ShiftedCloud
-floorBelow (const Vector3d& sensor, bool has_cellar)
+floorSeenFrom (const Vector3d& sensor, bool has_cellar = false)
 {
   ShiftedCloud shifted{XyzCloud::Ptr (new XyzCloud)};
   for (float x = -2.0f; x < 2.0f; x += 0.02f)
@@ -57,15 +58,17 @@ hasFloor (const std::vector<PlaneSegment>& planes, const std::vector<PlaneKind>&
 
 TEST (KnownSensor, IsWhereTheCloudWasSeenFrom)
 {
-  const Vector3d place (1, 1, 0.5);
-  EXPECT_EQ (knownSensor (FileCloud(), floorBelow (place, false)), place);
-  EXPECT_EQ (knownSensor (FileCloud(), floorBelow (place, true)), std::nullopt)
+  const Vector3d sensor (1, 1, 0.5);
+  constexpr bool with_cellar = true;
+  EXPECT_EQ (knownSensor (FileCloud(), floorSeenFrom (sensor)), sensor);
+  EXPECT_EQ (knownSensor (FileCloud(), floorSeenFrom (sensor, with_cellar)),
+             std::nullopt)
       << "the cellar is behind the floor";
 }
 
 TEST (KnownSensor, IsInTheFrameOfTheFile)
 {
-  ShiftedCloud shifted = floorBelow ({0, 0, 0}, false);
+  ShiftedCloud shifted = floorSeenFrom ({0, 0, 0});
   shifted.shift = {500, 600, 70};
   EXPECT_EQ (knownSensor (FileCloud(), shifted), shifted.shift);
 }
@@ -74,22 +77,23 @@ TEST (KnownSensor, IsNoneOfACloudOfTwoScans)
 {
   FileCloud cloud;
   cloud.scans.resize (2);
-  EXPECT_EQ (knownSensor (cloud, floorBelow ({0, 0, 0}, false)), std::nullopt);
+  EXPECT_EQ (knownSensor (cloud, floorSeenFrom ({0, 0, 0})), std::nullopt);
 }
 
 TEST (KnownSensor, OfASurveyIsAmidItsPointsOrNone)
 {
   const Vector3d amid (1, 1, 0.5);
-  EXPECT_EQ (knownSensor (survey(), floorBelow (amid, false)), amid);
-  EXPECT_EQ (knownSensor (survey(), floorBelow ({0, 0, 9}, false)), std::nullopt);
+  EXPECT_EQ (knownSensor (survey(), floorSeenFrom (amid)), amid);
+  EXPECT_EQ (knownSensor (survey(), floorSeenFrom ({0, 0, 9})), std::nullopt);
 }
 
-// Of each lidar scan there is.
 TEST (KnownSensor, TellsKindsThatNoGroundIsACeilingEvenWhereTheSensorLeans)
 {
+  // For all lidar scans in the data folder.
   const auto scans = lidarScansIn (PCL_OPS_DATA_DIR);
   if (scans.empty())
     GTEST_SKIP() << "no lidar scans in " << PCL_OPS_DATA_DIR;
+  constexpr double meter = 1.0;
   for (const auto& file : scans) {
     const FileCloud cloud = loadCloud (file.string());
     const ShiftedCloud shifted = shiftedCloudOf (cloud, 0.0);
@@ -100,16 +104,16 @@ TEST (KnownSensor, TellsKindsThatNoGroundIsACeilingEvenWhereTheSensorLeans)
     std::vector<PlaneExtent> extents;
     for (const PlaneSegment& plane : planes)
       extents.push_back (planeExtent (*shifted.cloud, plane));
-    const auto kinds = planeKinds (planes, extents, Vector3d::UnitZ(), 1.0, sensor);
+    const auto kinds = planeKinds (planes, extents, Vector3d::UnitZ(), meter, sensor);
     for (std::size_t i = 0; i < planes.size(); ++i)
       EXPECT_FALSE (kinds[i] == PlaneKind::Ceiling && planes[i].centroid.z() < 0.0)
           << file << ", plane " << i + 1;
-    // As it would be named by a sensor that leans by 7 degrees more.
+    // The same with the up axis of a sensor that leans by 7 degrees more.
     const Eigen::AngleAxisd lean (paper_angle_tolerance, Vector3d::UnitX());
     const Vector3d up = lean * Vector3d::UnitZ();
     for (PlaneSegment& plane : planes)
       plane.orientation = orientationOf (plane.normal, up, paper_angle_tolerance);
-    const auto leaning = planeKinds (planes, extents, up, 1.0, sensor);
-    EXPECT_EQ (hasFloor (planes, kinds), hasFloor (planes, leaning)) << file;
+    const auto kinds_of_leaning = planeKinds (planes, extents, up, meter, sensor);
+    EXPECT_EQ (hasFloor (planes, kinds), hasFloor (planes, kinds_of_leaning)) << file;
   }
 }

@@ -17,11 +17,12 @@ PlaneSegment
 addSquare (float x, float height, XyzCloud& cloud)
 {
   PlaneSegment plane;
-  for (int i = 0; i < 1600; ++i) {
+  constexpr int steps = 40;
+  for (int i = 0; i < steps * steps; ++i) {
     plane.inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
     const float rough = i % 2 == 0 ? 0.0f : 0.01f;
     cloud.emplace_back (
-        x + 0.02f * float (i / 40), 0.02f * float (i % 40), height + rough);
+        x + 0.02f * float (i / steps), 0.02f * float (i % steps), height + rough);
     const pcl::PointXYZ& point = cloud.back();
     plane.moments.add (point.x, point.y, point.z);
   }
@@ -31,7 +32,7 @@ addSquare (float x, float height, XyzCloud& cloud)
 
 /** \brief The overlap of a square at (0, 0) and a second one at (x, height) [m]. */
 std::optional<OverlappingPlanes>
-ofSquaresAt (float x, float height)
+overlapOfSquares (float x, float height)
 {
   XyzCloud cloud;
   const PlaneSegment first = addSquare (0.0f, 0.0f, cloud);
@@ -40,7 +41,7 @@ ofSquaresAt (float x, float height)
 
 TEST (FindOverlapping, TellsTwoPlanesOverEachOtherAndHowFarApartTheyAre)
 {
-  const auto found = ofSquaresAt (0.4f, 0.012f);
+  const auto found = overlapOfSquares (0.4f, 0.012f);
   ASSERT_TRUE (found);
   EXPECT_EQ (found->larger, 0u);
   EXPECT_EQ (found->smaller, 1u);
@@ -49,17 +50,17 @@ TEST (FindOverlapping, TellsTwoPlanesOverEachOtherAndHowFarApartTheyAre)
 
 TEST (FindOverlapping, TellsTwoPlanesBesideEachOther)
 {
-  EXPECT_TRUE (ofSquaresAt (0.84f, 0.012f));
+  EXPECT_TRUE (overlapOfSquares (0.84f, 0.012f));
 }
 
 TEST (FindOverlapping, LeavesPlanesOfOneHeightThatAreFarFromEachOther)
 {
-  EXPECT_FALSE (ofSquaresAt (1.5f, 0.012f));
+  EXPECT_FALSE (overlapOfSquares (1.5f, 0.012f));
 }
 
 TEST (FindOverlapping, LeavesABoardThatIsFartherFromTheWallThanThreeTimesTheNoise)
 {
-  EXPECT_FALSE (ofSquaresAt (0.4f, 0.02f));
+  EXPECT_FALSE (overlapOfSquares (0.4f, 0.02f));
 }
 
 TEST (FindOverlapping, LeavesPlanesThatAreNotParallel)

@@ -9,7 +9,7 @@
 using Eigen::Vector3d;
 using namespace pcl_ops;
 
-TEST (SeenFrom, IsTrueOfLidarScansFromTheSensorAndFalseFromPlacesBesideIt)
+TEST (SeenFrom, IsTrueOfLidarScansFromTheSensorAndFalseFrom3MetersBesideAndBelowIt)
 {
   const auto scans = lidarScansIn (PCL_OPS_DATA_DIR);
   if (scans.empty())
@@ -19,8 +19,8 @@ TEST (SeenFrom, IsTrueOfLidarScansFromTheSensorAndFalseFromPlacesBesideIt)
         apps::shiftedCloudOf (apps::loadCloud (file.string()), 0.0).cloud;
     const CloudView view (*cloud);
     EXPECT_TRUE (isSeenFrom (Vector3d::Zero(), view)) << file;
-    for (int way = 0; way < 8; ++way) {
-      const double angle = way * M_PI / 4.0;
+    for (int direction = 0; direction < 8; ++direction) {
+      const double angle = direction * M_PI / 4.0;
       const Vector3d beside (3.0 * std::cos (angle), 3.0 * std::sin (angle), 0.0);
       EXPECT_FALSE (isSeenFrom (beside, view)) << file << " " << beside.transpose();
     }

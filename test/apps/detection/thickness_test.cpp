@@ -14,18 +14,20 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-constexpr double noise = 0.01;
+constexpr double noise = 0.01; // [m]
 
-/** A square of 60 x 60 points, some distance from one to the next, with noise. */
+/** A level square of 60 x 60 points with noise.
+ * \param[in] spacing distance of neighboring points [m] */
 XyzCloud
-square (double spacing, double noise_of_it, double height = 0.0)
+square (double spacing, double standard_deviation, double height = 0.0)
 {
   Random random (1);
   XyzCloud cloud;
-  for (int i = 0; i < 3600; ++i)
-    cloud.emplace_back (float (spacing * (i / 60)),
-                        float (spacing * (i % 60)),
-                        float (height + noise_of_it * random.gaussian()));
+  constexpr int steps = 60;
+  for (int i = 0; i < steps * steps; ++i)
+    cloud.emplace_back (float (spacing * (i / steps)),
+                        float (spacing * (i % steps)),
+                        float (height + standard_deviation * random.gaussian()));
   return cloud;
 }
 
@@ -75,8 +77,8 @@ TEST (Thickness, OfExactPointsIsNoneWhateverTheirRounding)
 
 TEST (Thickness, OfRingsIsMeasuredAcrossThem)
 {
-  // Lines 30 cm apart on a floor that is 10 cm higher for every second one: along one
-  // there is no noise, across there is.
+  // Lines 30 cm apart, every second one 10 cm higher. Points of one line do not
+  // scatter; points of several lines do.
   XyzCloud cloud;
   for (int line = 0; line < 30; ++line)
     for (int i = 0; i < 400; ++i)

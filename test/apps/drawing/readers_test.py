@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans, edges, meshes and maps are opened by programs of others.
+"""Other programs open plans, edges, meshes and maps of pcl_ops_segment.
 
-python3 readers_test.py PROGRAMS: the folder of pcl_ops_segment and pcl_ops_simulate. What a reader
-is missing for is skipped: ezdxf, shapely, ogrinfo (gdal-bin), assimp (assimp-utils).
+python3 readers_test.py PROGRAMS: the folder of pcl_ops_segment and pcl_ops_simulate. A test is
+skipped if its reader is not installed: ezdxf, shapely, ogrinfo (gdal-bin), assimp (assimp-utils).
 """
 
 import collections
@@ -38,7 +38,7 @@ def output_of(folder, program, *arguments):
 
 
 def rounded(value):
-    """GDAL writes 15 digits of a number."""
+    """A value of GeoJSON whose numbers have 9 decimals, as GDAL writes 15 digits alone."""
     if isinstance(value, dict):
         return {name: rounded(part) for name, part in value.items()}
     if isinstance(value, list):
@@ -51,8 +51,8 @@ def needs(program):
 
 
 def write_two_rooms(file):
-    """Two rooms of 4 m x 3 m, a wall of 10 cm with a door between them; 2 m of the last wall
-    of the right one are missing. Their points scatter by 2 mm."""
+    """Writes two rooms of 4 m x 3 m. Between them is a wall of 10 cm with a door. Of the last wall of
+    the right room 2 m are missing. Points scatter by 2 mm."""
     random_numbers = random.Random(1)
     step = 0.04
 
@@ -117,7 +117,8 @@ class Readers(unittest.TestCase):
             drawing = ezdxf.readfile(self.folder / name)
             audit = drawing.audit()
             self.assertEqual([*audit.errors, *audit.fixes], [], name)
-            self.assertEqual(drawing.units, 6, "meters")
+            meters = 6  # in DXF
+            self.assertEqual(drawing.units, meters)
             self.assertEqual({one.dxf.layer for one in drawing.modelspace()}, layers)
         drawn = collections.Counter(one.dxf.layer for one in
                                     ezdxf.readfile(self.folder / "plan.dxf").modelspace())
@@ -143,8 +144,8 @@ class Readers(unittest.TestCase):
             self.assertAlmostEqual(unseen["length"], 2.0, delta=0.05)
             (((start, end),),) = [one["geometry"]["coordinates"] for one in written
                                   if one["properties"]["layer"] == "UNSEEN"]
-            for place, true in ((start, (8.1, 1.0)), (end, (8.1, 3.0))):
-                self.assertLess(math.dist(place, true), 0.05)
+            for found, true in ((start, (8.1, 1.0)), (end, (8.1, 3.0))):
+                self.assertLess(math.dist(found, true), 0.05)
             dashed = [group.get("id") for group in
                       xml.etree.ElementTree.parse(flat / "plan.svg").getroot()
                       if group.get("stroke-dasharray")]

@@ -51,9 +51,11 @@ private:
     folder_.write ("bare.xyz", "x,y,z\n0,0,0\n");
   }
 
-  /** A road of 20 x 20 points, 25 cm apart, 10 rows of them again as a roof 6 m above
-   * it, and a hedge of 50 points at its corner, by the labels of the halves of the
-   * road, of the roof, of the lowest five points of the hedge and of its others. */
+  /** A road of 20 x 20 points, 25 cm apart; 10 rows of them again as a roof 6 m above
+   * the road; and a hedge of 50 points at a corner of the road.
+   * \param[in] near,far labels of the halves of the road
+   * \param[in] foot,hedge labels of the lowest five points of the hedge and of the rest
+   */
   static std::string
   street (int near, int far, int roof, int foot, int hedge)
   {
@@ -71,6 +73,7 @@ private:
     return text.str();
   }
 
+  /** The floor with another first point. */
   static std::string
   withFirstPoint (const std::string& point, const std::string& floor)
   {
@@ -88,8 +91,8 @@ private:
     return text + floor.substr (floor.find ("0.1,0,"));
   }
 
-  /** A plane of 40 x 40 points, 2 cm apart, with 1 cm of noise that is the same for 4 x
-   * 4 of them, seen from above in 40 clouds, in every second by a sensor that is turned
+  /** 40 clouds of a plane of 40 x 40 points, 2 cm apart, seen from above. The noise of
+   * 1 cm is the same for each 4 x 4 points. In every second cloud the sensor is turned
    * by 90 degrees. */
   void
   writeNoisyClouds () const

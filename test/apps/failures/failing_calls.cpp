@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Loaded in front of the C library (LD_PRELOAD), these calls fail where the environment
-// says so. What programs print is not counted.
+// These calls replace those of the C library if they are loaded before it (LD_PRELOAD).
+// They fail as environment variables say: FULL_AT_WRITE=n      the disk has room for a
+// part of the n-th write, and for none after it KILLED_AT_WRITE=n    the program is
+// killed before its n-th write READ_ONLY=1          no file and no folder can be made
+// THREADS_TO_START=n   no more than n threads can be started
+// Writes to files count, those to standard output and error do not.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -19,6 +23,7 @@
 
 namespace {
 
+/** \brief The function of that name in the C library. */
 template <typename Function>
 Function*
 original (const char* name)
@@ -34,6 +39,7 @@ numberIn (const char* variable)
   return text == nullptr ? 0 : std::atol (text);
 }
 
+/** \brief Whether a descriptor is of a regular file and not of a standard stream. */
 bool
 isFile (int descriptor)
 {
@@ -49,29 +55,30 @@ Disk
 diskAtNextWrite ()
 {
   static std::atomic<long> writes{0};
-  static const long last = numberIn ("FULL_AT_WRITE"),
-                    fatal = numberIn ("KILLED_AT_WRITE");
+  static const long last_write = numberIn ("FULL_AT_WRITE");
+  static const long fatal_write = numberIn ("KILLED_AT_WRITE");
   const long write = ++writes;
-  if (write == fatal)
+  if (write == fatal_write)
     ::raise (SIGKILL);
-  if (last == 0 || write < last)
+  if (last_write == 0 || write < last_write)
     return Disk::HasRoom;
-  return write == last ? Disk::GetsFull : Disk::IsFull;
+  return write == last_write ? Disk::GetsFull : Disk::IsFull;
 }
 
 /** \brief Writes all, half or none of a number of bytes or parts. */
-template <typename Call, typename What, typename Count>
+template <typename Call, typename Part, typename Count>
 ssize_t
-writeWhereThereIsRoom (Call* call, int descriptor, const What* what, Count count)
+writeWhereThereIsRoom (Call* call, int descriptor, const Part* parts, Count count)
 {
   const Disk disk = isFile (descriptor) ? diskAtNextWrite() : Disk::HasRoom;
   if (disk == Disk::IsFull || (disk == Disk::GetsFull && count < 2)) {
     errno = ENOSPC;
     return -1;
   }
-  return call (descriptor, what, disk == Disk::GetsFull ? count / 2 : count);
+  return call (descriptor, parts, disk == Disk::GetsFull ? count / 2 : count);
 }
 
+/** \brief Whether no file can be made; sets errno if so. */
 bool
 isReadOnly ()
 {
@@ -123,9 +130,9 @@ pthread_create (pthread_t* thread,
                 void* argument)
 {
   static auto* const call = original<decltype (pthread_create)> ("pthread_create");
-  static const long most = numberIn ("THREADS_TO_START");
+  static const long max_threads = numberIn ("THREADS_TO_START");
   static std::atomic<long> started{0};
-  if (std::getenv ("THREADS_TO_START") != nullptr && ++started > most)
+  if (std::getenv ("THREADS_TO_START") != nullptr && ++started > max_threads)
     return EAGAIN;
   return call (thread, attributes, run, argument);
 }

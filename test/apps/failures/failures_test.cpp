@@ -3,6 +3,7 @@
 #include <io/las_file.h>
 #include <segment/segment_program.h>
 
+#include <csignal>
 #include <functional>
 #include <optional>
 #include <sstream>
@@ -11,17 +12,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A row of outputs.tsv. */
+/** \brief A row of outputs.tsv: name, command, output, and maybe a file that is kept.
+ */
 using Row = std::vector<std::string>;
 
+/** \brief The first word of a command. */
 std::string
 programIn (const std::string& command)
 {
   return command.substr (0, command.find (' '));
 }
 
+/** \brief Content of the file that a failure has to leave alone. */
 constexpr const char* precious = "precious";
-constexpr int killed = 128 + 9;
+constexpr int exit_code_of_killed = 128 + SIGKILL;
 
 /** \brief A folder in which things fail. */
 class Failing : public ProgramFolder {
@@ -52,9 +56,9 @@ protected:
   }
 
   /** \brief Runs the program.
-   * \param[in] trouble variables of failing_calls.cpp, as "NAME=number"
-   * \param[in] before commands of the shell
-   * \param[in] file the output's name, if another one */
+   * \param[in] trouble variable of failing_calls.cpp, as "NAME=number"; or nothing
+   * \param[in] before commands of the shell that are run before it
+   * \param[in] file name of the output; not given: file_ */
   Outcome
   failing (const std::string& trouble,
            const std::string& before = "",
@@ -100,26 +104,26 @@ protected:
   void
   expectMemoryIsMissed () const
   {
-    constexpr int step = 4'000, most = 1'000'000; // [kB]
+    constexpr int step = 4'000, max_limit = 1'000'000; // [kB]
     int limit = step;
-    const auto run_with_limit = [&] {
+    const auto runWithLimit = [&] {
       return failing ("", "ulimit -v " + std::to_string (limit));
     };
-    // Until there is room for the program itself.
+    // With too little memory the shell cannot load the program.
     constexpr int not_loaded = 127;
-    while (run_with_limit().exit_code == not_loaded && limit < most)
+    while (runWithLimit().exit_code == not_loaded && limit < max_limit)
       limit += step;
     // That run may have succeeded: a run of many files would then skip its work.
-    for (protect(); limit < most; limit += step) {
+    for (protect(); limit < max_limit; limit += step) {
       SCOPED_TRACE (std::to_string (limit) + " kB");
-      const Outcome done = run_with_limit();
+      const Outcome done = runWithLimit();
       if (done.exit_code == 0)
         break;
       expectPromise (done, "memory");
       if (HasFailure())
         return;
     }
-    EXPECT_LT (limit, most);
+    EXPECT_LT (limit, max_limit);
   }
 
   std::string command_, file_, kept_;
@@ -138,6 +142,7 @@ private:
   }
 };
 
+/** \brief The rows of outputs.tsv whose programs and formats are in this build. */
 std::vector<Row>
 allOutputs ()
 {
@@ -151,6 +156,7 @@ allOutputs ()
 
 constexpr int max_writes = 100;
 
+/** \brief Failures at one of the outputs. */
 class Failures : public Failing, public testing::WithParamInterface<Row> {
 protected:
   Failures() : Failing (GetParam()) {}
@@ -203,7 +209,7 @@ TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
 TEST_P (Failures, ARunKilledAtAnyWriteLeavesTheOldFileAndIsRunAgain)
 {
   expectAtEveryWrite ("KILLED_AT_WRITE=", [this] (const Outcome& ending) {
-    EXPECT_EQ (ending.exit_code, killed) << ending.err;
+    EXPECT_EQ (ending.exit_code, exit_code_of_killed) << ending.err;
     EXPECT_TRUE (isAsBefore());
   });
   EXPECT_FALSE (isAsBefore()) << "the last run was not hindered";
@@ -226,7 +232,8 @@ TEST_P (Failures, ANameIsAsLongAsTheFolderTakesOrSaidToBeTooLong)
 
 TEST_P (Failures, AnEmptyNameIsWrongUsage)
 {
-  expectPromise (failing ("", "", ""), "", 2);
+  constexpr int wrong_usage = 2;
+  expectPromise (failing ("", "", ""), "", wrong_usage);
 }
 
 TEST_P (Failures, TooLittleMemoryIsSaidAndHarmsNothing) { expectMemoryIsMissed(); }

@@ -49,8 +49,8 @@ std::string
 pcdWith (const std::string& line, const std::string& body = "1 2 3\n4 5 6\n")
 {
   std::string pcd = pcd_header;
-  const std::size_t place = pcd.find (line.substr (0, line.find (' ')));
-  pcd.replace (place, pcd.find ('\n', place) - place, line);
+  const std::size_t begin = pcd.find (line.substr (0, line.find (' ')));
+  pcd.replace (begin, pcd.find ('\n', begin) - begin, line);
   return pcd + body;
 }
 
@@ -58,6 +58,8 @@ const std::string two_vertices =
     "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string triangle =
     two_vertices + "element face 1\nproperty list uchar int vertex_indices\n";
+
+/** \brief A PLY with these elements in its header and these data. */
 std::string
 plyWith (const std::string& elements,
          const std::string& body,
@@ -66,13 +68,13 @@ plyWith (const std::string& elements,
   return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n" + body;
 }
 
-/** \brief Repeats a line; its index follows the text \p line each time. */
+/** \brief Lines 0, 1, ... that have \p begin, their number and \p end. */
 std::string
-repeated (int count, const std::string& line, const std::string& rest = "")
+numberedLines (int count, const std::string& begin, const std::string& end = "")
 {
   std::string lines;
   for (int i = 0; i < count; ++i)
-    lines.append (line).append (std::to_string (i)).append (rest).append ("\n");
+    lines.append (begin).append (std::to_string (i)).append (end).append ("\n");
   return lines;
 }
 
@@ -86,21 +88,21 @@ invalidPcd (const std::string& reason)
 }
 
 /** \brief A LAS with records in front of and behind its points, and with other numbers.
- * \param[in] changes e.g. "u16 94 374": type, place and number of each */
+ * \param[in] changes e.g. "u16 94 374": type, offset [byte] and number of each */
 std::string
 lasWith (const std::string& changes)
 {
   LasRecipe recipe;
   recipe.vlrs = {lasVlr ("someone", 7, "content")};
-  recipe.evlrs = {lasVlr<LasHeader::LongLong> ("someone", 9, "content")};
+  recipe.evlrs = {lasVlr<LasHeader::UInt64> ("someone", 9, "content")};
   std::string las = lasBytes (recipe), type, number;
   std::istringstream words (changes);
-  for (std::size_t place; words >> type >> place >> number;) {
+  for (std::size_t offset; words >> type >> offset >> number;) {
     const std::size_t bits = std::stoul (type.substr (1));
     const std::string bytes =
         type[0] == 'f' ? bytesOf (boost::endian::little_float64_t (std::stod (number)))
-                       : bytesOf (LasHeader::LongLong (std::stoull (number)));
-    las.replace (place, bits / 8, bytes, 0, bits / 8);
+                       : bytesOf (LasHeader::UInt64 (std::stoull (number)));
+    las.replace (offset, bits / 8, bytes, 0, bits / 8);
   }
   return las;
 }
@@ -133,28 +135,30 @@ bytesOfNumbers (const std::vector<Number>& numbers)
           numbers.size() * sizeof (Number)};
 }
 
-/** \brief The file that a row of read_files.tsv or refused_files.tsv is about.
- * \param[in] made how, the first column \param[in] text the second */
+/** \brief The content of the file that a row of read_files.tsv or refused_files.tsv is
+ * about.
+ * \param[in] kind the first column: what \p text is a part of
+ * \param[in] text the second column */
 std::string
-contentOfRow (const std::string& made, std::string text)
+contentOfRow (const std::string& kind, std::string text)
 {
   const std::pair<const char*, const char*> escapes[] = {
       {"\\n", "\n"}, {"\\t", "\t"}, {"\\r", "\r"}, {"\\v", "\v"}};
-  for (const auto& [written, meant] : escapes)
-    boost::replace_all (text, written, meant);
-  if (made == "header.pcd")
+  for (const auto& [escape, character] : escapes)
+    boost::replace_all (text, escape, character);
+  if (kind == "header.pcd")
     return pcdWith (text);
-  if (made == "body.pcd")
+  if (kind == "body.pcd")
     return pcd_header + text;
-  if (made == "line.pcd")
+  if (kind == "line.pcd")
     return pcd_header + "1.00 2.00 3.00\n" + text + "\n";
-  if (made == "elements.ply")
+  if (kind == "elements.ply")
     return plyWith (text, "");
-  if (made == "body.ply")
+  if (kind == "body.ply")
     return plyWith (two_vertices, text);
-  if (made == "list.ply")
+  if (kind == "list.ply")
     return plyWith (triangle, "1 2 3\n4 5 6\n" + text + "\n");
-  return made == "number.las" ? lasWith (text) : text;
+  return kind == "number.las" ? lasWith (text) : text;
 }
 
 using CloudFile = CloudFolder;
@@ -324,9 +328,9 @@ TEST_F (CloudFile, IsRefusedForWhatIsTooLong)
              invalidPcd ("its header is longer than 1 MiB"));
   const std::pair<std::string, std::string> rows[] = {
       {"comment" + blanks + "\n" + two_vertices, "its header is longer than 1 MiB"},
-      {two_vertices + repeated (1000, "element e", " 0"),
+      {two_vertices + numberedLines (1000, "element e", " 0"),
        "it has more than 1000 elements"},
-      {two_vertices + repeated (9998, "property float f"),
+      {two_vertices + numberedLines (9998, "property float f"),
        "its element vertex has more than 10000 properties"}};
   for (const auto& [elements, reason] : rows)
     EXPECT_EQ (complaintAbout ("bad.ply", plyWith (elements, "")),
@@ -413,20 +417,22 @@ TEST_F (CloudFile, OfKittiIsRefusedWhereThreeNumbersAreAPoint)
 
 TEST_F (CloudFile, OfNumPyKeepsTypesColumnsAndShape)
 {
-  const auto text_of = [&] (const std::string& type, auto numbers, auto... others) {
+  const auto textOfArray = [&] (const std::string& type, auto numbers, auto... others) {
     return textOf (load ("a.npy", npyWith (type, others..., bytesOfNumbers (numbers))));
   };
   const std::vector<std::int8_t> two_points = {1, 2, 3, -4, 5, 6};
   const std::string expected = "x 1 -4; y 2 5; z 3 6";
-  EXPECT_EQ (text_of ("|i1", two_points, "False", "(2, 3)"), expected);
+  EXPECT_EQ (textOfArray ("|i1", two_points, "False", "(2, 3)"), expected);
   const std::vector<double> doubles (two_points.begin(), two_points.end());
-  EXPECT_EQ (text_of ("<f8", doubles, "False", "(2, 3)"), expected);
+  EXPECT_EQ (textOfArray ("<f8", doubles, "False", "(2, 3)"), expected);
   const std::vector<std::int64_t> integers (two_points.begin(), two_points.end());
-  EXPECT_EQ (text_of ("<i8", integers, "False", "(2, 3)"), expected);
-  EXPECT_EQ (text_of ("<u2", std::vector<std::uint16_t>{1, 2, 3, 4}, "False", "(1, 4)"),
-             "x 1; y 2; z 3; field_4 4");
-  EXPECT_EQ (text_of ("<f4", std::vector<float>{1, 4, 2, 5, 3, 6}, "True", "(2, 3)"),
-             "x 1 4; y 2 5; z 3 6");
+  EXPECT_EQ (textOfArray ("<i8", integers, "False", "(2, 3)"), expected);
+  EXPECT_EQ (
+      textOfArray ("<u2", std::vector<std::uint16_t>{1, 2, 3, 4}, "False", "(1, 4)"),
+      "x 1; y 2; z 3; field_4 4");
+  EXPECT_EQ (
+      textOfArray ("<f4", std::vector<float>{1, 4, 2, 5, 3, 6}, "True", "(2, 3)"),
+      "x 1 4; y 2 5; z 3 6");
   // Of an image by columns and by rows.
   std::vector<float> image (2 * 3 * 3), transposed (image.size());
   for (std::size_t i = 0; i < image.size(); ++i) {
@@ -435,41 +441,41 @@ TEST_F (CloudFile, OfNumPyKeepsTypesColumnsAndShape)
   }
   const std::string organized =
       "x 0 3 6 9 12 15; y 1 4 7 10 13 16; z 2 5 8 11 14 17; height 2";
-  EXPECT_EQ (text_of ("<f4", image, "False", "(2, 3, 3)"), organized);
-  EXPECT_EQ (text_of ("<f4", transposed, "True", "(2, 3, 3)"), organized);
+  EXPECT_EQ (textOfArray ("<f4", image, "False", "(2, 3, 3)"), organized);
+  EXPECT_EQ (textOfArray ("<f4", transposed, "True", "(2, 3, 3)"), organized);
 }
 
 TEST_F (CloudFile, OfNumPyIsRefusedForWhatIsNoArrayOfPoints)
 {
-  const auto complaint_of = [&] (auto... parts) {
+  const auto complaintAboutArray = [&] (auto... parts) {
     return complaintAbout ("a.npy", npyWith (parts...));
   };
   const std::string point (12, '\0');
   const std::string type = "has no plain numbers that are little endian; save "
                            "array.astype ('<f4')";
   for (const char* name : {">f4", "<f2", "|b1", "<c8", "|O", "", "f4"})
-    EXPECT_EQ (complaint_of (name, "False", "(1, 3)", point), type) << name;
-  EXPECT_EQ (complaint_of ("{'descr': [('x', '<f4'), ('y', '<f4')], "
-                           "'fortran_order': False, 'shape': (1,), }",
-                           point),
+    EXPECT_EQ (complaintAboutArray (name, "False", "(1, 3)", point), type) << name;
+  EXPECT_EQ (complaintAboutArray ("{'descr': [('x', '<f4'), ('y', '<f4')], "
+                                  "'fortran_order': False, 'shape': (1,), }",
+                                  point),
              type);
   for (const char* shape : {"()", "(3,)", "(3, 1)", "(1, 1, 1, 3)", "(1, 1001)"})
-    EXPECT_EQ (complaint_of ("<f4", "False", shape, point),
+    EXPECT_EQ (complaintAboutArray ("<f4", "False", shape, point),
                "has an array of another shape than (N, 3) or (H, W, 3), or more "
                "columns; save array.T or array.reshape (-1, 3)")
         << shape;
-  EXPECT_EQ (complaint_of ("<f4", "False", "(0, 3)", ""),
+  EXPECT_EQ (complaintAboutArray ("<f4", "False", "(0, 3)", ""),
              "has no points; give a cloud that has");
   for (const char* shape : {"(2, 3)", "(2147483647, 3)", "(2147483647, 2147483647, 3)"})
-    EXPECT_EQ (complaint_of ("<f4", "False", shape, point), truncated) << shape;
+    EXPECT_EQ (complaintAboutArray ("<f4", "False", shape, point), truncated) << shape;
   const auto invalid = [] (const std::string& reason) {
     return "is no valid NumPy file: " + reason + "; write it again";
   };
-  EXPECT_EQ (complaint_of ("<f4", "False", "(1, 3)", point + point),
+  EXPECT_EQ (complaintAboutArray ("<f4", "False", "(1, 3)", point + point),
              invalid ("it has more numbers than its shape says"));
-  EXPECT_EQ (complaint_of ("<f4", "False", "(1, -3)", point),
+  EXPECT_EQ (complaintAboutArray ("<f4", "False", "(1, -3)", point),
              invalid ("its shape -3 is out of range"));
-  EXPECT_EQ (complaint_of ("{'descr': '<f4'}", point),
+  EXPECT_EQ (complaintAboutArray ("{'descr': '<f4'}", point),
              invalid ("its header has no fortran_order"));
   EXPECT_EQ (complaintAbout ("a.npy", "PK\3\4"),
              invalid ("its first bytes are not \\x93NUMPY"));
@@ -482,21 +488,21 @@ TEST_F (CloudFile, OfNumPyIsRefusedForWhatIsNoArrayOfPoints)
 
 TEST_F (CloudFile, OfNumPyIsRefusedWhereCoordinatesAreInRows)
 {
-  const auto complaint_of = [&] (const std::string& shape) {
+  const auto complaintAboutArray = [&] (const std::string& shape) {
     return complaintAbout ("a.npy", npyWith ("<f4", "False", shape, ""));
   };
-  EXPECT_EQ (complaint_of ("(3, 600)"),
+  EXPECT_EQ (complaintAboutArray ("(3, 600)"),
              "has an array of shape (3, 600), which are coordinates in rows; save "
              "array.T");
-  EXPECT_EQ (complaint_of ("(3, 480, 640)"),
+  EXPECT_EQ (complaintAboutArray ("(3, 480, 640)"),
              "has an array of shape (3, H, W), not (H, W, 3); save numpy.moveaxis "
              "(array, 0, -1)");
 }
 
 TEST_F (CloudFile, OfPtxKnowsWhereItsScannersWere)
 {
-  const auto scan = [] (const std::string& place, const std::string& translation) {
-    return "1\n1\n" + place + "\n0 1 0\n-1 0 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n" +
+  const auto scan = [] (const std::string& scanner, const std::string& translation) {
+    return "1\n1\n" + scanner + "\n0 1 0\n-1 0 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n" +
            translation + " 1\n1 2 3 0.5\n";
   };
   const FileCloud one = load ("a.ptx", scan ("10 20 30", "10 20 30"));
@@ -510,8 +516,8 @@ TEST_F (CloudFile, OfPtxKnowsWhereItsScannersWere)
       load ("a.ptx", scan ("1 2 3", "1 2 3") + scan ("4 5 6", "1 2 3"));
   ASSERT_EQ (two.scans.size(), 2u);
   EXPECT_EQ (two.scans[1].first, 1u);
-  EXPECT_EQ (two.scans[1].place, Eigen::Vector3d (4, 5, 6));
-  EXPECT_TRUE (two.origin.isZero (0.0)) << "there is no one place";
+  EXPECT_EQ (two.scans[1].position, Eigen::Vector3d (4, 5, 6));
+  EXPECT_TRUE (two.origin.isZero (0.0)) << "scans have two positions";
 }
 
 TEST_F (TextFile, IsReadByEachOfItsExtensionsAndInFoldersByThoseOfClouds)

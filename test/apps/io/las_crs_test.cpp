@@ -25,14 +25,19 @@ crsOfRecords (const std::vector<std::string>& vlrs)
   return crsOf (las);
 }
 
-/** \brief A GeoKeyDirectoryTag. \param[in] keys and their values, which are short */
+// Keys of GeoTIFF, and the value for a system without a number.
+constexpr std::uint16_t model_type = 1024, geographic_system = 2048;
+constexpr std::uint16_t projected_system = 3072, user_defined = 32767;
+
+/** \brief A record with a GeoKeyDirectoryTag.
+ * \param[in] keys each key and its value */
 std::string
 geoKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
 {
   std::string bytes;
   const auto add = [&] (std::initializer_list<std::uint16_t> entry) {
     for (const std::uint16_t number : entry)
-      bytes += bytesOf (LasHeader::Short (number));
+      bytes += bytesOf (LasHeader::UInt16 (number));
   };
   add ({1, 1, 0, static_cast<std::uint16_t> (keys.size())});
   for (const auto& [key, value] : keys)
@@ -44,14 +49,19 @@ geoKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
 
 TEST (LasCrs, IsTheNumberOfAProjectedOrAGeographicSystemInTheKeys)
 {
-  EXPECT_EQ (crsOfRecords ({geoKeys ({{1024, 1}, {2048, 4258}, {3072, 25832}})}),
-             "EPSG:25832");
-  EXPECT_EQ (crsOfRecords ({geoKeys ({{1024, 2}, {2048, 4326}})}), "EPSG:4326");
+  EXPECT_EQ (
+      crsOfRecords ({geoKeys (
+          {{model_type, 1}, {geographic_system, 4258}, {projected_system, 25832}})}),
+      "EPSG:25832");
+  EXPECT_EQ (crsOfRecords ({geoKeys ({{model_type, 2}, {geographic_system, 4326}})}),
+             "EPSG:4326");
 }
 
 TEST (LasCrs, IsNoneOfASystemOfTheUsersOwnOrOfNone)
 {
-  EXPECT_EQ (crsOfRecords ({geoKeys ({{3072, 32767}, {2048, 4152}})}), "");
+  EXPECT_EQ (crsOfRecords ({geoKeys (
+                 {{projected_system, user_defined}, {geographic_system, 4152}})}),
+             "");
   EXPECT_EQ (crsOfRecords ({}), "");
   EXPECT_EQ (crsOfRecords ({lasVlr (projection, geo_keys_id, "short")}), "");
 }

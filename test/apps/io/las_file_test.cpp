@@ -19,17 +19,17 @@ protected:
   std::string
   labelled (const std::string& las, const std::vector<std::uint32_t>& labels) const
   {
-    saveLabelledLas (folder_ / "labelled.las", *load ("a.las", las).las, labels);
+    saveLabeledLas (folder_ / "labelled.las", *load ("a.las", las).las, labels);
     return contentOf (folder_ / "labelled.las");
   }
 };
 
 /** \brief The two records with their labels. */
 std::string
-labelledRecords (const LasRecipe& recipe, std::uint32_t first, std::uint32_t second)
+recordsWithLabels (const LasRecipe& recipe, std::uint32_t first, std::uint32_t second)
 {
-  return lasRecord (recipe, 0) + bytesOf (LasHeader::Long (first)) +
-         lasRecord (recipe, 1) + bytesOf (LasHeader::Long (second));
+  return lasRecord (recipe, 0) + bytesOf (LasHeader::UInt32 (first)) +
+         lasRecord (recipe, 1) + bytesOf (LasHeader::UInt32 (second));
 }
 
 std::string
@@ -65,26 +65,27 @@ TEST_F (LasFileTest, KeepsEveryIntegerOfMorePointsThanABlockHas)
     ASSERT_EQ (std::lround ((x[i] - 500000) / 0.001), recipe.points[i][0]);
 }
 
-TEST_F (LasFileTest, TellsThePlaceOfAnyPointInAnyOrder)
+TEST_F (LasFileTest, TellsThePositionOfAnyPointInAnyOrder)
 {
   LasRecipe recipe;
   recipe.points.clear();
-  for (std::int32_t i = 0; i < 10000; ++i)
+  constexpr std::int32_t size = 10000;
+  for (std::int32_t i = 0; i < size; ++i)
     recipe.points.push_back ({i, 0, 0});
   const std::shared_ptr<LasFile> las = load ("a.las", lasBytes (recipe)).las;
-  const auto expectPlace = [&las] (std::uint64_t point) {
-    ASSERT_EQ (std::lround ((las->place (point).x() - 500000) / 0.001),
+  const auto expectPosition = [&las] (std::uint64_t point) {
+    ASSERT_EQ (std::lround ((las->position (point).x() - 500000) / 0.001),
                static_cast<long> (point));
   };
-  for (std::uint64_t i = 0; i < 10000; ++i)
-    expectPlace (i);
+  for (std::uint64_t i = 0; i < size; ++i)
+    expectPosition (i);
   for (const std::uint64_t i : {0, 9999, 1, 2, 5000, 4999, 5000, 5001, 9998, 9999})
-    expectPlace (i);
+    expectPosition (i);
 }
 
 TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
 {
-  constexpr std::uint32_t added = 54 + 192;
+  constexpr std::uint32_t added = vlr_header_length + extra_bytes_field_length;
   for (std::uint8_t minor = 0; minor <= 4; ++minor) {
     SCOPED_TRACE (int (minor));
     LasRecipe recipe{minor, 3};
@@ -92,11 +93,11 @@ TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
                    lasVlr ("LASF_Projection", 1, "p")};
     recipe.gap = "between";
     if (minor == 4)
-      recipe.evlrs = {lasVlr<LasHeader::LongLong> ("someone", 9, "behind the points")};
+      recipe.evlrs = {lasVlr<LasHeader::UInt64> ("someone", 9, "behind the points")};
     std::string expected = lasBytes (recipe);
     const std::uint32_t points = headerIn (expected).points_offset;
     expected.resize (points);
-    expected += labelledRecords (recipe, 70000, 0);
+    expected += recordsWithLabels (recipe, 70000, 0);
     headerIn (expected).points_offset = points + added;
     headerIn (expected).vlr_count = 3;
     headerIn (expected).record_length = 34 + 4;
@@ -118,12 +119,12 @@ TEST_F (LasFileTest, OfVersion10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
   std::string las = lasBytes (marked);
   const std::string expected = textOf (load ("a.las", lasBytes (recipe)));
   EXPECT_EQ (textOf (load ("a.las", las)), expected);
-  headerIn (las).points_offset = headerIn (las).size;
+  headerIn (las).points_offset = headerIn (las).header_size;
   EXPECT_EQ (textOf (load ("a.las", las)), expected) << "where the offset is theirs";
   std::string after = labelled (las, {5, 6});
   EXPECT_EQ (after.substr (headerIn (after).points_offset),
-             labelledRecords (recipe, 5, 6));
-  const std::string record = after.substr (headerIn (after).size);
+             recordsWithLabels (recipe, 5, 6));
+  const std::string record = after.substr (headerIn (after).header_size);
   EXPECT_EQ (record.substr (0, 2), "\xbb\xaa") << "as records of 1.0 begin";
 }
 
@@ -149,17 +150,19 @@ TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
   recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
                  lasVlr ("someone", 7, "content")};
   std::string after = labelled (lasBytes (recipe), {5, 6});
-  const std::size_t vlr = 375, fields = vlr + 54;
+  constexpr std::size_t vlr = 375; // behind the header of LAS 1.4
+  constexpr std::size_t fields = vlr + vlr_header_length;
+  constexpr std::size_t field = extra_bytes_field_length;
   EXPECT_EQ (headerIn (after).vlr_count, 2u);
-  ASSERT_EQ (reinterpret_cast<LasHeader::Short&> (after[vlr + 20]), 5 * 192u);
-  EXPECT_EQ (after.substr (fields, 192), extraBytesField ("range", 3));
+  ASSERT_EQ (reinterpret_cast<LasHeader::UInt16&> (after[vlr + 20]), 5 * field);
+  EXPECT_EQ (after.substr (fields, field), extraBytesField ("range", 3));
   for (std::size_t i = 1; i <= 3; ++i)
-    EXPECT_EQ (after.substr (fields + i * 192, 192), extraBytesField ("", 0, 1))
+    EXPECT_EQ (after.substr (fields + i * field, field), extraBytesField ("", 0, 1))
         << "what nobody had described, byte by byte, as CloudCompare counts";
-  EXPECT_STREQ (&after[fields + 4 * 192 + 4], "label");
-  EXPECT_EQ (after.substr (fields + 5 * 192, recipe.vlrs[1].size()), recipe.vlrs[1]);
+  EXPECT_STREQ (&after[fields + 4 * field + 4], "label");
+  EXPECT_EQ (after.substr (fields + 5 * field, recipe.vlrs[1].size()), recipe.vlrs[1]);
   EXPECT_EQ (after.substr (headerIn (after).points_offset),
-             labelledRecords (recipe, 5, 6));
+             recordsWithLabels (recipe, 5, 6));
 }
 
 TEST_F (LasFileTest, ReadsAndReplacesTheLabelsItWrote)
@@ -172,7 +175,8 @@ TEST_F (LasFileTest, ReadsAndReplacesTheLabelsItWrote)
 TEST_F (LasFileTest, SaysThatItHasNoRoomForLabels)
 {
   LasRecipe full;
-  full.extra.assign (2, std::string (65535 - 30, 'e'));
+  constexpr std::size_t longest_record = 65535, length_of_format = 30;
+  full.extra.assign (2, std::string (longest_record - length_of_format, 'e'));
   EXPECT_EQ (load ("a.las", lasBytes (full)).las->validate ({label_field}),
              "has no room for a further extra-bytes field; give an OUTPUT.pcd");
   EXPECT_EQ (load ("a.las", lasBytes ({})).las->validate ({label_field}), "");
@@ -182,7 +186,7 @@ TEST_F (LasFileTest, IsRefusedWhereverItIsCut)
 {
   LasRecipe recipe;
   recipe.vlrs = {lasVlr ("someone", 7, "content")};
-  recipe.evlrs = {lasVlr<LasHeader::LongLong> ("someone", 9, "behind the points")};
+  recipe.evlrs = {lasVlr<LasHeader::UInt64> ("someone", 9, "behind the points")};
   const std::string whole = lasBytes (recipe);
   EXPECT_EQ (complaintAbout ("a.las", whole), "");
   for (std::size_t size = 0; size < whole.size(); ++size)
@@ -212,7 +216,7 @@ TEST_F (LasFileTest, RefusesExtraBytesThatDoNotAddUp)
   EXPECT_EQ (complaintAbout ("a.las", lasBytes (twice)),
              invalid ("it has two Extra Bytes VLRs"));
   LasRecipe behind;
-  behind.evlrs = {lasVlr<LasHeader::LongLong> ("LASF_Spec", 4, "")};
+  behind.evlrs = {lasVlr<LasHeader::UInt64> ("LASF_Spec", 4, "")};
   EXPECT_EQ (complaintAbout ("a.las", lasBytes (behind)),
              invalid ("its Extra Bytes are described behind its points"));
 }
@@ -230,7 +234,7 @@ TEST_F (LasFileTest, SaysHowToDecompressLaz)
   EXPECT_EQ (complaintAbout ("a.las", lasBytes (recipe)), fix);
   std::string las = lasBytes ({});
   for (const std::uint8_t compressed : {0x86, 0x46}) {
-    headerIn (las).format = compressed;
+    headerIn (las).format_bits = compressed;
     EXPECT_EQ (complaintAbout ("a.las", las), fix);
   }
 }

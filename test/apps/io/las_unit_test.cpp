@@ -10,8 +10,15 @@ using namespace pcl_ops::apps;
 
 namespace {
 
+// Keys of GeoTIFF and their values.
+constexpr std::uint16_t model_type = 1024, projected = 1, geographic_model = 2;
+constexpr std::uint16_t projected_system = 3072, unit_of_length = 3076;
+constexpr std::uint16_t meter = 9001, foot = 9002, us_foot = 9003;
+constexpr std::uint16_t wkt_id = 2112; // of the record with the text
+
 class LasUnitTest : public CloudFolder {
 protected:
+  /** \brief Unit of a LAS with this variable length record. */
   LasUnit
   unitWith (std::uint16_t record, const std::string& content) const
   {
@@ -20,14 +27,15 @@ protected:
     return unitOf (*load ("a.las", lasBytes (recipe)).las);
   }
 
-  /** \brief Unit of a LAS with GeoTIFF keys, each of them as id, 0, 1 and value. */
+  /** \brief Unit of a LAS with a GeoKeyDirectoryTag: its header of four numbers, and
+   * for each key its id, 0, 1 and its value. */
   LasUnit
   unitWithKeys (const std::vector<std::uint16_t>& keys) const
   {
     constexpr std::uint16_t keys_of_geotiff = 34735;
     std::string bytes;
     for (const std::uint16_t number : keys)
-      bytes += bytesOf (LasHeader::Short (number));
+      bytes += bytesOf (LasHeader::UInt16 (number));
     return unitWith (keys_of_geotiff, bytes);
   }
 };
@@ -58,23 +66,26 @@ TEST_F (LasUnitTest, IsNotThatOfHeights)
 
 TEST_F (LasUnitTest, IsReadFromTheTextOfAFile)
 {
-  EXPECT_EQ (unitWith (2112, "PROJCS[\"a\",UNIT[\"US survey foot\",0.3048]]"),
+  EXPECT_EQ (unitWith (wkt_id, "PROJCS[\"a\",UNIT[\"US survey foot\",0.3048]]"),
              LasUnit::Foot);
-  EXPECT_EQ (unitWith (2112, ""), LasUnit::Unknown);
+  EXPECT_EQ (unitWith (wkt_id, ""), LasUnit::Unknown);
 }
 
 TEST_F (LasUnitTest, IsReadFromTheKeysOfAFile)
 {
   const std::vector<std::uint16_t> header = {1, 1, 0, 2};
-  const auto with = [&] (std::initializer_list<std::uint16_t> keys) {
+  const auto unitOfKeys = [&] (std::initializer_list<std::uint16_t> keys) {
     std::vector<std::uint16_t> all = header;
     all.insert (all.end(), keys);
     return unitWithKeys (all);
   };
-  EXPECT_EQ (with ({1024, 0, 1, 1, 3076, 0, 1, 9001}), LasUnit::Meter);
-  EXPECT_EQ (with ({1024, 0, 1, 1, 3076, 0, 1, 9002}), LasUnit::Foot);
-  EXPECT_EQ (with ({1024, 0, 1, 1, 3076, 0, 1, 9003}), LasUnit::Foot);
-  EXPECT_EQ (with ({1024, 0, 1, 2}), LasUnit::Degree);
-  EXPECT_EQ (with ({1024, 0, 1, 1, 3072, 0, 1, 32632}), LasUnit::Unknown);
+  const auto unitOfProjected = [&] (std::uint16_t key, std::uint16_t value) {
+    return unitOfKeys ({model_type, 0, 1, projected, key, 0, 1, value});
+  };
+  EXPECT_EQ (unitOfProjected (unit_of_length, meter), LasUnit::Meter);
+  EXPECT_EQ (unitOfProjected (unit_of_length, foot), LasUnit::Foot);
+  EXPECT_EQ (unitOfProjected (unit_of_length, us_foot), LasUnit::Foot);
+  EXPECT_EQ (unitOfKeys ({model_type, 0, 1, geographic_model}), LasUnit::Degree);
+  EXPECT_EQ (unitOfProjected (projected_system, 32632), LasUnit::Unknown);
   EXPECT_EQ (unitWithKeys ({1, 1}), LasUnit::Unknown) << "cut short";
 }

@@ -51,18 +51,20 @@ recipeWithAll (std::uint8_t minor, std::uint8_t format)
                  lasVlr ("someone", 7, "content")};
   recipe.gap = "between";
   if (minor == 4)
-    recipe.evlrs = {lasVlr<LasHeader::LongLong> ("someone", 9, "behind the points")};
+    recipe.evlrs = {lasVlr<LasHeader::UInt64> ("someone", 9, "behind the points")};
   return recipe;
 }
 
 class LazFileTest : public CloudFolder {
 protected:
+  /** \brief Writes a LAS and returns its path. */
   std::string
   write (const LasRecipe& recipe) const
   {
     return folder_.write ("in.las", lasBytes (recipe));
   }
 
+  /** \brief Writes the same as a LAZ and returns its path. */
   std::string
   compressed (const LasRecipe& recipe) const
   {
@@ -71,6 +73,7 @@ protected:
     return folder_ / "our.laz";
   }
 
+  /** \brief The bytes of the LAS that a LAZ decompresses to. */
   std::string
   decompressed (const std::string& laz) const
   {
@@ -81,13 +84,13 @@ protected:
     return contentOf (folder_ / "again.las");
   }
 
-  /** \brief The error message of loading. */
+  /** \brief The error message of loading a LAZ of two points. */
   std::string
   complaintAbout (const std::string& bytes) const
   {
     try {
-      const bool is_other = load ("bad.laz", bytes).size() != 2;
-      return is_other ? "has other points" : "";
+      const bool has_two_points = load ("bad.laz", bytes).size() == 2;
+      return has_two_points ? "" : "has other points";
     }
     catch (const std::exception& error) {
       return error.what();
@@ -140,9 +143,9 @@ TEST_F (LazFileTest, IsSmallerThanTheLasOfManyPoints)
 TEST_F (LazFileTest, IsLabelledAsTheLasIs)
 {
   const LasRecipe recipe = recipeWithAll (4, 6);
-  saveLabelledLas (folder_ / "a.las", *loadCloud (write (recipe)).las, {1, 2});
-  saveLabelledLas (folder_ / "b.laz", *loadCloud (write (recipe)).las, {1, 2});
-  saveLabelledLas (folder_ / "c.las", *loadCloud (compressed (recipe)).las, {1, 2});
+  saveLabeledLas (folder_ / "a.las", *loadCloud (write (recipe)).las, {1, 2});
+  saveLabeledLas (folder_ / "b.laz", *loadCloud (write (recipe)).las, {1, 2});
+  saveLabeledLas (folder_ / "c.las", *loadCloud (compressed (recipe)).las, {1, 2});
   ASSERT_TRUE (LasFile (folder_ / "b.laz").isCompressed());
   EXPECT_TRUE (decompressed (folder_ / "b.laz") == contentOf (folder_ / "a.las"));
   EXPECT_TRUE (contentOf (folder_ / "c.las") == contentOf (folder_ / "a.las"));

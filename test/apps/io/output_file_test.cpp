@@ -29,12 +29,12 @@ TEST_F (OutputFile, WritesManyFilesOfAFolderAtOnceEachInOneStep)
 TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
 {
   // Temporary files of a program with the same process id in another container.
-  constexpr int many = 500;
+  constexpr int files = 500;
   const std::string start = ".pcl_ops." + std::to_string (::getpid()) + ".";
-  for (int i = 0; i < many; ++i)
+  for (int i = 0; i < files; ++i)
     folder_.write (start + std::to_string (i), "precious");
   writeTextFile (folder_ / "a.json", "new");
-  for (int i = 0; i < many; ++i)
+  for (int i = 0; i < files; ++i)
     EXPECT_EQ (contentOf (folder_ / (start + std::to_string (i))), "precious");
 }
 

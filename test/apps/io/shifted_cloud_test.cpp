@@ -15,7 +15,7 @@ namespace {
 
 constexpr int side = 100;
 
-/** \brief A floor of 2 m by 2 m. */
+/** \brief A floor of 2 m x 2 m, with side x side points. */
 XyzCloud
 floorOfPoints ()
 {
@@ -27,14 +27,16 @@ floorOfPoints ()
   return cloud;
 }
 
-/** \brief Moves a share of a cloud's points, spread over it.
- * \param[in] one_of one of this many points is moved */
+/** \brief Moves a share of a cloud's points, spread over it, to other positions.
+ * \param[in] one_of one of this many points is moved
+ * \param[in] first position of the first one
+ * \param[in] step distance from the position of one to that of the next, along x */
 XyzCloud
-withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& place, float step)
+withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& first, float step)
 {
   float moved = 0.0f;
   for (std::size_t i = 0; i < cloud.size(); i += static_cast<std::size_t> (one_of)) {
-    cloud[i] = place;
+    cloud[i] = first;
     cloud[i].x += step * moved++;
   }
   return cloud;
@@ -90,9 +92,9 @@ TEST (CloudDamage, IsNoneWhereMostPointsAreFarFromADenseSpot)
 {
   XyzCloud line;
   for (int i = -5000; i <= 5000; ++i) {
-    const auto place = static_cast<float> (i);
+    const auto x = static_cast<float> (i);
     const bool is_in_spot = std::abs (i) < 1000;
-    line.emplace_back (is_in_spot ? 1e-6f * place : place, 0.0f, 0.0f);
+    line.emplace_back (is_in_spot ? 1e-6f * x : x, 0.0f, 0.0f);
   }
   EXPECT_EQ (damage (line), "");
 }
@@ -109,7 +111,7 @@ TEST (CloudDamage, IsNoneWhereOnePerCentIsAKilometerAway)
 
 TEST (CloudDamage, IsSeenWhereOnePerCentIsAThousandKilometersAway)
 {
-  // Each in a kilometer of its own.
+  // A kilometer from one to the next.
   EXPECT_EQ (damage (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f)),
              "looks damaged: 1 % of its points are more than 1000 times as far away as "
              "the rest is wide; leave them out");

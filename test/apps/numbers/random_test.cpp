@@ -22,14 +22,16 @@ TEST (Random, DrawsEveryNumberBelowABoundEquallyOften)
   Random random (1);
   // Taking the remainder favors the first third, multiplying alone every third number.
   std::array<int, 3> thirds{}, residues{};
-  for (int i = 0; i < 30000; ++i) {
+  constexpr int draws = 30000;
+  for (int i = 0; i < draws; ++i) {
     const std::uint32_t drawn = random.below (bound);
     ++thirds.at (drawn >> 30);
     ++residues.at (drawn % 3);
   }
+  constexpr int tolerance = 400; // five standard deviations, sqrt (draws * 1/3 * 2/3)
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR (thirds[i], 10000, 400);
-    EXPECT_NEAR (residues[i], 10000, 400);
+    EXPECT_NEAR (thirds[i], draws / 3, tolerance);
+    EXPECT_NEAR (residues[i], draws / 3, tolerance);
   }
   EXPECT_EQ (random.below (1), 0u);
 }
@@ -38,13 +40,14 @@ TEST (Random, GaussiansHaveMeanZeroAndVarianceOne)
 {
   Random random (1);
   double sum = 0.0, squares = 0.0;
-  for (int i = 0; i < 10000; ++i) {
+  constexpr int draws = 10000;
+  for (int i = 0; i < draws; ++i) {
     const double drawn = random.gaussian();
     sum += drawn;
     squares += drawn * drawn;
   }
-  EXPECT_NEAR (sum / 10000, 0.0, 0.05);
-  EXPECT_NEAR (squares / 10000, 1.0, 0.05);
+  EXPECT_NEAR (sum / draws, 0.0, 0.05);
+  EXPECT_NEAR (squares / draws, 1.0, 0.05);
 }
 
 TEST (Random, BoxesTakeANumberForEachEdgeThatHasALength)

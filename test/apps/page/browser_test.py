@@ -24,13 +24,14 @@ PROGRAMS = pathlib.Path(sys.argv[1]).resolve()
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 WIDTH, HEIGHT = 900, 600
 
-# Before all else on the page: keeps what goes wrong.
+# Put before everything on the page: keeps the messages of errors.
 WATCH = """<script>
 const problems = [];
 addEventListener('error', event => problems.push(event.message));
 console.error = console.warn = (...words) => problems.push(words.join(' '));
 </script>"""
-# After all else: does something once the page is drawn, and leaves the answer in the page.
+# Put behind everything on the page: runs SCRIPT once the page is drawn, and leaves what it returns
+# in an attribute of the page.
 ACT = """<script>
 function drawnPixels() {
   draw();
@@ -65,17 +66,18 @@ def part_of(page, name):
 
 
 def pixels_of(png):
-    """The colors of a picture of 8 bits in RGB or RGBA, with how many pixels have them."""
-    data, at, packed = png.read_bytes(), 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        content = data[at + 8:at + 8 + size]
+    """How many pixels of a PNG, with 8 bits in RGB or RGBA, have each color."""
+    signature, checksum = 8, 4  # bytes
+    data, offset, packed = png.read_bytes(), signature, b""
+    while offset < len(data):
+        size, kind = struct.unpack(">I4s", data[offset:offset + 8])
+        content = data[offset + 8:offset + 8 + size]
         if kind == b"IHDR":
             width, height, _, color = struct.unpack(">IIBB", content[:10])
         elif kind == b"IDAT":
             packed += content
-        at += 12 + size
-    depth = {2: 3, 6: 4}[color]
+        offset += 8 + size + checksum
+    depth = {2: 3, 6: 4}[color]  # bytes of a pixel
     rows, stride = zlib.decompress(packed), depth * width
     before, counts = bytearray(stride), collections.Counter()
     for row in range(height):
@@ -88,7 +90,7 @@ def pixels_of(png):
 
 
 def unfilter(kind, line, above, depth):
-    """As the PNG specification has it, section 9.2."""
+    """Undoes the filter of a line (PNG specification, section 9.2)."""
     for i, number in enumerate(line):
         left = line[i - depth] if i >= depth else 0
         corner = above[i - depth] if i >= depth else 0
@@ -191,20 +193,20 @@ class Data(Page):
         self.assertGreater(shown["view"][2], 0.3)  # from above
         self.assertGreater(len(shown["edges"]), 0)
 
-    def test_has_places_on_their_planes(self):
+    def test_has_points_on_their_planes(self):
         numbers = memoryview(base64.b64decode(part_of(self.page, "places"))).cast("H")
         group, plane = json.loads(part_of(self.page, "groups"))[0], self.planes[0]
         squares = 0.0
         for i in range(group["shown"]):
-            place = [o + s * n for o, s, n in zip(group["origin"], group["step"], numbers[3 * i:3 * i + 3])]
-            squares += sum(n * (p - c) for n, p, c in zip(plane["normal"], place, plane["centroid"]))**2
+            point = [o + s * n for o, s, n in zip(group["origin"], group["step"], numbers[3 * i:3 * i + 3])]
+            squares += sum(n * (p - c) for n, p, c in zip(plane["normal"], point, plane["centroid"]))**2
         self.assertAlmostEqual((squares / group["shown"])**0.5, plane["rms"], delta=0.02 * plane["rms"])
 
 
 @unittest.skipUnless(CHROMIUM, "there is no Chromium here")
 class Browser(Page):
     def screenshot(self, name, *options):
-        # Tests leave it for those who want to look at it.
+        # It stays in PCL_OPS_PICTURES, if given, for people to look at.
         picture = pathlib.Path(os.environ.get("PCL_OPS_PICTURES", self.folder), name)
         self.chromium(self.folder / "room.html", f"--screenshot={picture}", *options)
         return pixels_of(picture)
@@ -233,9 +235,9 @@ class Browser(Page):
 
     def test_a_click_says_plane_position_and_distance(self):
         for plane in self.planes[:3]:
-            answer, place = self.result_of(f"""
+            answer, point = self.result_of(f"""
               const i = {plane["id"] - 1}, group = groups[i], at = 3 * group.first;
-              const point = group.fromMiddle.map((x, k) => x + group.step[k] * places[at + k]);
+              const point = group.fromMiddle.map((x, k) => x + group.step[k] * steps[at + k]);
               showOnly(i);  // others may be in front of it
               look(point, group.normal, radius / 4);
               const box = element('points').getBoundingClientRect();
@@ -246,7 +248,7 @@ class Browser(Page):
             found = re.fullmatch(r"at (\S+), (\S+), (\S+), distance to the plane (\S+) ± (\S+)", answer)
             self.assertTrue(found, answer)
             shown = [float(found[i]) for i in (1, 2, 3)]
-            self.assertLess(max(abs(a - b) for a, b in zip(shown, place)), 0.01)
+            self.assertLess(max(abs(a - b) for a, b in zip(shown, point)), 0.01)
             distance = sum(n * (p - c) for n, p, c in zip(plane["normal"], shown, plane["centroid"]))
             self.assertAlmostEqual(float(found[4]), distance, delta=0.001)
             self.assertLess(float(found[5]), 0.001)

@@ -65,10 +65,10 @@ decoded (const std::string& letters)
   return bytes;
 }
 
-/** \brief The points of a group as a browser places them. */
+/** \brief The points of a group as a browser shows them. */
 struct ShownGroup {
   std::size_t all; // how many the cloud has; some may not be on the page
-  Vector3d step;   // from one place that a point can have to the next [m]
+  Vector3d step;   // between positions that a point can have, along each axis [m]
   std::vector<Vector3d> points;
 };
 
@@ -78,6 +78,7 @@ vectorIn (const nlohmann::json& list)
   return Vector3d (list.at (0), list.at (1), list.at (2));
 }
 
+/** \brief The groups of points in the data of a page. */
 std::vector<ShownGroup>
 groupsOn (const std::string& page)
 {

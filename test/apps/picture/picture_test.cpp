@@ -19,8 +19,8 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-constexpr int image_width = 200;
-constexpr int image_height = 150;
+constexpr int image_width = 200;  // [pixel]
+constexpr int image_height = 150; // [pixel]
 const Eigen::Vector3f z_axis = Eigen::Vector3f::UnitZ();
 
 void
@@ -63,7 +63,7 @@ TEST (View, HasTheSensorsRightAndDownOrGravity)
   const Eigen::Vector3f x_axis (1, 0, 0), y_axis (0, 1, 0);
   const struct {
     const char* sensor;
-    float turned; // about its z axis
+    float turned; // about its z axis [rad]
     Eigen::Vector3f eye, center, u, v, right, down;
   } rows[] = {
       {"camera", 0.0f, {0, 0, 0}, {0, 0, 3}, x_axis, y_axis, x_axis, y_axis},
@@ -148,7 +148,7 @@ TEST (Raster, ShowsTheNearestOfAllPointsWithoutGapsAndNoneOfThoseNotShown)
 {
   XyzCloud cloud;
   addSquare (cloud, {0, 0, 4}, {1, 0, 0}, {0, 1, 0});
-  const auto far = static_cast<pcl::index_t> (cloud.size());
+  const auto first_of_near = static_cast<pcl::index_t> (cloud.size());
   addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
   const auto draw = [&] (bool is_shown) {
     return drawPoints (
@@ -159,7 +159,8 @@ TEST (Raster, ShowsTheNearestOfAllPointsWithoutGapsAndNoneOfThoseNotShown)
   const Raster raster = draw (true);
   for (int row = image_height / 3; row < 2 * image_height / 3; ++row)
     for (int column = image_width / 3; column < 2 * image_width / 3; ++column)
-      ASSERT_GE (raster.points (column, row), far) << "at " << column << ", " << row;
+      ASSERT_GE (raster.points (column, row), first_of_near)
+          << "at " << column << ", " << row;
   EXPECT_TRUE ((draw (false).points == Raster::nothing).all());
 }
 
@@ -190,14 +191,15 @@ TEST (ColorScale, GoesFromTheSmallestToTheLargestValueByTheLogarithm)
   std::vector<float> values (100, 0.01f);
   values.resize (200, 1.0f);
   const ColorScale scale (values);
-  const auto same = [&] (float value, float share) {
+  // Whether a value has the color at this share of the scale.
+  const auto isColorAt = [&] (float value, float share) {
     return scale (value).rgba == ColorScale::at (share).rgba;
   };
-  EXPECT_TRUE (same (0.0f, 0.0f));
-  EXPECT_TRUE (same (0.0099f, 0.0f));
-  EXPECT_TRUE (same (0.1f, 0.5f));
-  EXPECT_TRUE (same (1.0f, 1.0f));
-  EXPECT_TRUE (same (INFINITY, 1.0f));
+  EXPECT_TRUE (isColorAt (0.0f, 0.0f));
+  EXPECT_TRUE (isColorAt (0.0099f, 0.0f));
+  EXPECT_TRUE (isColorAt (0.1f, 0.5f));
+  EXPECT_TRUE (isColorAt (1.0f, 1.0f));
+  EXPECT_TRUE (isColorAt (INFINITY, 1.0f));
   EXPECT_EQ (scale (NAN).rgba, colorOfLabel (0).rgba);
 }
 
@@ -257,19 +259,20 @@ TEST (MapPicture, ShowsTheUpperPlaneInBothColorsAndWhatIsInItsHole)
       1, Orientation::Other, 5.0, {square (0.0, 8.0), square (2.0, 6.0)}};
   const MapShape ground{2, Orientation::Horizontal, 0.0, {square (0.0, 8.0)}};
   const Image image = mapPicture ({roof, ground});
-  const auto count = [&] (const pcl::RGB& color) {
+  const auto pixelsOf = [&] (const pcl::RGB& color) {
     int pixels = 0;
     for (std::size_t i = 0; i < image.bytes.size(); i += 3)
       pixels += image.bytes[i] == color.r && image.bytes[i + 1] == color.g &&
                 image.bytes[i + 2] == color.b;
     return pixels;
   };
-  const int of_ground = count (colorOfLabel (2));
+  const int of_ground = pixelsOf (colorOfLabel (2));
   EXPECT_GT (of_ground, 10000);
-  EXPECT_NEAR (count (colorOfLabel (1)), 3 * of_ground, 0.02 * of_ground);
-  // The legend has boxes of these.
-  EXPECT_NEAR (count (colorOf (Orientation::Horizontal)), of_ground, 400);
-  EXPECT_NEAR (count (colorOf (Orientation::Other)), 3 * of_ground, 0.02 * of_ground);
+  EXPECT_NEAR (pixelsOf (colorOfLabel (1)), 3 * of_ground, 0.02 * of_ground);
+  // The legend has boxes of up to 400 pixels in these colors.
+  EXPECT_NEAR (pixelsOf (colorOf (Orientation::Horizontal)), of_ground, 400);
+  EXPECT_NEAR (
+      pixelsOf (colorOf (Orientation::Other)), 3 * of_ground, 0.02 * of_ground);
 }
 
 namespace {

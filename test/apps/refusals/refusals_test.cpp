@@ -9,13 +9,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A LAS whose extra bytes have the name of a field of ours and another type. */
+/** \brief A LAS with extra bytes of this name, but of a type that pcl_ops_segment does
+ * not write. */
 LasRecipe
 withField (const std::string& name)
 {
+  constexpr char unsigned_16_bits = 3;
   LasRecipe recipe;
   recipe.extra = {"12", "34"};
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField (name, 3))};
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField (name, unsigned_16_bits))};
   return recipe;
 }
 
@@ -25,7 +27,8 @@ protected:
   Refusals()
   {
     const std::string pcd = contentOf (folder_ / "in.pcd"), las = lasBytes ({});
-    const std::size_t header = pcd.find ("DATA binary\n") + 12;
+    const std::string end_of_header = "DATA binary\n";
+    const std::size_t header = pcd.find (end_of_header) + end_of_header.size();
     const std::pair<const char*, std::string> files[] = {
         {"header.pcd", pcd.substr (0, header)},
         {"half.pcd", pcd.substr (0, (header + pcd.size()) / 2)},
@@ -87,8 +90,10 @@ TEST_F (Refusals, AreOneLineAndHarmNothing)
   ASSERT_FALSE (rows.empty());
   const auto before = files();
   for (const auto& row : rows) {
-    const std::string &exit_code = row.at (0), &program = row.at (1),
-                      &arguments = row.at (2), &line = row.at (3);
+    const std::string& exit_code = row.at (0);
+    const std::string& program = row.at (1);
+    const std::string& arguments = row.at (2);
+    const std::string& begin_of_line = row.at (3);
 #ifndef PCL_OPS_HAS_VIEW
     if (program == "view")
       continue;
@@ -98,7 +103,8 @@ TEST_F (Refusals, AreOneLineAndHarmNothing)
         shell ("env -u DISPLAY TMPDIR=. '" PCL_OPS_PROGRAMS "/pcl_ops_'" + program +
                " " + arguments);
     EXPECT_EQ (std::to_string (done.exit_code), exit_code);
-    EXPECT_EQ (done.err.find ("pcl_ops_" + program + ": " + line), 0u) << done.err;
+    EXPECT_EQ (done.err.find ("pcl_ops_" + program + ": " + begin_of_line), 0u)
+        << done.err;
     EXPECT_EQ (lines (done.err), 1u) << done.err;
     EXPECT_TRUE (contains (done.err, ";")) << "no fix: " << done.err;
     EXPECT_EQ (done.out, "");

@@ -18,7 +18,8 @@ using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
 inline constexpr int points_of_side = 50;
 inline constexpr int points_of_plane = points_of_side * points_of_side;
 
-/** \brief Adds a grid of points; the intensity of each is its index. */
+/** \brief Adds a grid of points from a corner on; the intensity of each is its index.
+ * \param[in] row,column steps from one row or column to the next [m] */
 inline void
 addGrid (InputCloud& cloud,
          const Eigen::Vector3f& corner,
@@ -29,10 +30,10 @@ addGrid (InputCloud& cloud,
 {
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      const Eigen::Vector3f place =
+      const Eigen::Vector3f position =
           corner + static_cast<float> (r) * row + static_cast<float> (c) * column;
       const auto index = static_cast<float> (cloud.size());
-      cloud.push_back ({place.x(), place.y(), place.z(), index});
+      cloud.push_back ({position.x(), position.y(), position.z(), index});
     }
 }
 
@@ -74,9 +75,10 @@ inline LasRecipe
 floorAndWallInFeet ()
 {
   constexpr std::uint16_t geo_keys_id = 34735;
+  // The header, then for each key its id, 0, 1 and its value.
   std::string keys;
   for (const std::uint16_t number : {1, 1, 0, 2, 3072, 0, 1, 2992, 3076, 0, 1, 9002})
-    keys += bytesOf (LasHeader::Short (number));
+    keys += bytesOf (LasHeader::UInt16 (number));
   LasRecipe recipe = floorAndWallInLas();
   recipe.vlrs = {lasVlr ("LASF_Projection", geo_keys_id, keys)};
   return recipe;

@@ -17,10 +17,11 @@ namespace {
 
 using Eigen::Vector3f;
 
+// Steps of 4 cm along the axes.
 const Vector3f x = 0.04f * Vector3f::UnitX(), y = 0.04f * Vector3f::UnitY(),
                z = 0.04f * Vector3f::UnitZ();
 
-/** \brief The floor and so many columns of the wall. */
+/** \brief The floor, and a wall at x = 3 m with so many columns of points. */
 InputCloud
 withColumns (int columns)
 {
@@ -53,8 +54,9 @@ twoTables ()
   return cloud;
 }
 
-/** \brief The floor and the wall with a second wall at y = 2 m, x becoming up: the
- * sensor looks along the longest side. */
+/** \brief A floor and two walls; up is x, and the sensor looks along y, the longest
+ * side.
+ */
 InputCloud
 roomLyingOnItsSide ()
 {
@@ -67,15 +69,15 @@ roomLyingOnItsSide ()
 }
 
 InputCloud
-moved (InputCloud cloud, const Eigen::Matrix3f& by, const Vector3f& shift = {0, 0, 0})
+moved (InputCloud cloud, const Eigen::Matrix3f& turn, const Vector3f& shift = {0, 0, 0})
 {
   for (pcl::PointXYZI& point : cloud)
-    point.getVector3fMap() = Vector3f (by * point.getVector3fMap() + shift);
+    point.getVector3fMap() = Vector3f (turn * point.getVector3fMap() + shift);
   return cloud;
 }
 
-/** \brief A wall alone, at an x that single precision has no millimeters of, with every
- * second point 4 mm farther. */
+/** \brief A wall alone, at an x where single precision has steps above a millimeter.
+ * Its points are 0, 2 and 4 mm farther by turns. */
 LasRecipe
 roughWall ()
 {
@@ -207,7 +209,7 @@ protected:
   {
     const InputCloud room = roomLyingOnItsSide();
     save ("lying.pcd", room);
-    // From below the floor, which then stands before all the rest.
+    // From below the floor, which would hide all the rest.
     save ("elsewhere.pcd", room, Vector3f (-2.0f, 2.0f, 1.0f));
     Eigen::Matrix3f turn;
     turn << 0, 1, 0, 0, 0, 1, 1, 0, 0;
@@ -223,14 +225,14 @@ protected:
   saveSequences () const
   {
     const InputCloud larger = withColumns (70);
-    const Eigen::Matrix3f none = Eigen::Matrix3f::Identity();
+    const Eigen::Matrix3f no_turn = Eigen::Matrix3f::Identity();
     std::filesystem::create_directory (folder_ / "track");
     std::filesystem::create_directory (folder_ / "drive");
     for (const char* name : {"drive/a.bin", "drive/b.bin"})
       folder_.write (name, scanOfKitti (floorAndWall (100)));
     save ("track/a.pcd", withColumns (40));
     save ("track/b.pcd", larger);
-    save ("track/c.pcd", moved (larger, none, {-1, 0, 0}));
+    save ("track/c.pcd", moved (larger, no_turn, {-1, 0, 0}));
     folder_.write ("poses.txt",
                    "# timestamp tx ty tz qx qy qz qw\n0.0 0 0 0 0 0 0 1\n\n"
                    "0.1 0 0 0 0 0 0 1\n0.2 1 0 0 0 0 0 1\n");
@@ -303,20 +305,20 @@ TEST_P (SegmentAnswers, AreThoseOfTheTable)
                   {"without concave hulls:", !has_concave_hulls}});
 }
 
-// No program of ours reads the distances of a LAS.
-TEST_F (Segment, WritesDistancesTurnByTurnBehindTheRecordsOfALas)
+TEST_F (Segment, WritesDistancesBehindTheRecordsOfALas)
 {
+  // The test reads the bytes, as no program of the project reads distances of a LAS.
   folder_.write ("rough.las", lasBytes (roughWall()));
   expectDone ("rough.las out.las --distances");
   std::string las = contentOf (folder_ / "out.las");
   const LasHeader& header = headerIn (las);
-  const auto distance_of = [&] (std::size_t i) -> float {
+  const auto distanceOf = [&] (std::size_t i) -> float {
     const std::size_t end = header.points_offset + (i + 1) * header.record_length;
     return reinterpret_cast<boost::endian::little_float32_t&> (las[end - 4]);
   };
-  const float first = std::copysign (0.002f, distance_of (0));
+  const float first = std::copysign (0.002f, distanceOf (0));
   for (int i = 0; i < points_of_plane; ++i)
-    ASSERT_NEAR (distance_of (i), first * static_cast<float> (1 - i % 3), 2e-4f) << i;
+    ASSERT_NEAR (distanceOf (i), first * static_cast<float> (1 - i % 3), 2e-4f) << i;
 }
 
 TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
@@ -334,15 +336,16 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
   addGrid (wall, {2, 2, 0.82f}, across, 51, upwards, 39);
   save ("wall.pcd", wall);
   const std::string concave = has_concave_hulls ? " --hull concave" : "";
-  const Eigen::Isometry3d none = Eigen::Isometry3d::Identity();
+  const Eigen::Isometry3d not_moved = Eigen::Isometry3d::Identity();
   const Eigen::Isometry3d pose =
       Eigen::Translation3d (posed.sensor_origin_.head<3>().cast<double>()) *
       posed.sensor_orientation_.cast<double>();
-  for (const auto& [cloud, mesh, moved] : {std::tuple ("posed.pcd", "m.ply", none),
-                                           std::tuple ("posed.pcd", "m.vtk", pose),
-                                           std::tuple ("utm.las", "m.ply", none),
-                                           std::tuple ("utm.las", "m.vtk", none),
-                                           std::tuple ("wall.pcd", "m.ply", none)}) {
+  for (const auto& [cloud, mesh, moved] :
+       {std::tuple ("posed.pcd", "m.ply", not_moved),
+        std::tuple ("posed.pcd", "m.vtk", pose),
+        std::tuple ("utm.las", "m.ply", not_moved),
+        std::tuple ("utm.las", "m.vtk", not_moved),
+        std::tuple ("wall.pcd", "m.ply", not_moved)}) {
     SCOPED_TRACE (cloud + std::string (" ") + mesh);
     const auto json = nlohmann::json::parse (
         expectDone (cloud + concave + " --planes - --mesh " + mesh).out);
@@ -398,33 +401,33 @@ protected:
 
 TEST_F (SegmentJobs, WriteTheSameInTheOrderOfTheInputsWhateverTheirNumber)
 {
-  const Outcome one = segment ("", "one");
-  EXPECT_EQ (lines (one.out), 5u);
+  const Outcome by_one = segment ("", "one");
+  EXPECT_EQ (lines (by_one.out), 5u);
   for (const char* jobs : {"4", "0"}) {
     SCOPED_TRACE (jobs);
     const std::string folder = std::string ("jobs_") + jobs;
     const Outcome several = segment (std::string ("--jobs ") + jobs, folder);
-    EXPECT_EQ (several.out, one.out);
-    EXPECT_EQ (several.err, one.err);
-    // Lists of planes in JSON have times.
+    EXPECT_EQ (several.out, by_one.out);
+    EXPECT_EQ (several.err, by_one.err);
+    // Lists of planes in JSON hold durations, which differ.
     const Outcome same = shell ("diff -r -x '*.json' one " + folder);
     EXPECT_EQ (same.exit_code, 0) << same.out;
   }
 }
 
-// Three planes meet in three edges and one corner.
 TEST_F (Segment, DrawsTheCornerOnceAtWhichAllEdgesEnd)
 {
+  // Three planes meet in three edges and one corner.
   folder_.write ("far.pcd", farCornerText());
   expectDone ("far.pcd --edges e.ply");
   const std::string ply = contentOf (folder_ / "e.ply");
   std::istringstream body (ply.substr (ply.find ("end_header\n") + 11));
   std::string corner;
   std::getline (body, corner);
-  const std::vector<double> place = numbersIn (corner);
-  EXPECT_NEAR (place.at (0), 448'261.25, 0.01);
-  EXPECT_NEAR (place.at (1), 5'411'932.5, 0.1);
-  EXPECT_NEAR (place.at (2), 312.125, 0.005);
+  const std::vector<double> position = numbersIn (corner);
+  EXPECT_NEAR (position.at (0), 448'261.25, 0.01);
+  EXPECT_NEAR (position.at (1), 5'411'932.5, 0.1);
+  EXPECT_NEAR (position.at (2), 312.125, 0.005);
   std::string line;
   for (int other_end = 1; other_end <= 3; ++other_end)
     std::getline (body, line);

@@ -8,8 +8,10 @@
 #include <sstream>
 #include <string>
 
-/** \brief A square of 2 m by 2 m that goes down by 45 degrees towards a corner.
- * \param[in] east, north 1 for the direction it goes down to, -1 for the opposite */
+/** \brief A square, 2 m x 2 m seen from above, that goes down by 45 degrees towards one
+ * of its corners.
+ * \param[in] east,north 1 if it goes down to the east or north, -1 if to the west or
+ * south */
 inline std::string
 slopeText (int east, int north)
 {
@@ -26,9 +28,10 @@ slopeText (int east, int north)
 inline std::string
 degreesText ()
 {
+  constexpr int points = 400;
   std::ostringstream text;
   text << std::fixed << std::setprecision (8);
-  for (int i = 0; i < 400; ++i)
+  for (int i = 0; i < points; ++i)
     text << 11 + 1e-6 * (i % 20) << ' ' << 48 + 5e-8 * i << ' ' << 498 + i % 20 << '\n';
   return text.str();
 }

@@ -13,9 +13,9 @@
 #include <set>
 #include <sstream>
 
-/** A row of a table: a command, a place in its outputs, and what is expected there. */
+/** A row of a table: a command, where in its outputs, and what is expected there. */
 struct Answer {
-  std::string command, place, what;
+  std::string command, where, expected;
 };
 
 /** A section of a table: a heading and its rows. Their commands run in one folder. */
@@ -42,13 +42,14 @@ answersIn (const std::string& file)
     else if (!line.empty() && line[0] != '#') {
       std::istringstream columns (line);
       Answer& row = all.back().rows.emplace_back();
-      for (std::string* column : {&row.command, &row.place, &row.what})
+      for (std::string* column : {&row.command, &row.where, &row.expected})
         std::getline (columns, *column, '\t');
     }
   }
   return all;
 }
 
+/** The heading of a section as the name of its test. */
 inline std::string
 nameOfAnswers (const testing::TestParamInfo<Answers>& info)
 {
@@ -101,70 +102,83 @@ protected:
                        [&] (auto& a, auto& b) { return isNear (a, b, tolerance); });
   }
 
+  /** \param[in] where out or nothing: standard output; err: standard error; else a file
+   */
   std::string
-  textAt (const std::string& place) const
+  textAt (const std::string& where) const
   {
-    const bool is_printed = place.empty() || place == "out";
+    const bool is_printed = where.empty() || where == "out";
     return is_printed       ? done_.out
-           : place == "err" ? done_.err
-                            : contentOf (folder_ / place);
+           : where == "err" ? done_.err
+                            : contentOf (folder_ / where);
   }
 
-  /** \return the JSON value at a place, or a discarded value if there is none */
+  /** \param[in] where text#pointer, text#pointer.first-last (the set of these entries
+   * of a list) or text#pointer.size; the text as for \ref textAt
+   * \return the JSON value there, or a discarded value if there is none */
   Json
-  valueAt (const std::string& place) const
+  valueAt (const std::string& where) const
   {
     std::smatch parts;
     std::regex_match (
-        place, parts, std::regex (R"(([^#]*)#([^.]*)(\.(\d+)-(\d+))?(\.size)?)"));
+        where, parts, std::regex (R"(([^#]*)#([^.]*)(\.(\d+)-(\d+))?(\.size)?)"));
     const std::string file = parts[1];
+    const bool is_range = parts[3].matched, is_size = parts[6].matched;
     const Json json = pcl_ops::apps::hasCloudExtension (file)
                           ? toJson (pcl_ops::apps::loadCloud (folder_ / file))
                           : Json::parse (textAt (file), nullptr, false);
     const Json::json_pointer pointer (parts[2]);
     Json value =
         json.contains (pointer) ? json[pointer] : Json (Json::value_t::discarded);
-    if (parts[3].matched) {
+    if (is_range) {
       const auto first = value.begin() + std::stol (parts[4]),
                  last = value.begin() + std::stol (parts[5]);
       value = std::set<Json> (first, last + 1);
     }
-    return parts[6].matched ? Json (value.size()) : value;
+    return is_size ? Json (value.size()) : value;
   }
 
+  /** \param[in] expected absent, =where (the value there), >number, <number, a value,
+   * or a value +- tolerance */
   void
-  expectValue (const Json& value, const std::string& what) const
+  expectValue (const Json& value, const std::string& expected) const
   {
-    if (what == "absent")
+    constexpr double usual_tolerance = 1e-3;
+    if (expected == "absent")
       EXPECT_TRUE (value.is_discarded()) << value;
-    else if (what[0] == '=')
-      EXPECT_TRUE (!value.is_discarded() && value == valueAt (what.substr (1)))
+    else if (expected[0] == '=')
+      EXPECT_TRUE (!value.is_discarded() && value == valueAt (expected.substr (1)))
           << "is another value";
-    else if (what[0] == '>')
-      EXPECT_GT (value.get<double>(), std::stod (what.substr (1)));
-    else if (what[0] == '<')
-      EXPECT_LT (value.get<double>(), std::stod (what.substr (1)));
+    else if (expected[0] == '>')
+      EXPECT_GT (value.get<double>(), std::stod (expected.substr (1)));
+    else if (expected[0] == '<')
+      EXPECT_LT (value.get<double>(), std::stod (expected.substr (1)));
     else {
-      const std::size_t end = what.find (" +- ");
-      const double tolerance =
-          end == std::string::npos ? 1e-3 : std::stod (what.substr (end + 4));
-      EXPECT_TRUE (isNear (value, Json::parse (what.substr (0, end)), tolerance))
-          << value << " is not " << what;
+      const std::size_t end = expected.find (" +- ");
+      const double tolerance = end == std::string::npos
+                                   ? usual_tolerance
+                                   : std::stod (expected.substr (end + 4));
+      EXPECT_TRUE (isNear (value, Json::parse (expected.substr (0, end)), tolerance))
+          << value << " is not " << expected;
     }
   }
 
+  /** \param[in] where as for \ref textAt; behind a ! the text must not have the part
+   * \param[in] expected a part of the text; =text: all of it; ^text: its begin, which has
+   * to be all of one line if it is of err */
   void
-  expectText (const std::string& place, const std::string& what) const
+  expectText (const std::string& where, const std::string& expected) const
   {
-    const bool is_absent = place[0] == '!';
-    const bool is_all = what[0] == '=', is_begin = what[0] == '^';
-    const std::string text = textAt (place.substr (is_absent));
+    const bool is_absent = where[0] == '!';
+    const bool is_all = expected[0] == '=', is_begin = expected[0] == '^';
+    const std::string text = textAt (where.substr (is_absent));
     const std::string part =
-        Json::parse ('"' + what.substr (is_all || is_begin) + '"').get<std::string>();
+        Json::parse ('"' + expected.substr (is_all || is_begin) + '"')
+            .get<std::string>();
     if (is_all)
       EXPECT_EQ (text, part);
     else if (is_begin)
-      EXPECT_TRUE (text.rfind (part, 0) == 0 && (place != "err" || lines (text) == 1))
+      EXPECT_TRUE (text.rfind (part, 0) == 0 && (where != "err" || lines (text) == 1))
           << text;
     else
       EXPECT_EQ (text.find (part) == std::string::npos, is_absent) << text;
@@ -179,24 +193,24 @@ protected:
     for (const auto& [condition, is_met] : conditions)
       if (!is_met && GetParam().heading.rfind (condition, 0) == 0)
         GTEST_SKIP() << condition;
-    std::string command, last;
+    std::string command, last_line;
     for (const Answer& row : GetParam().rows) {
-      const auto& [begin, place, what] = row;
-      if (!begin.empty())
-        command = begin;
-      const std::string line = command + (place[0] == '#' ? " --planes -" : "");
-      SCOPED_TRACE (line + ": " + place);
-      const bool fails = place.substr (0, 5) == "exit ";
-      if (!begin.empty() || line != last) {
+      const auto& [new_command, where, expected] = row;
+      if (!new_command.empty())
+        command = new_command;
+      const std::string line = command + (where[0] == '#' ? " --planes -" : "");
+      SCOPED_TRACE (line + ": " + where);
+      const bool fails = where.substr (0, 5) == "exit ";
+      if (!new_command.empty() || line != last_line) {
         done_ = shell (line);
-        EXPECT_EQ (done_.exit_code, fails ? std::stoi (place.substr (5)) : 0)
+        EXPECT_EQ (done_.exit_code, fails ? std::stoi (where.substr (5)) : 0)
             << done_.err;
       }
-      last = line;
-      if (place.find ('#') != std::string::npos)
-        expectValue (valueAt (place), what);
-      else if (!place.empty())
-        expectText (fails ? "err" : place, what);
+      last_line = line;
+      if (where.find ('#') != std::string::npos)
+        expectValue (valueAt (where), expected);
+      else if (!where.empty())
+        expectText (fails ? "err" : where, expected);
     }
   }
 

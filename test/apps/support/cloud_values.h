@@ -33,9 +33,9 @@ textOf (const pcl_ops::apps::FileCloud& cloud)
   for (const pcl::PCLPointField& field : cloud.points.fields) {
     text += (text.empty() ? "" : "; ") + field.name;
     for (const double value : valuesOf (cloud, field.name)) {
-      char number[32];
-      text.append (" ").append (
-          number, std::to_chars (number, number + sizeof (number), value).ptr);
+      char digits[32];
+      char* const end = std::to_chars (digits, digits + sizeof (digits), value).ptr;
+      text.append (" ").append (digits, end);
     }
   }
   const std::uint32_t height = cloud.points.height;
@@ -45,6 +45,7 @@ textOf (const pcl_ops::apps::FileCloud& cloud)
 /** \brief A folder for clouds whose files are written byte by byte. */
 class CloudFolder : public testing::Test {
 protected:
+  /** \brief Writes a file of that name and content and loads it. */
   pcl_ops::apps::FileCloud
   load (const std::string& name, const std::string& content) const
   {
@@ -57,7 +58,8 @@ protected:
   {
     const std::string text = complaintOf ([&] { pcl_ops::apps::loadCloud (file); });
     EXPECT_EQ (lines (text), 0u);
-    return text.substr (text.find (file) == 0 ? file.size() + 2 : 0);
+    const std::string begin = file + ": ";
+    return text.substr (text.find (file) == 0 ? begin.size() : 0);
   }
 
   std::string

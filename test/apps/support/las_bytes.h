@@ -17,10 +17,13 @@ using pcl_ops::apps::LasHeader;
 
 /** \brief The content of a small LAS file. */
 struct LasRecipe {
+  /** \brief Of the version of LAS: 1.0 to 1.4. */
   std::uint8_t minor_version = 4;
+  /** \brief The point format, 0 to 10. */
   std::uint8_t format = 6;
   /** \brief Raw coordinates of the points. */
   std::vector<std::array<std::int32_t, 3>> points = {{1, 2, 3}, {4, 5, 6}};
+  /** \brief A coordinate is the raw one times the scale plus the offset. */
   double scale = 0.001;
   std::array<double, 3> offset = {500000, 5400000, 0};
   /** \brief Complete variable length records before and, extended, after the points. */
@@ -31,6 +34,9 @@ struct LasRecipe {
   std::string gap = {};
 };
 
+/** \brief Length of the header of a record that is not extended [byte]. */
+constexpr std::size_t vlr_header_length = 2 + 16 + 2 + 2 + 32;
+
 /** \brief The header that a LAS begins with. */
 inline LasHeader&
 headerIn (std::string& las)
@@ -39,22 +45,25 @@ headerIn (std::string& las)
 }
 
 /** \brief A variable length record, or an extended one with \p Length of 64 bits. */
-template <typename Length = LasHeader::Short>
+template <typename Length = LasHeader::UInt16>
 std::string
 lasVlr (std::string user, std::uint16_t id, const std::string& content)
 {
   user.resize (16);
-  return std::string (2, '\0') + user + bytesOf (LasHeader::Short (id)) +
-         bytesOf (Length (static_cast<std::uint16_t> (content.size()))) +
-         std::string (32, 'd') + content;
+  const std::string reserved (2, '\0'), description (32, 'd');
+  return reserved + user + bytesOf (LasHeader::UInt16 (id)) +
+         bytesOf (Length (static_cast<std::uint16_t> (content.size()))) + description +
+         content;
 }
+
+constexpr std::size_t extra_bytes_field_length = 192; // [byte]
 
 /** \brief The description of a field of extra bytes. */
 inline std::string
 extraBytesField (const std::string& name, char type, char options = 0)
 {
   std::string bytes = std::string (2, '\0') + type + options + name;
-  bytes.resize (192);
+  bytes.resize (extra_bytes_field_length);
   return bytes;
 }
 
@@ -63,12 +72,12 @@ extraBytesField (const std::string& name, char type, char options = 0)
 inline std::string
 lasRecord (const LasRecipe& recipe, std::size_t i)
 {
-  constexpr std::array<std::size_t, 11> lengths = {
+  constexpr std::array<std::size_t, 11> lengths_of_formats = {
       20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
   std::string record;
   for (const std::int32_t raw : recipe.points[i])
     record += bytesOf (boost::endian::little_int32_t (raw));
-  while (record.size() < lengths.at (recipe.format))
+  while (record.size() < lengths_of_formats.at (recipe.format))
     record += static_cast<char> (record.size() + 16 * i);
   return record + (recipe.extra.empty() ? "" : recipe.extra[i]);
 }
@@ -84,23 +93,24 @@ lasBytes (const LasRecipe& recipe)
   const auto points = static_cast<std::uint32_t> (recipe.points.size());
   LasHeader header{};
   header.signature = {'L', 'A', 'S', 'F'};
-  header.system.fill ('s');
+  header.system_id.fill ('s');
   header.major_version = 1;
   header.minor_version = recipe.minor_version;
-  header.size = std::array{227, 227, 227, 235, 375}.at (recipe.minor_version);
-  header.points_offset = static_cast<std::uint32_t> (header.size + vlrs.size());
+  constexpr std::array sizes_of_versions{227, 227, 227, 235, 375}; // 1.0 to 1.4
+  header.header_size = sizes_of_versions.at (recipe.minor_version);
+  header.points_offset = static_cast<std::uint32_t> (header.header_size + vlrs.size());
   header.vlr_count = static_cast<std::uint32_t> (recipe.vlrs.size());
-  header.format = recipe.format;
+  header.format_bits = recipe.format;
   header.record_length = static_cast<std::uint16_t> (records.size() / points);
   header.scale.fill (recipe.scale);
   std::copy (recipe.offset.begin(), recipe.offset.end(), header.offset.begin());
   if (recipe.minor_version < 4)
-    header.legacy_points = points;
+    header.legacy_point_count = points;
   else {
-    header.points = points;
+    header.point_count = points;
     header.evlr_offset = recipe.evlrs.empty() ? 0 : header.pointsEnd();
     header.evlr_count = static_cast<std::uint32_t> (recipe.evlrs.size());
   }
-  return bytesOf (header).substr (0, header.size) + vlrs + records +
+  return bytesOf (header).substr (0, header.header_size) + vlrs + records +
          boost::algorithm::join (recipe.evlrs, "");
 }

@@ -17,8 +17,9 @@ lidarScansIn (const std::filesystem::path& data)
       for (const auto& entry : std::filesystem::directory_iterator (data / folder)) {
         const std::filesystem::path& file = entry.path();
         const bool is_cloud = file.extension() == ".pcd" || file.extension() == ".xyz";
-        if (is_cloud &&
-            (folder == "lidar" || file.filename().string().rfind ("lidar", 0) == 0))
+        const bool is_by_lidar =
+            folder == "lidar" || file.filename().string().rfind ("lidar", 0) == 0;
+        if (is_cloud && is_by_lidar)
           scans.push_back (file);
       }
   return scans;

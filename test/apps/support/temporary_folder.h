@@ -49,6 +49,7 @@ public:
     return (path_ / name).string();
   }
 
+  /** \brief Number of files and folders in the folder. */
   std::size_t
   fileCount () const
   {
@@ -70,6 +71,7 @@ private:
   std::filesystem::path path_;
 };
 
+/** \brief The bytes of a file; empty if it cannot be read. */
 inline std::string
 contentOf (const std::string& file)
 {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+/** \brief Number of lines that end. */
 inline std::size_t
 lines (const std::string& text)
 {

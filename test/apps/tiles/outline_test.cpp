@@ -13,13 +13,14 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-constexpr double lattice = 0.01, cell = 1.0; // [m]
+constexpr double lattice = 0.01; // step of the lattice of points [m]
+constexpr double cell = 1.0;     // [m]
 const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 using Within = std::function<bool (const Eigen::Vector2d&)>;
 
-/** \brief Twenty points of each square meter of 20 m by 20 m that is within, on a level
- * plane or on a wall along x. */
+/** \brief Points of a square of 20 m that are in a shape, twenty on each square meter:
+ * on a level plane, or on a wall along x. */
 std::vector<OutlinePoint>
 placesIn (const Within& is_within, bool is_wall = false)
 {
@@ -30,7 +31,7 @@ placesIn (const Within& is_within, bool is_wall = false)
     const auto u = std::llround (x / lattice), v = std::llround (y / lattice);
     if (is_within ({x, y}))
       places.push_back (
-          {is_wall ? LatticePlace{u, 0, v} : LatticePlace{u, v, 0}, true});
+          {is_wall ? LatticePoint{u, 0, v} : LatticePoint{u, v, 0}, true});
   }
   return places;
 }
@@ -50,6 +51,8 @@ outlineOf (const std::vector<OutlinePoint>& places, const Eigen::Vector3d& norma
   return outlineOf (outlineEdges (places, normal, cell / lattice), normal);
 }
 
+/** \brief Area of an outline less that of its holes [m^2]; below 0 if it runs
+ * clockwise. */
 double
 areaOf (const PlanarRings& rings)
 {
@@ -57,6 +60,7 @@ areaOf (const PlanarRings& rings)
   return extentOf (rings, rings.front(), frame).area;
 }
 
+/** \brief Distance to the middle of the square of 20 m [m]. */
 double
 fromMiddle (const Eigen::Vector2d& point)
 {
@@ -119,7 +123,8 @@ TEST (Outline, OfTwoTilesIsThatOfOne)
   for (const bool is_east : {false, true}) {
     std::vector<OutlinePoint> seen;
     for (OutlinePoint point : placesIn (is_within)) {
-      const double beyond = (is_east ? 930.0 - point.place[0] : point.place[0] - 930.0);
+      const double beyond =
+          (is_east ? 930.0 - point.position[0] : point.position[0] - 930.0);
       point.is_own = is_east ? beyond <= 0.0 : beyond < 0.0;
       if (beyond < 600.0)
         seen.push_back (point);
@@ -138,7 +143,7 @@ TEST (Outline, OfTwoTilesIsThatOfOne)
 TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
 {
   const auto square = [] (std::int64_t low) {
-    const LatticePlace a{low, low, 0}, b{low + 1000, low, 0},
+    const LatticePoint a{low, low, 0}, b{low + 1000, low, 0},
         c{low + 1000, low + 1000, 0}, d{low, low + 1000, 0};
     return std::vector<OutlineEdge>{{a, b}, {b, c}, {c, d}, {d, a}};
   };
@@ -155,7 +160,7 @@ TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
 {
   // A square of 10 m whose outline goes to a place off it and back, to one that another
   // tile has rounded differently. Rings begin at the least x, then y.
-  using Ring = std::vector<LatticePlace>;
+  using Ring = std::vector<LatticePoint>;
   for (const Ring& spike : {Ring{{0, 501, 0}, {-500, 500, 0}, {0, 500, 0}, {0, 0, 0}},
                             Ring{{0, 1, 0}, {500, 500, 0}, {0, 0, 0}}}) {
     Ring ring{{1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}};

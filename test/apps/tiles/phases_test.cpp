@@ -23,7 +23,7 @@ struct FloorRun {
   , input (folder.write ("floor.xyz", floor()))
   , plan (makePlan ({input}, {0.5, edge_of_tile}))
   {
-    run.make();
+    run.makeFolders();
     partitionInput (plan, run, 0);
     measureSurvey (plan, run, SortedPoints (plan, run));
     detect();
@@ -54,15 +54,16 @@ struct FloorRun {
     joinTiles (plan, run, SortedPoints (plan, run));
   }
 
-  /** \brief Places in a file: its ends and some between, of points those of a tile. */
+  /** \brief Offsets in a file: at its ends and some between; in a file of points,
+   * offsets of points of one tile. */
   static std::vector<std::size_t>
-  placesIn (const std::string& file)
+  offsetsIn (const std::string& file)
   {
     const std::size_t size = fs::file_size (file);
     if (fs::path (file).extension() != ".cells")
       return {0, size / 3, size / 2, size - 1};
     for (const auto& [key, blocks] : CellFile (file).blocks)
-      if (key[2] == 0)
+      if (key.part == TilePart::Own)
         return {blocks.front().offset, blocks.front().offset + 100, size - 1};
     return {};
   }
@@ -97,7 +98,7 @@ TEST (Phases, RefuseAnInputThatHasChanged)
   EXPECT_EQ (complaintOf ([&] { partitionInput (floor.plan, run, 0); }), complaint);
   EXPECT_EQ (complaintOf ([&] { labelInput (floor.plan, run, 0); }), complaint);
   for (const std::string& file :
-       {run.cells (0), outputOf (floor.plan, run, 0), run.mark (0)})
+       {run.cells (0), outputOf (floor.plan, run, 0), run.labeledMark (0)})
     EXPECT_FALSE (isThere (file)) << file;
 }
 
@@ -115,7 +116,7 @@ TEST (Phases, RefuseAFileOfTheirsInWhichABitChanged)
     const std::string file = extension == ".json" ? floor.run.work (run_file::list)
                                                   : floor.filesWith (extension).at (0);
     const std::string right = contentOf (file);
-    for (const std::size_t place : FloorRun::placesIn (file)) {
+    for (const std::size_t place : FloorRun::offsetsIn (file)) {
       std::string damaged = right;
       damaged[place] ^= 1;
       std::ofstream (file, std::ios::binary) << damaged;
@@ -138,7 +139,16 @@ TEST (Phases, RefuseTheFileOfAnotherTile)
              files[1] + ": is damaged; remove its folder and run it again");
 }
 
-const BlockKey keys[] = {{0, 0, 0}, {0, 0, 1}, {-3, 7, 0}};
+const BlockKey keys[] = {
+    {{0, 0}, TilePart::Own}, {{0, 0}, TilePart::Halo}, {{-3, 7}, TilePart::Own}};
+
+/** \brief Coordinates that tell the points of all keys from each other. */
+Eigen::Vector3f
+pointOf (int number, const BlockKey& key)
+{
+  return Eigen::Vector3i (number, key.tile[1], static_cast<int> (key.part))
+      .cast<float>();
+}
 
 TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
 {
@@ -149,7 +159,7 @@ TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
     CellFileWriter writer (stream, "0.cells");
     for (int i = 0; i < turns; ++i)
       for (const BlockKey& key : keys)
-        writer.add (key, Eigen::Vector3i (i, key[1], key[2]).cast<float>());
+        writer.add (key, pointOf (i, key));
     writer.finish();
   }
   const CellFile cells (folder / "0.cells");
@@ -160,12 +170,12 @@ TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
     cells.read (key, points);
     ASSERT_EQ (points.size(), std::size_t (turns));
     for (int i = 0; i < turns; ++i)
-      ASSERT_EQ (points[i], Eigen::Vector3i (i, key[1], key[2]).cast<float>());
+      ASSERT_EQ (points[i], pointOf (i, key));
   }
   std::vector<Eigen::Vector3f> none;
-  cells.read ({-3, 7, 1}, none);
+  cells.read ({{-3, 7}, TilePart::Halo}, none);
   EXPECT_TRUE (none.empty());
-  EXPECT_EQ (cells.count ({1, 0, 0}), 0u);
+  EXPECT_EQ (cells.count ({{1, 0}, TilePart::Own}), 0u);
 }
 
 } // namespace

@@ -11,7 +11,7 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-const double unit = latticeFor (1.0);
+const double unit = momentsUnit (1.0);
 
 ExactMoments
 momentsOf (const std::vector<Eigen::Vector3d>& points)
@@ -62,7 +62,7 @@ TEST (ExactMoments, AreThoseOfTheLibraryInMeters)
   EXPECT_LT ((moments.covariance() - expected.covariance()).norm(), 100.0 * unit);
 }
 
-TEST (ExactMoments, TakeThePlaceOfTheLatticeNextToAPointIfAny)
+TEST (ExactMoments, RoundAPointToTheLattice)
 {
   const Moments moments = momentsOf ({{1.0 + 0.3 * unit, -2.0, 3.0}}).toMoments();
   EXPECT_EQ (moments.centroid(), Eigen::Vector3d (1.0, -2.0, 3.0));
@@ -70,16 +70,16 @@ TEST (ExactMoments, TakeThePlaceOfTheLatticeNextToAPointIfAny)
 }
 
 /** \brief A wall along x with 2 cm of noise, and what a tile sees of it. */
-Piece
+TilePiece
 wall (int first, int last, double y)
 {
   Random random (first);
-  Piece piece;
-  piece.own.unit = unit;
+  TilePiece piece;
+  piece.own_moments.unit = unit;
   for (int x = 10 * first; x < 10 * last; ++x)
     for (int z = 0; z < 30; ++z)
-      piece.own.add ({0.1 * x, y + 0.04 * random.unit() - 0.02, 0.1 * z});
-  piece.all = piece.own.toMoments();
+      piece.own_moments.add ({0.1 * x, y + 0.04 * random.unit() - 0.02, 0.1 * z});
+  piece.seen_moments = piece.own_moments.toMoments();
   return piece;
 }
 
@@ -107,9 +107,9 @@ twoTiles (double y_of_first, double y_of_second)
 TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
 {
   Row row = twoTiles (5.0, 5.0);
-  row[1].pieces[0].all = wall (8, 20, 5.0).all; // with the halo
+  row[1].pieces[0].seen_moments = wall (8, 20, 5.0).seen_moments; // with the halo
   EXPECT_TRUE (joined (row).planes.at (0).moments.sums ==
-               row[0].pieces[0].own.sums + row[1].pieces[0].own.sums);
+               row[0].pieces[0].own_moments.sums + row[1].pieces[0].own_moments.sums);
 }
 
 TEST (PlaneJoining, LeavesPlanesThatAreApartOrShareHardlyACell)
@@ -126,8 +126,8 @@ TEST (PlaneJoining, LeavesPlanesThatAreApartOrShareHardlyACell)
   for (int x = 0; x < 100; ++x)
     for (int y = 0; y < 100; ++y)
       floor.add ({10.0 + 0.1 * x, 0.1 * y, 0.0});
-  row[1].pieces[0].own = floor;
-  row[1].pieces[0].all = floor.toMoments();
+  row[1].pieces[0].own_moments = floor;
+  row[1].pieces[0].seen_moments = floor.toMoments();
   EXPECT_EQ (joined (row).planes.size(), 2u) << "the floor at its foot";
 }
 
@@ -137,7 +137,7 @@ TEST (PlaneJoining, NumbersPlanesByFallingSize)
   row[1].pieces[0] = wall (10, 40, 7.0);
   const JoinedPlanes found = joined (row);
   EXPECT_EQ (found.numbers, (std::vector<std::vector<std::uint32_t>>{{2}, {1}}));
-  EXPECT_TRUE (found.planes[0].moments.sums == row[1].pieces[0].own.sums);
+  EXPECT_TRUE (found.planes[0].moments.sums == row[1].pieces[0].own_moments.sums);
 }
 
 } // namespace

@@ -12,10 +12,10 @@ using namespace pcl_ops::apps;
 
 TEST (TilesThatTell, AreAllOfASmallSurveyAndEvenlySpreadInALargeOne)
 {
-  EXPECT_EQ (tilesThatTell ({1000, 5, 300}), (std::vector<std::size_t>{0, 1, 2}));
-  EXPECT_EQ (tilesThatTell (std::vector<std::uint64_t> (8, 200'000)),
+  EXPECT_EQ (tilesToMeasure ({1000, 5, 300}), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ (tilesToMeasure (std::vector<std::uint64_t> (8, 200'000)),
              (std::vector<std::size_t>{2, 6}));
-  EXPECT_EQ (tilesThatTell ({5'000'000, 5'000'000}).size(), 1u);
+  EXPECT_EQ (tilesToMeasure ({5'000'000, 5'000'000}).size(), 1u);
 }
 
 TEST (SurveyNoise, ComesBackFromItsFile)
@@ -36,13 +36,13 @@ TEST (SurveyNoise, IsRefusedWhereABitOfItsFileChanged)
   const TemporaryFolder folder;
   saveNoise (folder / "noise", {1e7, {1.7, 1.0}, 2.5, 0.013, {{-3, 0.02}}});
   const std::string right = contentOf (folder / "noise");
-  for (const std::size_t place :
+  for (const std::size_t offset :
        {std::size_t (0), right.size() / 2, right.size() - 1}) {
     std::string damaged = right;
-    damaged[place] ^= 1;
+    damaged[offset] ^= 1;
     std::ofstream (folder / "noise", std::ios::binary) << damaged;
     EXPECT_EQ (complaintOf ([&] { loadNoise (folder / "noise"); }),
                (folder / "noise") + ": is damaged; remove its folder and run it again")
-        << place;
+        << offset;
   }
 }

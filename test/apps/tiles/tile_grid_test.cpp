@@ -48,18 +48,18 @@ TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
   int others = 0;
   wide.forTilesAround ({120, 120, 0}, [&others] (const TileKey&) { ++others; });
   EXPECT_EQ (others, 0) << "far from all borders";
-  EXPECT_TRUE (wide.isInside ({0, 0}, {120, 120, 0}));
-  EXPECT_FALSE (wide.isInside ({0, 0}, {120, 11, 0}));
-  EXPECT_FALSE (wide.isInside ({0, 1}, {120, 120, 0}));
+  EXPECT_TRUE (wide.isSeenOnlyBy ({0, 0}, {120, 120, 0}));
+  EXPECT_FALSE (wide.isSeenOnlyBy ({0, 0}, {120, 11, 0}));
+  EXPECT_FALSE (wide.isSeenOnlyBy ({0, 1}, {120, 120, 0}));
 }
 
-TEST (TileGrid, HasFramesInWholeCoarsestVoxelsNearThePlaceOfAllTiles)
+TEST (TileGrid, HasFramesInWholeCoarsestVoxelsNearThePoints)
 {
-  const CellKey place{100, -52, 8};
-  const TileGrid near_place{0.5, 24, place};
-  EXPECT_EQ (near_place.frameOf ({4, -3}), place) << "the place is in this tile";
-  EXPECT_EQ (near_place.frameOf ({6, 0}), (CellKey{144, 0, 8}));
-  EXPECT_EQ (near_place.frameOf ({0, -9}), (CellKey{24, -192, 8}));
+  const CellKey near_points{100, -52, 8};
+  const TileGrid grid_near_points{0.5, 24, near_points};
+  EXPECT_EQ (grid_near_points.frameOf ({4, -3}), near_points) << "it is in this tile";
+  EXPECT_EQ (grid_near_points.frameOf ({6, 0}), (CellKey{144, 0, 8}));
+  EXPECT_EQ (grid_near_points.frameOf ({0, -9}), (CellKey{24, -192, 8}));
 }
 
 using Parts = std::vector<std::size_t>;

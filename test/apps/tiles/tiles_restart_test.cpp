@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 const std::string tiles = "pcl_ops_tiles town --output-dir out --tile 40";
 
-/** \brief A simulated town of four files, and the folder "whole", which a run left that
- * nobody stopped. */
+/** \brief A simulated town of four files, and the folder "whole" of a run that was not
+ * stopped. */
 class TilesRestart : public ProgramFolder {
 protected:
   static constexpr int max_writes = 200;
@@ -43,7 +43,7 @@ protected:
     EXPECT_TRUE (contains (done.err, complaint));
   }
 
-  /** \brief The command, which is killed at its n-th write. */
+  /** \brief A command that runs another one, and kills it at its n-th write. */
   static std::string
   killedAt (int write, const std::string& command)
   {
@@ -51,8 +51,8 @@ protected:
            std::to_string (write) + " " + command;
   }
 
-  /** \brief Leaves the folder "out" as of a command that was killed soon after it wrote
-   * a file: a new run is killed near the first write behind which the file exists. */
+  /** \brief Runs a command anew and kills it near the first write after which a file
+   * exists: the folder "out" is then as the killed run left it. */
   void
   stopOnceThereIs (const std::string& file, const std::string& command) const
   {
@@ -122,7 +122,8 @@ protected:
     }
   }
 
-  /** \brief Files that a killed run was writing have a dot in front. */
+  /** \brief Fails unless a folder has the same files as "whole". Names of files that a
+   * killed run was writing begin with a dot; these are left out. */
   void
   expectSameAsWhole (const std::string& folder = "out") const
   {
@@ -238,9 +239,9 @@ TEST_F (TilesRestart, GoesOnWithItsOwnPlan)
   expectSameAsWhole();
 }
 
-// Otherwise the results of a run with tiles of 30 m would be reused.
 TEST_F (TilesRestart, StartsAnewWithoutItsPlan)
 {
+  // Else the results of the run with tiles of 30 m would be used.
   stopOnceThereIs ("out/work/cells/3.cells",
                    "pcl_ops_tiles town --output-dir out --tile 30");
   fs::remove (folder_ / "out/work/plan.json");

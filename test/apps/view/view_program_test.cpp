@@ -10,15 +10,19 @@ class View : public ProgramFolder {
 protected:
   View() : ProgramFolder (PCL_OPS_VIEW_PROGRAM)
   {
+    // A floor of 2 m x 2 m and a wall at x = 2 m.
+    constexpr int steps = 50;
     std::ostringstream text;
-    for (int i = 0; i < 2500; ++i)
-      text << 0.04 * (i / 50) << " " << 0.04 * (i % 50) << " 0\n2 " << 0.04 * (i / 50)
-           << " " << 0.04 * (i % 50) << "\n";
+    for (int i = 0; i < steps * steps; ++i) {
+      const double first = 0.04 * (i / steps), second = 0.04 * (i % steps);
+      text << first << " " << second << " 0\n2 " << first << " " << second << "\n";
+    }
     folder_.write ("in.xyz", text.str());
   }
 
-  /** \brief Runs the viewer on a display of its own. What xvfb-run says and how it ends
-   * is left out: it may fail to tidy up after a viewer that did its work. */
+  /** \brief Runs the viewer on a display of its own, by xvfb-run. The outcome is that
+   * of the viewer alone: xvfb-run may fail to tidy up after it.
+   * \param[in] environment variables, as "NAME=value" */
   Outcome
   screenshot (const std::string& arguments, const std::string& environment = "") const
   {
@@ -49,7 +53,8 @@ TEST_F (View, WritesScreenshotsAsAsked)
   const std::string png = contentOf (folder_ / "a.png");
   ASSERT_GT (png.size(), 24u);
   EXPECT_EQ (png.substr (1, 3), "PNG");
-  EXPECT_EQ (png.substr (16, 8), std::string ("\0\0\5\0\0\0\3\xC0", 8)); // 1280x960
+  const std::string size_of_1280_x_960 ("\0\0\5\0\0\0\3\xC0", 8);
+  EXPECT_EQ (png.substr (16, 8), size_of_1280_x_960);
   screenshot ("--color orientations --screenshot b.png");
   EXPECT_NE (contentOf (folder_ / "b.png"), png);
 #ifdef PCL_OPS_FAILING_CALLS

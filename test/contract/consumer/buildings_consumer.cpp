@@ -5,16 +5,18 @@
 #include <pcl_ops/buildings/plane_regularization.h>
 
 #include <cstdio>
+#include <vector>
 
-// Tests linking only: without planes there are no kinds and the plan is empty.
+// Tests linking only: without planes there are no kinds, and the floor plan is empty.
 int
 main ()
 {
-  const pcl_ops::RegularizedPlanes exact = pcl_ops::regularizePlanes ({});
+  const pcl_ops::RegularizedPlanes regularized = pcl_ops::regularizePlanes ({});
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  const auto kinds = pcl_ops::planeKinds (exact.planes, {}, up);
+  const std::vector<pcl_ops::PlaneKind> kinds =
+      pcl_ops::planeKinds (regularized.planes, {}, up);
   const pcl_ops::FloorPlan plan =
-      pcl_ops::findFloorPlan (pcl_ops::CloudView(), exact.planes, kinds, up);
+      pcl_ops::findFloorPlan (pcl_ops::CloudView(), regularized.planes, kinds, up);
   std::printf ("%zu walls\n", plan.walls.size());
   return plan.walls.empty() ? 0 : 1;
 }

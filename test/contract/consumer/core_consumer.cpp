@@ -12,17 +12,18 @@ struct TimedPoint {
   float x, y, z;
 };
 
-// Two meters of floor and two meters of wall, a point every 2 cm; no library of PCL.
+// A floor and a wall of 2 m x 2 m, which meet at an edge: a point every 2 cm. Calls no
+// library of PCL.
 int
 main ()
 {
   std::vector<TimedPoint> points;
   for (int row = 0; row < 100; ++row)
     for (int column = 0; column < 100; ++column) {
-      const float a = 0.02f * static_cast<float> (row + 1);
-      const float b = 0.02f * static_cast<float> (column);
-      points.push_back ({0.1 * row, a, b, 0.0f});
-      points.push_back ({0.1 * row, 0.0f, b, a});
+      const float from_edge = 0.02f * static_cast<float> (row + 1);
+      const float along_edge = 0.02f * static_cast<float> (column);
+      points.push_back ({0.1 * row, from_edge, along_edge, 0.0f});
+      points.push_back ({0.1 * row, 0.0f, along_edge, from_edge});
     }
   const pcl_ops::CloudView cloud (
       points.data(), offsetof (TimedPoint, x), sizeof (TimedPoint), points.size());

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs a build into a prefix of its own and moves it: nothing may depend on the place.
+# Installs a build into a prefix and moves the prefix: no file may hold its path.
 # cmake -DBUILD=build -DPREFIX=prefix -DCONFIG=Release -P install.cmake
 cmake_minimum_required(VERSION 3.16)
 include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Uses an installed prefix (install.cmake) from outside: by find_package, by pkg-config
-# with the bare compiler, and by calling its programs.
+# Uses an installed prefix (install.cmake) as users do: by find_package, by pkg-config with the
+# bare compiler, and by calling its programs. LOADER_KNOWS: the loader finds the libraries.
 # cmake -DPREFIX=prefix -DWORK=folder -DCXX=c++ -DLIBDIR=lib -DPKG_CONFIG=pkg-config
 #   [-DLOADER_KNOWS=ON] -P run.cmake
 cmake_minimum_required(VERSION 3.16)
@@ -50,7 +50,7 @@ if(with_surface)
   run(${surface_consumer})
 endif()
 
-# The first block of code of that language.
+# Sets result to the first block of code in README.md that is in this language.
 function(block_of_readme language result)
   file(READ ${source}/../../../README.md page)
   string(REGEX MATCH "```${language}\n([^`]*)```" block "${page}")
@@ -91,7 +91,8 @@ if(with_buildings)
   run_by_pkg_config(pcl_ops_buildings buildings_consumer)
 endif()
 
-# Programs have paths to their libraries; where LOADER_KNOWS them, as of packages, none.
+# Installed programs know the path of their libraries, except where the loader finds them, as for
+# Debian packages.
 if(NOT LOADER_KNOWS)
   set(ENV{LD_LIBRARY_PATH} "")
 endif()

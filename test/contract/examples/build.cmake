@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
+# Builds the examples against an installed prefix and simulates the room that they run on.
 # cmake -DSOURCE=examples -DBUILD=folder -DPREFIX=prefix -DROOM=room.pcd -DCXX=c++
 #   -DLAUNCHER=ccache -P build.cmake
 cmake_minimum_required(VERSION 3.16)
@@ -12,5 +13,6 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror")
 run(${CMAKE_COMMAND} --build ${BUILD} --parallel 2)
 run(${PREFIX}/bin/pcl_ops_simulate ${ROOM} --organized --quiet)
-# The points of that file are as those of a scan of KITTI: four numbers of four bytes.
+# The points of room.pcd have four numbers of four bytes, as those of a scan of KITTI: without
+# its header it is such a scan.
 run(sh -c "LC_ALL=C sed '1,/^DATA binary/d' ${ROOM} > ${BUILD}/room.bin")

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
+# Runs an example on a cloud and compares its output with a regular expression.
 # cmake -DPROGRAM=file -DCLOUD=room.pcd -DEXPECTED=expression -P run.cmake
 cmake_minimum_required(VERSION 3.16)
 execute_process(COMMAND ${PROGRAM} ${CLOUD}
