@@ -155,6 +155,15 @@ moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
   return move;
 }
 
+/** \brief Returns whether a move is more than rounding of a plane that stays. */
+bool
+isMove (const PlaneMove& move, const PlaneSegment& plane)
+{
+  constexpr double rounding = 1e-9; // in radians, and in units of the size
+  const double size = std::sqrt (plane.moments.covariance().trace());
+  return move.angle > rounding || std::abs (move.offset) > rounding * size;
+}
+
 /** \brief Groups planes by direction and moves them. Directions and levels of planes
  * share one sequence of numbers. */
 class Regularization {
@@ -303,7 +312,7 @@ private:
         move.level = next_number_++;
       }
       move.direction = direction_number;
-      move.is_moved = move.angle > 0.0 || move.offset != 0.0;
+      move.is_moved = isMove (move, planes_[i]);
       found_.planes[i].normal = normal;
       found_.planes[i].centroid += move.offset * normal;
       found_.moves[i] = move;

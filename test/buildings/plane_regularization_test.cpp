@@ -148,6 +148,15 @@ TEST (PlaneRegularization, LeavesARoofOf30DegreesAsItIs)
       << "its eaves are level";
 }
 
+TEST (PlaneRegularization, SaysThatAPlaneAloneStaysWhereItIs)
+{
+  for (const Vector3d& normal : {Vector3d (1, 2, 3), {-3, 1, 1}, {1, 5, -2}}) {
+    Squares alone;
+    alone.add (normal, {100, 20, 3});
+    EXPECT_FALSE (alone.regularized().moves[0].is_moved) << normal.transpose();
+  }
+}
+
 TEST (PlaneRegularization, LeavesPlanesThatWouldMoveFartherThanTheirNoise)
 {
   Squares scene = box();
