@@ -157,6 +157,9 @@ constexpr double spacings_per_alpha = 6.0;
 /** \brief Cells along a length of alpha when points are thinned. */
 constexpr double cells_per_alpha = 2.0;
 
+/** \brief Smallest edge of a cell; scaled coordinates are 10^6 or less. */
+constexpr double min_edge_of_cell = 1e-9;
+
 /** \brief While the outline holds too few points, alpha grows by this factor; after so
  * many attempts the convex hull is the outline. */
 constexpr double growth_of_alpha = 1.5;
@@ -178,7 +181,9 @@ outlineAround (const PlanarPoints& points, double alpha)
   const double spacing =
       std::sqrt (areaOf (convex) / static_cast<double> (countDistinctPoints (inside)));
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
-  const WeightedPoints thinned = thinInside (inside, radius / cells_per_alpha);
+  // Cells of any radius that is given have to have 64-bit numbers.
+  const WeightedPoints thinned =
+      thinInside (inside, std::max (radius / cells_per_alpha, min_edge_of_cell));
   const auto holds_enough = [&] (const Ring& ring) {
     return static_cast<double> (weightWithin (ring, thinned)) >= min_inside * number;
   };

@@ -122,6 +122,12 @@ TEST (ConcaveHull, IsTheSameForAnyOrderOfThePoints)
   }
 }
 
+TEST (ConcaveHull, OfARadiusNextToZeroIsTheConvexOne)
+{
+  const PlanarPoints l = gridOf (30, isInL);
+  EXPECT_NEAR (areaOf (concaveHull (l, 1e-19)), areaOf (convexHull (l)), 1e-9);
+}
+
 TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
 {
   PlanarPoints parts = gridOf (300, isInL);
