@@ -218,7 +218,8 @@ warnOfPrecision (const LabelledSample& sample, const ResultContext& context)
   // As if the points covered a rectangle with the two largest extents.
   const double spacing =
       std::sqrt (extents[1] * extents[2] / static_cast<double> (sample.finite));
-  if (!(step > warning_constants.max_step_of_spacing * spacing))
+  const bool spans_an_area = extents[1] > 0.0;
+  if (!spans_an_area || step <= warning_constants.max_step_of_spacing * spacing)
     return std::nullopt;
   return ResultWarning{"coarse-coordinates",
                        "coordinates in single precision are " + roundedLength (step) +

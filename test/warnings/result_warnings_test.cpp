@@ -118,6 +118,16 @@ TEST (ResultWarnings, SayThatCoordinatesOfUtmStepInSinglePrecision)
   EXPECT_EQ (shifted.codes (context), "") << "the cloud itself is near its zero";
 }
 
+TEST (ResultWarnings, SayNothingOfStepsWherePointsAreOnALineOrAtOnePlace)
+{
+  for (const double length : {0.0, 1_m}) {
+    LabelledPlaneScene line;
+    for (int i = 0; i < 1000; ++i)
+      line.cloud.push_back (toPoint ({length * i, 0.0, 0.0}));
+    EXPECT_FALSE (contains (line.codes(), "coarse-coordinates")) << length;
+  }
+}
+
 TEST (ResultWarnings, AreNoneOfNoPoints)
 {
   EXPECT_TRUE (resultWarnings ({}, {}).empty());
