@@ -10,7 +10,6 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-constexpr std::uint16_t wkt_id = 2112;
 constexpr std::uint16_t geo_keys_id = 34735;
 constexpr const char* projection = "LASF_Projection";
 
@@ -25,9 +24,7 @@ crsOfRecords (const std::vector<std::string>& vlrs)
   return crsOf (las);
 }
 
-// Keys of GeoTIFF, and the value for a system without a number.
-constexpr std::uint16_t model_type = 1024, geographic_system = 2048;
-constexpr std::uint16_t projected_system = 3072, user_defined = 32767;
+constexpr std::uint16_t user_defined = 32767; // a system without a number
 
 /** \brief A record with a GeoKeyDirectoryTag.
  * \param[in] keys each key and its value */

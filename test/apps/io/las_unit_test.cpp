@@ -10,11 +10,10 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-// Keys of GeoTIFF and their values.
-constexpr std::uint16_t model_type = 1024, projected = 1, geographic_model = 2;
-constexpr std::uint16_t projected_system = 3072, unit_of_length = 3076;
+// A key of GeoTIFF, and values of keys.
+constexpr std::uint16_t unit_of_length = 3076;
+constexpr std::uint16_t projected = 1, geographic_model = 2;
 constexpr std::uint16_t meter = 9001, foot = 9002, us_foot = 9003;
-constexpr std::uint16_t wkt_id = 2112; // of the record with the text
 
 class LasUnitTest : public CloudFolder {
 protected:

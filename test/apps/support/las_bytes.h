@@ -15,6 +15,14 @@
 using pcl_ops::apps::bytesOf;
 using pcl_ops::apps::LasHeader;
 
+/** \brief Id of the variable length record with the reference system as WKT. */
+inline constexpr std::uint16_t wkt_id = 2112;
+
+// Keys of GeoTIFF.
+inline constexpr std::uint16_t model_type = 1024;
+inline constexpr std::uint16_t geographic_system = 2048;
+inline constexpr std::uint16_t projected_system = 3072;
+
 /** \brief The content of a small LAS file. */
 struct LasRecipe {
   /** \brief Of the version of LAS: 1.0 to 1.4. */
