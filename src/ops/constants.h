@@ -94,7 +94,6 @@ struct PlaceConstants {
   double refit_growth = 1.05; // points at a refit over points at the fit before
 
   // Joins.
-  int join_rounds = 6;
   /** \brief Largest rms distance of a region to the plane of another one, in units of
    * the noise; for joins over gaps, too. */
   double noises_of_join = 2.0;

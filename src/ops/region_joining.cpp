@@ -350,19 +350,20 @@ joinTouching (const Places& places, unsigned threads, Regions& regions)
   for (std::size_t i = 0; i < places.size(); ++i)
     if (regions.of_place[i] != no_plane)
       border.push_back (static_cast<std::uint32_t> (i));
-  for (int round = 0; round < place_constants.join_rounds; ++round) {
+  bool has_joined = true;
+  while (has_joined) {
     const Borders borders = bordersOf (places, regions, threads, border);
-    if (!joinPicked (pickTouching (borders, regions), regions))
-      return;
+    has_joined = joinPicked (pickTouching (borders, regions), regions);
   }
 }
 
 void
 joinOverGaps (const MergingParameters& merging, Regions& regions)
 {
-  for (int round = 0; round < place_constants.join_rounds; ++round)
-    if (!joinPicked (pickOverGaps (largeRegions (regions), merging, regions), regions))
-      return;
+  bool has_joined = true;
+  while (has_joined)
+    has_joined =
+        joinPicked (pickOverGaps (largeRegions (regions), merging, regions), regions);
 }
 
 } // namespace pcl_ops::internal
