@@ -80,7 +80,8 @@ paperFor (const Drawing& drawing)
       box.extend (corner.head<2>().eval());
   if (box.isEmpty())
     box = {Eigen::Vector2d (0, 0), Eigen::Vector2d (1, 1)};
-  constexpr double max_width = 380.0, max_height = 250.0; // of A3 without margins [mm]
+  // A3 without the margin, the foot, and the edge that printers leave white [mm].
+  constexpr double max_width = 380.0, max_height = 250.0;
   const Eigen::Vector2d sizes = millimeters_of_meter * box.sizes();
   const double min_scale = std::max (sizes.x() / max_width, sizes.y() / max_height);
   const double usual_scales[] = {20, 50, 100, 200, 500, 1000, 2000, 5000, 10'000};

@@ -21,9 +21,11 @@ using PcdHeader = std::map<std::string, Words>;
 PcdHeader
 readHeader (FileReader& reader)
 {
+  const std::string last_key = "DATA";
   PcdHeader header;
-  while (header.count ("DATA") == 0) {
-    Words words = reader.nextHeaderLine ("DATA");
+  while (header.count (last_key) == 0) {
+    Words words =
+        reader.nextHeaderLine (last_key); // which the message names at the end
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
@@ -144,7 +146,7 @@ readText (FileReader& reader, pcl::PCLPointCloud2& points)
   std::uint8_t* out = points.data.data();
   while (out != points.data.data() + points.data.size()) {
     if (!reader.nextNumbers())
-      continue; // PCL's reader skips it, too
+      continue; // an empty line, which PCL's reader skips, too
     reader.expectWordCount (numbers);
     std::size_t word = 0;
     for (const pcl::PCLPointField& field : points.fields) {
@@ -161,7 +163,8 @@ readText (FileReader& reader, pcl::PCLPointCloud2& points)
  * byte of a chunk, its head, has two parts: l, the upper 3 bits, and r, the lower 5.
  * - l = 0: r + 1 literal bytes follow.
  * - else: l + 2 bytes repeat earlier ones; if l = 7, one further byte is added to that
- *   number. Behind it is the low byte of the distance back, whose high byte is r. */
+ *   number. Behind it is the low byte of the distance back less 1, whose high byte is
+ *   r. */
 class LzfDecoder {
 public:
   /** \param[out] bytes of the expected size */

@@ -39,6 +39,7 @@ segmentIn (const nlohmann::ordered_json& plane);
 /** \brief Samples the points of the planes in a list (\ref PointSample). Points of
  * planes that are not in the list count as points on no plane.
  * \param[in] list an object whose "planes" is an array of \ref planeObject
+ * \param[in] max_points of the sample, those of all planes and of none together
  * \throws WorkError as \p for_each_point does */
 PlaneSample
 samplePlanes (const nlohmann::ordered_json& list,

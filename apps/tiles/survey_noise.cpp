@@ -44,6 +44,7 @@ noiseOfSurvey (const Plan& plan,
                const PointsOfTile& points_of)
 {
   const auto origin_of = [&] (const TileKey& tile) {
+    // The zero of the frame of a tile is a corner of a cell.
     return plan.grid.cornerOf (plan.grid.frameOf (tile));
   };
   std::vector<Eigen::Vector3f> all; // in the frame of the first tile
@@ -54,7 +55,8 @@ noiseOfSurvey (const Plan& plan,
   }
   constexpr std::size_t x_offset = 0;
   const CloudView view (all.data(), x_offset, sizeof (all[0]), all.size());
-  return measureNoise (view, {}, plan.points());
+  const OrientedPointSamplingParameters defaults; // those of the search in each tile
+  return measureNoise (view, defaults, plan.points());
 }
 
 void

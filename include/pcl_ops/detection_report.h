@@ -32,11 +32,11 @@ struct UsedLengths {
   /** \brief Edge of the voxels of Sampling::Surfels, some of which are divided into
    * voxels of half the edge. Not set for all other samplings and detectors. */
   std::optional<double> voxel_size;
-  /** \brief Largest distance of a point to its plane: the given one. Not given: with
-   * Sampling::Neighborhoods 3 times the median noise of the planes. With
-   * Sampling::Surfels the median, over the planes, of assignment_noise_factor times the
-   * noise, a given value being an upper limit. Not set if none is given and no plane is
-   * found. */
+  /** \brief Largest distance of a point to its plane. With Sampling::Neighborhoods the
+   * given one, or 3 times the median noise of the planes. With Sampling::Surfels the
+   * median, over the planes, of assignment_noise_factor times the noise, or of the
+   * given one where that is smaller. Else the given one. Not set if none is given and
+   * no plane is found. */
   std::optional<double> distance_threshold;
 };
 

@@ -194,7 +194,7 @@ simulate (const Simulation& simulation)
   for (const auto& [scene, simulateScene] : scenes_with_own_function)
     if (simulation.scene == scene)
       return simulateScene (simulation);
-  if (simulation.points)
+  if (simulation.points) // of all surfaces, as if from everywhere
     return scanDensely (siteOf (simulation).scene,
                         std::size_t (*simulation.points),
                         simulation.noise,

@@ -11,7 +11,8 @@ namespace {
 using Kind = Shape::Kind;
 
 /** Ranges of \ref Shape::half_v (radii) and \ref Shape::half_u (heights) [m]. Heights
- * of domes follow from their radii. Of cones, large_height is a multiple of the radius;
+ * of domes follow from their radii; those of cylinders are half of their length, those
+ * of tori the radius of the tube. Of cones, large_height is a multiple of the radius;
  * of tori, it is a multiple of the smallest large radius. */
 constexpr struct ShapeSizes {
   Kind kind;
@@ -68,8 +69,7 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   // Distance of shapes in the row, and y of the row [m].
   constexpr double distance = 3.0;
   constexpr double row = -3.8;
-  constexpr double smallest_radius = 0.6;
-  constexpr double largest_radius = 5.5; // [m]
+  constexpr double smallest_radius = 0.6, largest_radius = 5.5; // [m]
   const double x = xInRow (position, distance);
   const double radius = drawLogUniform (smallest_radius, largest_radius, random);
   const double height_unit = sizes.kind == Kind::Cone    ? radius
@@ -78,8 +78,8 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   const bool is_dome = sizes.kind == Kind::Dome;
   const auto& [lowest, highest] = sizes.large_height;
   const double height = is_dome ? 0.0 : height_unit * random.between (lowest, highest);
-  // The part is 2 to 2.4 m long, so that it bends by far more than the noise at any
-  // radius; for small radii it is about a third of a turn.
+  // The part is 2 to 2.4 m long, but two radii at most, about a third of a turn. It
+  // bends by far more than the noise at any radius.
   const double length = std::min (random.between (2.0, 2.4), 2.0 * radius);
   const double share = length / (2.0 * pi * radius);
   if (!is_dome)

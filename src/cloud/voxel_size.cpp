@@ -14,7 +14,7 @@ namespace pcl_ops::internal {
 namespace {
 
 // Returns how many voxels have points in them.
-std::size_t
+double
 countOccupied (const Coordinates& points, double voxel_size)
 {
   constexpr unsigned one_thread = 1;
@@ -22,7 +22,7 @@ countOccupied (const Coordinates& points, double voxel_size)
   std::size_t voxels = runs.size() == 0 ? 0 : 1;
   for (std::size_t r = 1; r < runs.size(); ++r)
     voxels += runs[r].code() != runs[r - 1].code();
-  return voxels;
+  return static_cast<double> (voxels);
 }
 
 // Drops outliers: points many times farther from the origin than the median distance.
@@ -74,14 +74,14 @@ voxelSizeFor (const Coordinates& points, double wanted_voxels)
   if (!(voxel_size > 0.0 && std::isfinite (voxel_size)))
     return 0.0;
   constexpr int max_tries = 8;
-  double counted = 0.0;
+  double counted = countOccupied (sample, voxel_size);
   for (int i = 0; i < max_tries; ++i) {
-    counted = static_cast<double> (countOccupied (sample, voxel_size));
     const double ratio = counted / std::min (max_counted_voxels, wanted_voxels);
     const bool is_near_enough = ratio > 0.5 && ratio < 2.0;
     if (is_near_enough)
       break;
-    voxel_size *= std::sqrt (ratio);
+    voxel_size *= std::sqrt (ratio); // surfaces fill edge^-2 voxels
+    counted = countOccupied (sample, voxel_size);
   }
   return roundNumber (voxel_size * std::sqrt (counted / wanted_voxels));
 }

@@ -37,8 +37,7 @@ TEST (CoordinateSteps, AreThoseOfEachAxis)
   for (const Eigen::Vector3d& steps :
        {Eigen::Vector3d (1_cm, 1_cm, 1_cm), {0.0, 0.0, 1_mm}, {2_mm, 5_mm, 0.0}})
     for (const double offset : {0.0, 100.04})
-      EXPECT_LT ((coordinateSteps (cubeRoundedTo (steps, offset)) - steps).norm(),
-                 1e-4)
+      EXPECT_LT ((coordinateSteps (cubeRoundedTo (steps, offset)) - steps).norm(), 1e-4)
           << steps.transpose() << ", " << offset;
 }
 

@@ -14,8 +14,8 @@ const Surface wall_of_the_scene = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
 constexpr int three_resolutions = 3;
 
-/** \brief Surfels at three resolutions. A neighborhood has 30 points or more, and as
- * many as eight voxels hold on average or more. */
+/** \brief Surfels at three resolutions. As in the engine on voxels, a neighborhood has
+ * 30 points or more, and as many as eight voxels hold on average or more. */
 std::vector<std::optional<Surfel>>
 surfelsOf (const VoxelGrid& grid)
 {
@@ -91,8 +91,10 @@ TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighborsHelp)
 
 TEST (OrientedVoxels, OfAVolumeAreThick)
 {
+  constexpr double edge_of_cube = 4_m;
+  constexpr double edge_of_voxel = 20_m; // one voxel, and more points than it needs
   for (const std::optional<Surfel>& surfel :
-       surfelsOf (connectedGrid (pointsInACube (2000, 4_m), 20.0)))
+       surfelsOf (connectedGrid (pointsInACube (2000, edge_of_cube), edge_of_voxel)))
     EXPECT_TRUE (!surfel || surfel->thickness > 0.8);
 }
 
@@ -153,7 +155,7 @@ TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 
 TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighborhood)
 {
-  // As uneven as that roof, but each point has an offset of its own.
+  // Half as uneven as that roof, but each point has an offset of its own.
   for (const std::optional<Surfel>& surfel : surfelsOf (floorOf (200, 2_cm)))
     EXPECT_TRUE (surfel);
 }

@@ -193,8 +193,9 @@ TEST (MeasuredRooms, HaveTheirWalls)
     drawn_length += of_walls.whole;
     right_length += of_walls.near;
   }
+  // The accuracy page has 95 % and 96 %; what a change of the engine costs may be less.
   EXPECT_GT (found_length, 0.85 * measured_length);
-  EXPECT_GT (right_length, 0.9 * drawn_length);
+  EXPECT_GT (right_length, 0.90 * drawn_length);
 }
 
 TEST (MeasuredRooms, AreFoundAndNoOthers)
@@ -236,12 +237,13 @@ TEST (MeasuredRooms, HaveTheirHeights)
       const PlanRoom& room = plan.rooms[i];
       ASSERT_EQ (room.floor.has_value(), truth.floor.has_value()) << name;
       ASSERT_EQ (room.ceiling.has_value(), truth.ceiling.has_value()) << name;
-      EXPECT_NEAR (*room.floor, *truth.floor, same) << name;
-      if (truth.ceiling) {
+      if (truth.floor)
+        EXPECT_NEAR (*room.floor, *truth.floor, same) << name;
+      if (truth.ceiling)
         EXPECT_NEAR (*room.ceiling, *truth.ceiling, same) << name;
+      if (truth.floor && truth.ceiling)
         EXPECT_NEAR (*room.ceiling - *room.floor, *truth.ceiling - *truth.floor, same)
             << name;
-      }
     }
   }
 }

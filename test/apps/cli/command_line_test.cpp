@@ -86,7 +86,8 @@ TEST (CommandLine, TakesTheNameAnOptionOnceHadAndCountsBothAsOne)
   EXPECT_TRUE (parse (line, {"--cell", "0.5"}));
   EXPECT_EQ (size, 0.5);
   EXPECT_TRUE (line.isGiven ("voxel-size"));
-  EXPECT_EQ (line.help (true).find ("cell"), std::string::npos);
+  constexpr bool is_full = true;
+  EXPECT_EQ (line.help (is_full).find ("cell"), std::string::npos);
 }
 
 TEST (CommandLine, TakesNegativeNumbersAndTheCameraForUp)
