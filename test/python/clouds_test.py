@@ -231,6 +231,28 @@ class Writer(unittest.TestCase):
                 self.assertEqual(cloud.labels is None, labels is None)
         self.assertEqual(self.written("a.pcd", points).height, 2)
 
+    def test_labels_of_an_image_have_its_shape_or_are_in_a_row(self):
+        points = np.arange(24, dtype=np.float32).reshape(2, 4, 3)
+        labels = np.arange(8).reshape(2, 4)
+        cloud = pcl_ops.Cloud(points.reshape(8, 3), np.zeros(3), {}, 2)
+        for given in (points, cloud):
+            for fitting in (labels, labels.ravel()):
+                back = self.written("a.pcd", given, fitting, distances=0.5 * fitting)
+                self.assertEqual(back.labels.tolist(), list(range(8)))
+            for wrong in (labels.T, labels.reshape(4, 2), labels.reshape(2, 2, 2)):
+                with self.assertRaisesRegex(ValueError, r"labels: shape \(.*\) is not \(.*8,|2, 4\), that"):
+                    self.written("a.pcd", given, wrong)
+                with self.assertRaisesRegex(ValueError, r"distances: shape \(.*\) is not \("):
+                    self.written("a.pcd", given, labels, distances=0.5 * wrong)
+        with self.assertRaisesRegex(ValueError, r"labels: shape \(2, 4\) is not \(8,\), that of the points"):
+            self.written("a.pcd", points.reshape(8, 3), labels)
+
+    def test_large_labels_come_back(self):
+        points = np.zeros((3, 3), np.float32)
+        for largest, kind in ((2**31 - 1, np.int32), (2**31, np.int64), (2**32 - 3, np.int64)):
+            back = self.written("a.pcd", points, np.array([-1, 0, largest])).labels
+            self.assertEqual((back.tolist(), back.dtype), ([-1, 0, largest], kind))
+
     def test_points_that_were_moved_are_written_with_the_other_fields(self):
         cloud = pcl_ops.from_message(message(rows_of(room(), [*plain, ("ring", "u1")])))
         moved = self.written("a.ply", cloud._replace(points=cloud.points + np.float32(1)))
@@ -264,7 +286,10 @@ class Writer(unittest.TestCase):
             ("b.pcd", points, {"labels": labels[1:]}, ValueError, "labels: shape"),
             ("b.pcd", points, {"labels": labels * 0.5}, TypeError, "labels: dtype float64"),
             ("b.pcd", points, {"distances": labels * 0.5}, ValueError, "distances: are those to"),
-            ("b.pcd", points, {"labels": labels, "distances": [0.5]}, ValueError, "distances: has"),
+            ("b.pcd", points, {"labels": labels, "distances": [0.5]}, ValueError,
+             "distances: shape (1,) is not (29600,), that of the points"),
+            ("b.pcd", points, {"labels": labels, "distances": labels}, TypeError,
+             "distances: dtype int64 is not one of floating point numbers"),
             ("none/b.pcd", points, {}, OSError, "none"),
             ("b.pcd", survey._replace(height=7), {}, ValueError, "cloud: 29500 points are no image"),
             ("b.pcd", survey._replace(fields={"a": np.ones(3)}), {}, ValueError,
@@ -273,6 +298,20 @@ class Writer(unittest.TestCase):
              "cloud: the field a has 29500 of bool for 29500 points"),
             ("b.pcd", survey._replace(fields={"a b": np.ones(29500)}), {}, ValueError,
              "cloud: the field 'a b' has a name that files cannot have"),
+            ("b.pcd", survey._replace(fields={"a": [1.0] * 29500}), {}, TypeError,
+             "cloud: the field a is a list; give an array of NumPy"),
+            ("b.pcd", survey._replace(fields={5: np.ones(29500)}), {}, ValueError,
+             "cloud: the field 5 has a name that files cannot have"),
+            ("b.pcd", survey._replace(viewpoint=(1, 2)), {}, TypeError,
+             "cloud.viewpoint: has to be three numbers (x, y, z), not (1, 2)"),
+            ("b.pcd", survey._replace(orientation=(1, 2)), {}, TypeError,
+             "cloud.orientation: has to be four numbers (w, x, y, z), not (1, 2)"),
+            ("b.pcd", survey._replace(height=2.0), {}, TypeError,
+             "cloud.height: has to be a number of rows from 1, not 2.0"),
+            ("b.pcd", points, {"labels": labels, "keep_color": "no"}, TypeError,
+             "keep_color: has to be True or False, not 'no'"),
+            ("b.pcd", points, {"labels": np.ma.masked_equal(labels, 0)}, TypeError,
+             "labels: a masked array"),
             ("b.pcd", np.zeros((5, 3), int), {}, TypeError, "points: dtype"),
         ):
             with self.subTest(said), self.assertRaisesRegex(error, re.escape(said)):

@@ -74,7 +74,7 @@ class Stubs(unittest.TestCase):
         up = next(arg for arg in self.stubs["segment"].args.kwonlyargs if arg.arg == "up")
         self.assertEqual(ast.unparse(up.annotation), "Union[Vector, Literal['auto', 'camera']]")
         for name, kind in {
-            "threads": "int", "up": "Vector", "distance_threshold": "Optional[float]",
+            "threads": "int", "up": "Optional[Up]", "distance_threshold": "Optional[float]",
             "sampling": "Literal['points', 'surfels', 'neighborhoods', 'automatic']",
             "merging_enabled": "bool",
             "orientation": "Optional[Literal['horizontal', 'vertical', 'other']]",

@@ -288,7 +288,10 @@ class Maps(unittest.TestCase):
             ("map.png", planes, {}, ValueError, "map.png: has an unknown extension"),
             ("map.csv", planes, {"crs": "EPSG:25832"}, ValueError, "crs: is about a .geojson"),
             ("map.geojson", planes, {"crs": "25832"}, ValueError, "crs: has to be as 'EPSG:25832'"),
-            ("map.csv", planes, {"labels": [1]}, ValueError, "labels: 1 are not one for each of 3"),
+            ("map.csv", planes, {"labels": [1]}, ValueError, r"labels: shape \(1,\) is not \(3,\), that of the planes"),
+            ("map.csv", planes, {"labels": [1.5, 2, 3]}, TypeError, "labels: dtype float64 is not one of"),
+            ("map.csv", planes, {"labels": [7, 8, 7]}, ValueError, "labels: 7 is there twice"),
+            ("map.csv", planes, {"labels": [0, 1, -2]}, ValueError, "labels: have to be 0 or more, not -2"),
             ("map.csv", planes, {"hull": "round"}, ValueError, "hull: has to be 'convex' or"),
             ("map.csv", [1], {}, TypeError, "planes: not a list"),
             ("none/map.csv", planes, {}, OSError, "none/map.csv"),
@@ -347,6 +350,88 @@ class UpAxis(unittest.TestCase):
         self.assertFalse(pcl_ops.is_seen_from(more + 5e6, viewpoint + 5e6))
         found = pcl_ops.segment(more, viewpoint=viewpoint)[1]
         self.assertIsNone(pcl_ops.estimate_up_axis(found, viewpoint))
+
+
+class UpOfTheFoundPlanes(unittest.TestCase):
+    """A room whose z is down the axis y of the array, with planes that were found with up."""
+
+    turned = points[:, [0, 2, 1]] * np.float32((1, -1, 1))
+    sensor = viewpoint[[0, 2, 1]] * (1, -1, 1)
+    found = pcl_ops.segment(turned, viewpoint=sensor, up="camera", angle_tolerance=0.3)[1]
+
+    def test_tells_kinds(self):
+        self.assertEqual(pcl_ops.plane_kinds(self.found), ["floor", "wall", "wall"])
+        self.assertEqual(pcl_ops.plane_kinds(self.found[:2]), ["floor", "wall"], "of a part of the list")
+
+    def test_tells_kinds_and_tables_of_pickled_planes(self):
+        some = pickle.loads(pickle.dumps(self.found[:2]))
+        self.assertEqual(pcl_ops.plane_kinds(some), ["floor", "wall"])
+        self.assertAlmostEqual(some[0].as_dict()["slope"], 0.0, delta=0.5)
+
+    def test_is_that_of_a_floor_plan(self):
+        plan = pcl_ops.floor_plan(self.found)
+        np.testing.assert_equal(plan._asdict(), pcl_ops.floor_plan(self.found, up=(0, -1, 0))._asdict())
+        lengths = [np.linalg.norm(wall.end - wall.start) for wall in plan.walls]
+        np.testing.assert_allclose(sorted(lengths), [3, 4], atol=0.05)
+
+    def test_names_merged_planes(self):
+        merged = pcl_ops.merge_planes(self.found)[0]
+        self.assertEqual([plane.orientation for plane in merged], ["horizontal", "vertical", "vertical"])
+        self.assertEqual([plane.kind for plane in merged], ["floor", "wall", "wall"])
+
+    def test_names_merged_planes_within_its_tolerance(self):
+        ramp = surface((0, 0, 0), (4, 0, 0.8), (0, 3, 0), 12000)
+        found = pcl_ops.segment(ramp, angle_tolerance=0.3)[1]
+        self.assertEqual(pcl_ops.merge_planes(found)[0][0].orientation, "horizontal")
+        self.assertEqual(pcl_ops.merge_planes(found, angle_tolerance=0.1)[0][0].orientation, "other")
+
+    def test_is_that_of_slopes_in_filters_and_tables(self):
+        level = pcl_ops.filter_planes(self.found, slope=(0.0, 0.1))[0]
+        self.assertEqual(level, self.found[:1])
+        self.assertAlmostEqual(self.found[0].as_dict()["slope"], 0.0, delta=0.5)
+
+    def test_stays_with_regularized_planes(self):
+        exact = pcl_ops.regularize_planes(self.found)[0]
+        self.assertEqual(pcl_ops.plane_kinds(exact), ["floor", "wall", "wall"])
+
+    def test_may_be_the_word_camera_in_all_calls(self):
+        camera = pcl_ops.camera_up()
+        with tempfile.TemporaryDirectory() as folder:
+            def written(up, name="planes.csv"):
+                pcl_ops.write_planes(f"{folder}/{name}", planes, up=up)
+                return pathlib.Path(folder, name).read_text()
+
+            def page(up):
+                labels = np.full(len(points), -1)
+                pcl_ops.write_html(f"{folder}/page.html", points, labels, planes, up=up)
+                return pathlib.Path(folder, "page.html").read_text()
+
+            for call in (written, page, lambda up: planes[1].as_dict(up=up),
+                         lambda up: pcl_ops.plane_kinds(planes, up=up),
+                         lambda up: pcl_ops.floor_plan(planes, up=up).floor,
+                         lambda up: len(pcl_ops.buildings.rooms(planes, up=up)),
+                         lambda up: pcl_ops.merge_planes(planes, up=up)[0][0].kind,
+                         lambda up: pcl_ops.filter_planes(planes, slope=(0.0, 0.1), up=up)[0]):
+                self.assertEqual(call("camera"), call(camera))
+
+    def test_is_replaced_by_a_given_one_as_if_the_planes_were_found_with_that(self):
+        for array, sensor in ((self.turned, self.sensor), (self.turned, (0, 0, 0)),
+                              (self.turned + np.float32((9, 9, 9)), (0, 0, 0))):
+            by_z = pcl_ops.segment(array, viewpoint=sensor, up=(0, 0, 1))[1]
+            by_camera = pcl_ops.segment(array, viewpoint=sensor, up=(0, -1, 0))[1]
+            self.assertEqual(pcl_ops.plane_kinds(by_z, up=(0, -1, 0)), [plane.kind for plane in by_camera])
+            np.testing.assert_equal(pcl_ops.floor_plan(by_z, up=(0, -1, 0))._asdict(),
+                                    pcl_ops.floor_plan(by_camera)._asdict())
+            self.assertEqual(by_z[0].orientation, "vertical", "the planes stay as they are")
+
+    def test_is_replaced_by_a_given_one_that_turns_normals_up_where_the_sensor_is_unknown(self):
+        # Zero is below the floor, which hides a table.
+        scene = np.vstack([surface((-2, -1, -2), (4, 0, 0), (0, 0, 4), 16000),
+                           surface((-0.75, -1.75, -0.75), (1.5, 0, 0), (0, 0, 1.5), 3000)])
+        by_z = pcl_ops.segment(scene, up=(0, 0, 1))[1]
+        by_camera = pcl_ops.segment(scene, up=(0, -1, 0))[1]
+        self.assertEqual(by_camera.kind.tolist(), ["floor", "table"])
+        self.assertEqual(pcl_ops.plane_kinds(by_z, up=(0, -1, 0)), ["floor", "table"])
 
 
 class Edges(unittest.TestCase):
@@ -448,6 +533,50 @@ class OtherFrames(unittest.TestCase):
             self.assertGreaterEqual(tracked.plane.length, tracked.plane.width)
             self.assertEqual(tracked.plane.independent_covariance.shape, (3, 3))
             np.testing.assert_allclose(np.ptp(tracked.hull, 0), np.ptp(plane.hull, 0), atol=0.5)
+
+    def test_tracker_tells_kinds_by_all_its_planes_and_their_up(self):
+        tilt = np.eye(4)
+        tilt[:3, :3] = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
+        table = surface((1, 1, 0.7), (1, 0, 0), (0, 0.8, 0), 4000)
+        scene = np.vstack([points, table])
+        level = np.eye(4)
+        # The pose that the points are seen from, and the one that the tracker is told.
+        for pose, told in ((level, level), (tilt, tilt), (tilt, level)):
+            turn_back = pose[:3, :3].T
+            found = pcl_ops.segment(
+                seen_from(pose, scene), up=turn_back @ (0, 0, 1), viewpoint=turn_back @ viewpoint)[1]
+            tracker = pcl_ops.PlaneTracker()
+            tracker.track(found, told)
+            for one in (tracker, copy.copy(tracker)):
+                kinds = [tracked.plane.kind for tracked in one.planes]
+                self.assertEqual(kinds, ["floor", "wall", "wall", "table"])
+
+    def test_tracked_planes_keep_their_outlines_in_copies_and_pickles(self):
+        tracker = pcl_ops.PlaneTracker()
+        tracker.track(planes)
+        for tracked in tracker.planes:
+            for copied in (copy.copy(tracked.plane), copy.deepcopy(tracked).plane,
+                           pickle.loads(pickle.dumps(tracked)).plane):
+                np.testing.assert_array_equal(copied.hull, tracked.hull)
+                for name in ("area", "length", "width", "kind"):
+                    self.assertEqual(getattr(copied, name), getattr(tracked.plane, name))
+
+    def test_tracked_planes_are_regularized_with_their_outlines(self):
+        tracker = pcl_ops.PlaneTracker()
+        tracker.track(planes)
+        tracked = [one.plane for one in tracker.planes]
+        exact, _ = pcl_ops.regularize_planes(tracked)
+        self.assertAlmostEqual(float(exact[0].normal @ exact[1].normal), 0.0, delta=1e-12)
+        for after, before in zip(exact, tracked):
+            self.assertAlmostEqual(after.area, before.area, delta=1e-3 * before.area)
+            self.assertLess(np.abs(after.distances(after.hull)).max(), 1e-6)
+        self.assertEqual([plane.kind for plane in exact], ["floor", "wall", "wall"])
+
+    def test_tracked_planes_tell_which_way_is_up(self):
+        tracker = pcl_ops.PlaneTracker()
+        tracker.track(planes)
+        up, _ = pcl_ops.estimate_up_axis([one.plane for one in tracker.planes], viewpoint)
+        np.testing.assert_allclose(up, (0, 0, 1), atol=0.01)
 
     def test_tracker_warns_once_of_poses_along_the_up_axis_of_planes(self):
         def codes(step, found):

@@ -9,6 +9,7 @@ import pickle
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -289,7 +290,7 @@ bad_calls = [
     (call("match_planes", [], [], np.diag([1, 1, -1, 1])), ValueError, "pose: is no"),
     (call("match_planes", [], [], min_overlap=2.0), ValueError, "min_overlap: "),
     (call("PlaneTracker", memory=-1), ValueError, "memory: "),
-    (call("PlaneTracker", max_distance=-1), ValueError, "the largest distance must"),
+    (call("PlaneTracker", max_distance=-1), ValueError, "max_distance: has to be a length above 0"),
     (lambda: pcl_ops.PlaneTracker().track([1]), TypeError, "planes: not a list"),
     (call("find_plane_edges", [], min_angle=9), ValueError, "min_angle: "),
     (call("find_plane_edges", [], reach="x"), TypeError, "reach: has to be Optional[float]"),
@@ -303,6 +304,19 @@ bad_calls = [
     (evaluate(labels.astype(np.uint64) + np.uint64(2**63)), ValueError, "truth: the label "),
     (evaluate(np.ma.masked_equal(labels, 1)), TypeError, "truth: a masked array"),
     (evaluate(labels + 1), ValueError, "truth: has the label 0 and no negative one; give none=0"),
+    (evaluate(none="x"), TypeError, "none: has to be a label or None, not 'x'"),
+    (evaluate(none=5.5), TypeError, "none: has to be a label or None, not 5.5"),
+    (segment(piece_gap="a"), TypeError, "piece_gap: has to be a number of spacings from 1, not 'a'"),
+    (segment(pieces="no"), TypeError, "pieces: has to be True or False, not 'no'"),
+    (segment(k=True), TypeError, "k: has to be int, not True"),
+    (call("filter_planes", [], kind=3), TypeError, "kind: has to be one or several of floor, "),
+    (call("plane_kinds", planes, meter=True), TypeError, "meter: has to be a length above 0, not True"),
+    (call("plane_kinds", planes, meter=np.nan), ValueError, "meter: has to be a length above 0, not nan"),
+    (call("plane_kinds", planes, up="z"), TypeError,
+     "up: has to be three numbers (x, y, z) or 'camera', not 'z'"),
+    (call("PlaneTracker", memory=2**70), ValueError, "memory: has to be a number of frames or None"),
+    (call("PlaneTracker", memory=3.0), TypeError, "memory: has to be a number of frames or None"),
+    (call("PlaneTracker", max_distance="a"), TypeError, "max_distance: has to be a length above 0 or None"),
     (evaluate(up=(0, 0, np.inf)), ValueError, "up: the up axis must be"),
 ]
 
@@ -314,6 +328,18 @@ class BadInput(unittest.TestCase):
                 with self.assertRaises(error) as raised:
                     bad_call()
                 self.assertTrue(str(raised.exception).startswith(beginning), raised.exception)
+
+    def test_is_no_number_of_numpy(self):
+        for number in (np.float32, np.float64, np.int8, np.int64):
+            self.assertEqual(pcl_ops.plane_kinds(planes, meter=number(1)), pcl_ops.plane_kinds(planes))
+            planes[0].concave_outline(number(0))
+            pcl_ops.segment(points, pieces=np.bool_(True), piece_gap=number(8))
+            pcl_ops.PlaneTracker(max_distance=number(9))
+        for number in (np.uint8, np.int64):
+            pcl_ops.PlaneTracker(memory=number(3))
+            pcl_ops.evaluate(labels, labels, points, none=number(0))
+            with tempfile.TemporaryDirectory() as folder:
+                pcl_ops.write_html(f"{folder}/a.html", points, labels, planes, max_points=number(100))
 
     def test_planes_of_different_arrays_and_those_that_share_points(self):
         others = pcl_ops.segment(points.copy())[1]

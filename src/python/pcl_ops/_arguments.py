@@ -4,7 +4,9 @@
 
 import difflib
 import inspect
-from typing import Any, Callable, Dict, Iterable, Sequence, Tuple, Union
+import numbers
+import sys
+from typing import Any, Callable, Dict, Iterable, Literal, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +15,7 @@ from . import _pcl_ops
 
 Points = Union[NDArray[np.float32], NDArray[np.float64]]
 Vector = Union[Sequence[float], NDArray[Any]]
+Up = Union[Vector, Literal["camera"]]
 
 
 def parameters_of(struct: Any) -> Dict[str, Tuple[Any, str]]:
@@ -28,19 +31,49 @@ def camera_up() -> Tuple[float, float, float]:
     return 0.0, -1.0, 0.0
 
 
+def _vector_of(up: Any) -> Any:
+    """The vector that the word "camera" stands for; else what is given."""
+    return camera_up() if isinstance(up, str) and up == "camera" else up
+
+
+def _is_flag(value: Any) -> bool:
+    return isinstance(value, (bool, np.bool_))
+
+
+def flag(name: str, given: Any) -> bool:
+    if not _is_flag(given):
+        raise TypeError(f"{name}: has to be True or False, not {given!r:.80}")
+    return bool(given)
+
+
+def checked_number(
+    name: str, given: Any, is_allowed: Callable[[Any], bool], wanted: str, kind: type = float
+) -> Any:
+    """A finite number of Python or NumPy as a float, or a whole one as an int.
+
+    is_allowed: whether a number is in its range.
+    wanted: what to give, for messages.
+    kind: float or int.
+    """
+    value = given.item() if isinstance(given, np.generic) else given
+    base, largest = ((numbers.Integral, sys.maxsize) if kind is int
+                     else (numbers.Real, sys.float_info.max))
+    is_number = isinstance(value, base) and not _is_flag(value)
+    if not (is_number and abs(value) <= largest and is_allowed(value)):
+        raise (ValueError if is_number else TypeError)(
+            f"{name}: has to be {wanted}, not {value!r:.80}")
+    return kind(value)
+
+
 def _set(struct: Any, name: str, kind: str, value: Any) -> None:
     """Sets one parameter of a struct; kind is its annotation."""
     try:
-        if kind == "bool" and not isinstance(value, (bool, np.bool_)):
-            raise RuntimeError  # every value would convert to bool
-        if name == "up" and isinstance(value, str):
-            if value != "camera":
-                raise RuntimeError
-            value = camera_up()
-        struct.set(name, value)
+        if (kind == "bool") != _is_flag(value):
+            raise RuntimeError  # every value would convert to bool, and bool to numbers
+        struct.set(name, _vector_of(value) if name == "up" else value)
     except RuntimeError:
         is_word = "Literal" in kind and isinstance(value, str)
-        is_number = "int" in kind and not is_word and hasattr(value, "__index__")
+        is_number = "int" in kind and hasattr(value, "__index__") and not (is_word or _is_flag(value))
         wanted = kind.replace("Vector", "three numbers (x, y, z)")
         if name == "up":
             wanted += ", 'camera' or, for segment, 'auto'"
@@ -79,7 +112,7 @@ def with_given(preset: Any, given: Dict[str, Any]) -> Any:
 
 
 def named_parameters(*lists: str, **kinds: str) -> Callable[[Any], Any]:
-    """Shows in help, completion and stubs what **parameters may be.
+    """Shows in help, completion and stubs what **parameters may be, besides those the function names.
 
     lists: names of the extension's structs of parameters, all of which the function takes.
     kinds: annotations of parameters that may also have values of another type.
@@ -91,6 +124,8 @@ def named_parameters(*lists: str, **kinds: str) -> Callable[[Any], Any]:
                  if name != "parameters"}
         for struct in lists:
             for name, (value, kind) in parameters_of(getattr(_pcl_ops, struct)()).items():
+                if name in signature.parameters:
+                    continue
                 # Of several structs, each may have another default for a parameter.
                 default = value if len(lists) == 1 else ...
                 shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY,
@@ -207,23 +242,25 @@ def single_precision(points: NDArray[Any]) -> Tuple[NDArray[np.float32], NDArray
     return single, origin
 
 
-def finite_vector(name: str, given: Any) -> NDArray[np.float64]:
+def finite_vector(
+    name: str, given: Any, wanted: str = "three numbers (x, y, z)", size: int = 3
+) -> NDArray[np.float64]:
+    """An array of this size; wanted: what to give, for messages."""
     try:
-        array = np.asarray(given, float).reshape(3)
+        array = np.asarray(given, float).reshape(size)
     except (TypeError, ValueError):
-        raise TypeError(
-            f"{name}: has to be three numbers (x, y, z), not {given!r:.80}") from None
+        raise TypeError(f"{name}: has to be {wanted}, not {given!r:.80}") from None
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: has to be finite, not {given!r:.80}")
     return array
 
 
-def direction(name: str, given: Any) -> NDArray[np.float64]:
-    """The unit vector along a given one, which may have any length but 0."""
-    array = finite_vector(name, given)
+def up_direction(given: Any) -> NDArray[np.float64]:
+    """The unit vector along an up, which is a vector of any length but 0 or the word "camera"."""
+    array = finite_vector("up", _vector_of(given), "three numbers (x, y, z) or 'camera'")
     longest = np.abs(array).max()
     if not longest >= np.finfo(float).tiny:
-        raise ValueError(f"{name}: has no direction")
+        raise ValueError("up: has no direction")
     array = array / longest  # squares of huge numbers are infinite
     return array / np.linalg.norm(array)
 
@@ -242,6 +279,23 @@ def pose_matrix(pose: Any) -> NDArray[np.float64]:
     raise ValueError("pose: is no 4 x 4 matrix of a rotation and a translation")
 
 
+def array_of(
+    name: str, given: Any, kinds: str, instead: str, shape: Tuple[int, ...], things: str
+) -> NDArray[Any]:
+    """An array without a mask, of one number for each thing.
+
+    kinds: the codes that the type may have, "iu" or "f".
+    instead: what users may fill masked entries with.
+    """
+    array = plain_array(name, given, instead)
+    if array.dtype.kind not in kinds:
+        of = "floating point" if kinds == "f" else "whole"
+        raise TypeError(f"{name}: dtype {array.dtype} is not one of {of} numbers")
+    if array.shape != shape:
+        raise ValueError(f"{name}: shape {array.shape} is not {shape}, that of the {things}")
+    return array
+
+
 def plane_numbers(
     name: str, labels: Any, of_points: Tuple[int, ...], none: int
 ) -> NDArray[np.uint32]:
@@ -250,12 +304,7 @@ def plane_numbers(
     of_points: the shape of the array of the points without its last dimension.
     none: the label that stands for no plane, besides negative ones.
     """
-    array = plain_array(name, labels, "-1")
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"{name}: dtype {array.dtype} is not one of whole numbers")
-    if array.shape != of_points:
-        raise ValueError(f"{name}: shape {array.shape} is not {of_points}, that of the points")
-    array = array.ravel()
+    array = array_of(name, labels, "iu", "-1", of_points, "points").ravel()
     # Planes are counted from 1 below, and their numbers have to stay below 2^32 - 1.
     if array.max() > 2**32 - 3:
         raise ValueError(f"{name}: the label {array.max()} is too large")

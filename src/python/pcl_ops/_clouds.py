@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Points, plain_array, plane_numbers, points_array
+from ._arguments import Points, array_of, checked_number, finite_vector, flag, plane_numbers, points_array
 from ._planes import ResultWarning
 
 # NumPy's types by the datatypes of sensor_msgs/PointField; the last two, 64-bit integers, are
@@ -40,11 +40,14 @@ class Cloud(NamedTuple):
     """The unit of x and y by the reference system of a .las or .laz; None if it has none."""
 
     @property
-    def labels(self) -> Optional[NDArray[np.int32]]:
+    def labels(self) -> Optional[Union[NDArray[np.int32], NDArray[np.int64]]]:
         """(N,): the labels of the field label, in which files have 0 for no plane, as segment has
-        them: -1 for no plane. None if there is no such field."""
+        them: -1 for no plane; int64 if one is above 2^31 - 1. None if there is no such field."""
         label = self.fields.get("label")
-        return None if label is None else np.maximum(label.astype(np.int64) - 1, -1).astype(np.int32)
+        if label is None:
+            return None
+        wide = np.maximum(label.astype(np.int64) - 1, -1)
+        return wide if wide.max(initial=-1) > np.iinfo(np.int32).max else wide.astype(np.int32)
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Cloud:
@@ -89,10 +92,11 @@ def write(
         is kept. An existing file is replaced when the new one is complete.
     cloud: what read or from_message returns, with all its fields; or an array of points as for
         segment, of which x, y and z are written.
-    labels: integers in the shape of segment's labels, negative for no plane. In the file they
-        are the field label, with 0 for no plane and 1 for the first plane. In a .pcd or .ply
-        points get the color of their plane.
-    distances: a number for each point, for the field distance; only together with labels.
+    labels: integers in the shape of segment's labels, negative for no plane; those of an image
+        may also be in a row. In the file they are the field label, with 0 for no plane and 1 for
+        the first plane. In a .pcd or .ply points get the color of their plane.
+    distances: a floating point number for each point, in such a shape, for the field distance;
+        only together with labels.
     keep_color: keep the colors that the cloud has.
 
     Raises OSError if the file cannot be written, ValueError or TypeError if the arguments do
@@ -101,9 +105,9 @@ def write(
     from . import _files
 
     cloud = _checked_cloud(cloud)
-    number = len(cloud.points)
-    file_labels = _labels_of_file("labels", labels, number)
-    file_distances = _distances_of_file(distances, number)
+    keeps_color = flag("keep_color", keep_color)
+    file_labels = _labels_of_file(labels, cloud)
+    file_distances = _distances_of_file(distances, cloud)
     if len(file_distances) and not len(file_labels):
         raise ValueError("distances: are those to planes; give labels, too")
     name = os.fsencode(path)
@@ -122,7 +126,7 @@ def write(
     fields = [(field, _NUMBERS_OF_TYPES[kind.base.str[1:]], int(np.prod(kind.shape, dtype=int)))
               for field, (kind, _) in rows.dtype.fields.items()]
     _files.save(name, fields, rows.view(np.uint8).ravel(), cloud.height, cloud.viewpoint,
-                cloud.orientation, file_labels, file_distances, keep_color)
+                cloud.orientation, file_labels, file_distances, keeps_color)
 
 
 def _checked_cloud(given: Any) -> Cloud:
@@ -130,16 +134,22 @@ def _checked_cloud(given: Any) -> Cloud:
     if not isinstance(given, Cloud):
         height = np.shape(given)[0] if np.ndim(given) == 3 else 1
         return Cloud(points_array(given), np.zeros(3), {}, height)
-    cloud = given._replace(points=points_array(given.points))
-    number = len(cloud.points)
-    if cloud.height < 1 or number % cloud.height:
-        raise ValueError(f"cloud: {number} points are no image of {cloud.height} rows")
+    cloud = given._replace(
+        points=points_array(given.points), viewpoint=finite_vector("cloud.viewpoint", given.viewpoint),
+        orientation=finite_vector("cloud.orientation", given.orientation, "four numbers (w, x, y, z)", 4),
+        height=checked_number("cloud.height", given.height, lambda rows: rows >= 1, "a number of rows from 1", int))
+    count = len(cloud.points)
+    if count % cloud.height:
+        raise ValueError(f"cloud: {count} points are no image of {cloud.height} rows")
     for name, field in cloud.fields.items():
-        if name.split() != [name]:
+        if not isinstance(name, str) or name.split() != [name]:
             raise ValueError(f"cloud: the field {name!r} has a name that files cannot have")
-        if field.dtype.base.str[1:] not in _NUMBERS_OF_TYPES or len(field) != number:
-            raise ValueError(f"cloud: the field {name} has {len(field)} of {field.dtype} for "
-                             f"{number} points")
+        if not isinstance(field, np.ndarray):
+            raise TypeError(f"cloud: the field {name} is a {type(field).__name__}; give an array of NumPy")
+        if field.dtype.base.str[1:] not in _NUMBERS_OF_TYPES or field.shape[:1] != (count,):
+            rows = len(field) if field.ndim else 1
+            raise ValueError(f"cloud: the field {name} has {rows} of {field.dtype} for "
+                             f"{count} points")
     return cloud
 
 
@@ -147,21 +157,26 @@ def _is_las(path: Any) -> bool:
     return os.fsdecode(path).lower().endswith((".las", ".laz"))
 
 
-def _labels_of_file(name: str, labels: Any, number: int) -> NDArray[np.uint32]:
+def _shape_for(numbers: Any, cloud: Cloud) -> Tuple[int, ...]:
+    """The shape that numbers of all points have to have: that of the image, or of a row."""
+    count = len(cloud.points)
+    image = cloud.height, count // cloud.height
+    is_image = np.shape(numbers) == image or (cloud.height > 1 and np.ndim(numbers) > 1)
+    return image if is_image else (count,)
+
+
+def _labels_of_file(labels: Any, cloud: Cloud) -> NDArray[np.uint32]:
     """Labels as files have them: planes from 1, 0 for no plane; an empty array for None."""
     if labels is None:
         return np.empty(0, np.uint32)
-    array = np.asarray(labels)
-    return plane_numbers(name, array if array.shape == (number,) else array.ravel(), (number,), -1)
+    return plane_numbers("labels", labels, _shape_for(labels, cloud), -1)
 
 
-def _distances_of_file(distances: Any, number: int) -> NDArray[np.float32]:
+def _distances_of_file(distances: Any, cloud: Cloud) -> NDArray[np.float32]:
     if distances is None:
         return np.empty(0, np.float32)
-    array = plain_array("distances", distances, "numpy.nan").ravel()
-    if array.dtype.kind != "f" or len(array) != number:
-        raise ValueError(f"distances: has to be a number for each of the {number} points")
-    return array.astype(np.float32)
+    shape = _shape_for(distances, cloud)
+    return array_of("distances", distances, "f", "numpy.nan", shape, "points").ravel().astype(np.float32)
 
 
 def _rows_of_file(cloud: Cloud) -> NDArray[Any]:

@@ -10,8 +10,8 @@ from typing import Any, Dict, Optional, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arguments import Points, Vector, direction, finite_vector, plane_numbers, points_array, single_precision
-from ._planes import Plane, Planes, find_plane_edges, plane_list
+from ._arguments import Points, Up, Vector, checked_number, finite_vector, plane_numbers, points_array, single_precision
+from ._planes import Plane, Planes, find_plane_edges, plane_list, up_of
 from ._segmentation import is_seen_from
 
 
@@ -65,7 +65,7 @@ def _check_shown(points: NDArray[Any], title: Any) -> None:
 
 def write_html(
     path: Union[str, "os.PathLike[str]"], points: Points, labels: NDArray[Any], planes: Planes, *,
-    title: Optional[str] = None, up: Optional[Vector] = None,
+    title: Optional[str] = None, up: Optional[Up] = None,
     viewpoint: Vector = (0.0, 0.0, 0.0), max_points: int = 2_000_000,
 ) -> None:
     """Write a page that shows a point cloud and its planes in a browser.
@@ -76,22 +76,21 @@ def write_html(
     path: of the page, .html.
     points, labels, planes: array of shape (N, 3), and what segment returned for it.
     title: by default the name of the file.
-    up: vector against gravity; None: the up of a list that segment returned, else z.
+    up: vector against gravity, or "camera"; None: the up that the planes were found with.
     viewpoint: the position of the sensor.
     max_points: of more points than this an even sample is shown, with points of each plane.
 
     Raises OSError if the file cannot be written; then an existing file stays as it was.
     """
-    axis = getattr(planes, "up", (0.0, 0.0, 1.0)) if up is None else up
     planes = plane_list("planes", planes)
+    upwards = up_of(planes, up)
     array = points_array(points)
     _check_shown(array, title)
     numbers = plane_numbers("labels", labels, np.shape(points)[:-1], -1)
     if numbers.max() > len(planes):
         raise ValueError(f"labels: the label {numbers.max() - 1} is none of {len(planes)} planes")
-    if not (isinstance(max_points, int) and max_points >= 0):
-        raise ValueError(f"max_points: has to be a number of points, not {max_points!r:.80}")
-    upwards, sensor = direction("up", axis), finite_vector("viewpoint", viewpoint)
+    shown = checked_number("max_points", max_points, lambda count: count >= 0, "a number of points", int)
+    sensor = finite_vector("viewpoint", viewpoint)
     is_seen = is_seen_from(array, sensor)
     description = {
         "title": os.path.basename(os.fsdecode(path)) if title is None else title,
@@ -104,4 +103,4 @@ def write_html(
 
     single, origin = single_precision(array)
     _page.save(os.fsencode(path), json.dumps(description, allow_nan=False), single, origin, numbers, len(planes),
-               max_points)
+               shown)

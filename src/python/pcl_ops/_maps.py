@@ -14,16 +14,16 @@ from typing import Any, Dict, List, Literal, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arguments import Vector
+from ._arguments import Up, array_of
 from ._geopackage import geopackage_of
-from ._planes import TABLE_COLUMNS, Planes, plane_list
+from ._planes import TABLE_COLUMNS, Planes, plane_list, up_of
 
 Rings = List[NDArray[np.float64]]
 
 
 def write_planes(
     path: Union[str, "os.PathLike[str]"], planes: Planes, *, crs: Optional[str] = None,
-    hull: Literal["convex", "concave"] = "convex", up: Optional[Vector] = None,
+    hull: Literal["convex", "concave"] = "convex", up: Optional[Up] = None,
     labels: Optional[Sequence[int]] = None,
 ) -> None:
     """Write planes with their outlines, as --planes of the programs does.
@@ -34,19 +34,18 @@ def write_planes(
     crs: for a map, the reference system of the coordinates, as "EPSG:25832"; without it
         programs take them for degrees.
     hull: the kind of outlines, from which the column area follows; "concave" ones have holes.
-    up: vector against gravity, for slope, aspect and height; None: the up of a list that
-        segment returned, else z.
-    labels: the column id; None: 1, 2, ..., as write numbers the planes in a cloud.
+    up: vector against gravity, or "camera", for slope, aspect and height; None: the up that the
+        planes were found with.
+    labels: the column id, whole numbers from 0 that differ; None: 1, 2, ..., as write numbers the
+        planes in a cloud.
 
     Raises OSError if the file cannot be written, ValueError or TypeError if the arguments do
     not fit.
     """
     name = os.fsdecode(path)
-    axis = getattr(planes, "up", (0.0, 0.0, 1.0)) if up is None else up
     listed = plane_list("planes", planes)
-    numbers = range(1, len(listed) + 1) if labels is None else [int(label) for label in labels]
-    if len(numbers) != len(listed):
-        raise ValueError(f"labels: {len(numbers)} are not one for each of {len(listed)} planes")
+    axis = up_of(listed, up)
+    numbers = _ids(labels, len(listed))
     if hull not in ("convex", "concave"):
         raise ValueError(f"hull: has to be 'convex' or 'concave', not {hull!r:.80}")
     rows = [{"id": number, **plane.as_dict(axis)} for number, plane in zip(numbers, listed)]
@@ -71,6 +70,19 @@ def write_planes(
     else:
         raise ValueError(f"{name}: has an unknown extension; give .geojson, .gpkg, .csv or .json")
     _replace_file(name, text.encode())
+
+
+def _ids(labels: Any, number: int) -> Sequence[int]:
+    """The ids of so many planes, by default from 1."""
+    if labels is None or number == np.size(labels) == 0:
+        return range(1, number + 1)
+    array = array_of("labels", labels, "iu", "0", (number,), "planes")
+    if array.min() < 0:
+        raise ValueError(f"labels: have to be 0 or more, not {array.min()}")
+    distinct, counts = np.unique(array, return_counts=True)
+    if counts.max() > 1:
+        raise ValueError(f"labels: {distinct[counts.argmax()]} is there twice; give each plane its own")
+    return array.tolist()
 
 
 def _replace_file(name: str, content: bytes) -> None:

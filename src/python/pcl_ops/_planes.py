@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from . import _pcl_ops
 from ._arguments import (
-    Points, Vector, did_you_mean, direction, finite_vector, is_same_array, named_parameters, points_array, pose_matrix,
-    single_precision, with_given)
+    Points, Up, Vector, checked_number, did_you_mean, finite_vector, is_same_array, named_parameters,
+    parameters_of, points_array, pose_matrix, single_precision, up_direction, with_given)
 
 
 def _part(name: str, doc: str) -> Any:
@@ -34,6 +34,22 @@ TABLE_COLUMNS = (
     "orientation", "kind", "points", "a", "b", "c", "d", "centroid_x", "centroid_y", "centroid_z",
     "normal_x", "normal_y", "normal_z", "rms", "area", "length", "width", "slope", "aspect",
     "height")
+
+
+def _default_tolerance() -> float:
+    """The angle_tolerance of all methods by default."""
+    return parameters_of(_pcl_ops.merge_planes())["angle_tolerance"][0]
+
+
+class _Naming(NamedTuple):
+    """By what orientations and kinds of planes are named."""
+
+    planes: List["Plane"]
+    """All that were found together; none for a plane of a pickle, which knows its kind."""
+    up: Vector = (0.0, 0.0, 1.0)
+    angle_tolerance: float = _default_tolerance()
+    viewpoint: Optional[Vector] = None
+    """Of the sensor."""
 
 
 class Plane(_pcl_ops.Segment):
@@ -89,9 +105,8 @@ class Plane(_pcl_ops.Segment):
         """What it is in a building: the result of plane_kinds for all planes it was found with, by
         their up. It is computed for all of them when the first is asked for."""
         if self._kind is None:
-            planes, up, viewpoint = self._named_with
-            sensor = _viewpoint_if_true(self._points, viewpoint)
-            for plane, kind in zip(planes, plane_kinds(planes, up, viewpoint=sensor)):
+            planes = self._named_with.planes
+            for plane, kind in zip(planes, _kinds_as_found(planes)):
                 plane._kind = kind
         return self._kind
 
@@ -105,10 +120,9 @@ class Plane(_pcl_ops.Segment):
         Returns (rings, area): arrays of shape (m, 3), first the outline, counter-clockwise as
         hull is, then the holes, clockwise; none where the inliers span no area.
         """
-        if not (isinstance(alpha, (int, float)) and 0.0 <= alpha < np.inf):
-            raise ValueError(f"alpha: has to be a length or 0, not {alpha!r:.80}")
+        radius = checked_number("alpha", alpha, lambda length: length >= 0.0, "a length or 0")
         points, origin = self._own_points()
-        rings, area = _pcl_ops.concave_extent(points, origin, self, alpha)
+        rings, area = _pcl_ops.concave_extent(points, origin, self, radius)
         return [np.reshape(ring, (-1, 3)) + origin for ring in rings], area
 
     def distances(self, points: Points) -> NDArray[np.float64]:
@@ -120,14 +134,14 @@ class Plane(_pcl_ops.Segment):
         distances = (points_array(points) - self.centroid) @ self.normal
         return distances.reshape(np.shape(points)[:-1])
 
-    def as_dict(self, up: Vector = (0.0, 0.0, 1.0)) -> Dict[str, Union[int, float, str, None]]:
+    def as_dict(self, up: Optional[Up] = None) -> Dict[str, Union[int, float, str, None]]:
         """Numbers and words of the plane by name, those of the columns of the programs' tables.
 
         slope and aspect in degrees, as there: the angle to the horizontal, and where the plane
         goes down, clockwise from y as seen from above; None where it is level, or z is not up.
-        height: of the centroid along up.
+        height: of the centroid along up, by default the up that the plane was found with.
         """
-        axis = direction("up", up)
+        axis = up_of([self], up)
         cosine = float(self.normal @ axis)
         sine = float(np.linalg.norm(np.cross(self.normal, axis)))
         # Of a normal that points up, or of a vertical plane to its front.
@@ -148,9 +162,7 @@ class Plane(_pcl_ops.Segment):
         self._known_extent = None
         self._lies_on: Optional[int] = None
         self._kind: Optional[Kind] = None
-        # By what its kind is found: the planes it is among, up, and the sensor's viewpoint.
-        self._named_with: Tuple[List["Plane"], Vector, Optional[Vector]] = (
-            [self], (0.0, 0.0, 1.0), None)
+        self._named_with = _Naming([self])
 
     def __repr__(self) -> str:
         known = f", {self._kind}" if self._kind else ""
@@ -158,18 +170,35 @@ class Plane(_pcl_ops.Segment):
                 f"rms {self.rms:.3g}>")
 
     def __reduce__(self) -> Any:
-        return _plane, (self._points, self.centroid, self.normal, self.orientation, *self._moments,
-                        self.inliers, self.noise), {"_lies_on": self._lies_on, "_kind": self.kind}
+        return _plane, (self._points, *self._state()), {
+            "_lies_on": self._lies_on, "_kind": self.kind, "_known_extent": self._known_extent,
+            "_named_with": self._named_with._replace(planes=[])}
 
-    def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
+    def _state(self, **other: Any) -> Tuple[Any, ...]:
+        """What the extension makes a segment of; other: values of attributes to replace."""
+        centroid, normal, orientation, moments, inliers, noise = (
+            other.get(name, getattr(self, name))
+            for name in ("centroid", "normal", "orientation", "_moments", "inliers", "noise"))
+        return centroid, normal, orientation, *moments, inliers, noise
+
+    def _extent(self) -> "_Extent":
         if self._known_extent is None:  # computed late, as it takes longer than finding the plane
-            points, origin = self._own_points()
-            hull, *sizes = _pcl_ops.extent(points, origin, self)
-            self._known_extent = np.reshape(hull, (-1, 3)) + origin, *sizes
+            self._known_extent = _extent_of(self._points.take(self.inliers, axis=0), self)
         return self._known_extent
 
     def _own_points(self) -> Tuple[NDArray[np.float32], NDArray[np.float64]]:
         return single_precision(self._points.take(self.inliers, axis=0))
+
+
+# Hull, area, length and width.
+_Extent = Tuple[NDArray[np.float64], float, float, float]
+
+
+def _extent_of(points: NDArray[Any], segment: Any) -> _Extent:
+    """The extent of points on a plane; the segment has as many inliers."""
+    single, origin = single_precision(points)
+    hull, *sizes = _pcl_ops.extent(single, origin, segment)
+    return np.reshape(hull, (-1, 3)) + origin, *sizes
 
 
 def _plane(points: NDArray[Any], *state: Any) -> Plane:
@@ -271,17 +300,60 @@ def _array_of(planes: Planes) -> NDArray[Any]:
 
 
 def plane_list(name: str, planes: Any) -> List[Plane]:
-    """A list of planes from any iterable or from one plane; raises if it has anything else."""
-    listed = list(planes) if isinstance(planes, Iterable) else [planes]
+    """A list of planes from any iterable or from one plane; raises if it has anything else.
+
+    FoundPlanes stay what they are, as they know their up.
+    """
+    is_list = isinstance(planes, FoundPlanes)
+    listed = planes if is_list else list(planes) if isinstance(planes, Iterable) else [planes]
     if not all(isinstance(plane, Plane) for plane in listed):
         raise TypeError(f"{name}: not a list of pcl_ops.Plane: {planes!r:.80}")
     return listed
 
 
-def name_together(planes: List[Plane], up: Vector, viewpoint: Optional[Vector] = None) -> None:
+def name_together(
+    planes: List[Plane], up: Vector, angle_tolerance: float, viewpoint: Optional[Vector]
+) -> None:
     """Makes Plane.kind of each follow from all of these planes."""
     for plane in planes:
-        plane._kind, plane._named_with = None, (planes, up, viewpoint)
+        plane._kind, plane._named_with = None, _Naming(planes, up, angle_tolerance, viewpoint)
+
+
+def _own_up(planes: List[Plane]) -> Vector:
+    """The up that planes were found with, by the first one if they are no FoundPlanes."""
+    is_told_by_first = planes and not isinstance(planes, FoundPlanes)
+    return planes[0]._named_with.up if is_told_by_first else getattr(planes, "up", FoundPlanes.up)
+
+
+def up_of(planes: List[Plane], given: Optional[Up]) -> NDArray[np.float64]:
+    """The unit vector against gravity that is given, or by default that of the planes."""
+    return up_direction(_own_up(planes) if given is None else given)
+
+
+def _named_by(up: NDArray[np.float64], planes: List[Plane]) -> List[Plane]:
+    """The planes as segment finds them with this up: the same, or copies with other orientations.
+
+    Where the sensor is unknown, normals are turned up.
+    """
+    if all(np.array_equal(up_direction(plane._named_with.up), up) for plane in planes):
+        return planes
+    _, _, tolerance, viewpoint = planes[0]._named_with
+    is_sensor_unknown = viewpoint is not None and not np.any(viewpoint) and (
+        _viewpoint_if_true(planes[0]._points, viewpoint) is None)
+    copies = []
+    for plane in planes:
+        height = float(plane.normal @ up)
+        orientation = ("horizontal" if np.arccos(min(1.0, abs(height))) <= tolerance else
+                       "vertical" if np.arcsin(min(1.0, abs(height))) <= tolerance else "other")
+        # Vertical ones are turned to zero, as if a sensor were there.
+        points_wrong = plane.normal @ plane.centroid > 0.0 if orientation == "vertical" else height < 0.0
+        turns = is_sensor_unknown and points_wrong
+        changed = plane._state(orientation=orientation, normal=-plane.normal if turns else plane.normal)
+        copies.append(_plane(plane._points, *changed))
+        # Corners of a hull are in the order that the normal gives them.
+        copies[-1]._known_extent = None if turns else plane._extent()
+    name_together(copies, up, tolerance, viewpoint)
+    return copies
 
 
 def _viewpoint_if_true(points: NDArray[Any], viewpoint: Optional[Vector]) -> Optional[Vector]:
@@ -293,14 +365,23 @@ def _viewpoint_if_true(points: NDArray[Any], viewpoint: Optional[Vector]) -> Opt
     return viewpoint if is_seen else None
 
 
+def _kinds_as_found(planes: List[Plane], meter: float = 1.0) -> List[Kind]:
+    """Kinds by the up and the viewpoint that the planes were found with."""
+    if not planes:
+        return []
+    sensor = _viewpoint_if_true(planes[0]._points, planes[0]._named_with.viewpoint)
+    return plane_kinds(planes, meter=meter, viewpoint=sensor)
+
+
 def plane_kinds(
-    planes: Planes, up: Vector = (0.0, 0.0, 1.0), meter: float = 1.0,
+    planes: Planes, up: Optional[Up] = None, meter: float = 1.0,
     viewpoint: Optional[Vector] = None,
 ) -> List[Kind]:
     """What planes are in a building, by their heights, sizes, slopes and surroundings.
 
     planes: all Plane of a cloud, with normals towards the sensor.
-    up: vector against gravity.
+    up: vector against gravity, or "camera"; None: the up that the planes were found with. By
+        another one orientations are named anew.
     meter: the length of a meter in the unit of the planes.
     viewpoint: the position of the sensor, if it is known: planes below it are no ceilings, and
         the ground tells which way is up if the sensor leans.
@@ -308,22 +389,23 @@ def plane_kinds(
     Returns for each plane "floor", "ceiling", "wall", "slab", "roof", "ramp", "table" or "other".
     """
     listed = plane_list("planes", planes)
-    axis = finite_vector("up", up)
-    if not axis.any():
-        raise ValueError("up: has no direction")
-    if not (isinstance(meter, (int, float)) and 0.0 < meter < np.inf):
-        raise ValueError(f"meter: has to be a length above 0, not {meter!r:.80}")
+    axis = up_of(listed, up)
+    unit = checked_number("meter", meter, lambda length: length > 0.0, "a length above 0")
     sensor = None if viewpoint is None else finite_vector("viewpoint", viewpoint)
-    return _pcl_ops.kinds(listed, axis, meter, sensor)
+    return _pcl_ops.kinds(_named_by(axis, listed), axis, unit, sensor)
 
 
 @named_parameters("merge_planes")
-def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels]:
+def merge_planes(
+    planes: Planes, *, up: Optional[Up] = None, angle_tolerance: Optional[float] = None,
+    **parameters: Any,
+) -> Tuple[List[Plane], Labels]:
     """Merge coplanar planes until no pair passes the test.
 
     planes: list of Plane of one array that share no points, as segment returns them; with
         merging_enabled=False segment does not merge them itself.
-    up, angle_tolerance: decide which planes are horizontal and vertical [rad].
+    up, angle_tolerance: decide which planes are horizontal and vertical [rad]; None: those that
+        the planes were found with. up="camera" is camera_up().
     angle_threshold [rad], distance_threshold, noise_factor: limits for the angle between two
         planes and for their distance.
 
@@ -332,22 +414,27 @@ def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels
     if its points span no plane.
     """
     planes = plane_list("planes", planes)
+    _, _, own_tolerance, viewpoint = planes[0]._named_with if planes else _Naming([])
+    given = with_given(_pcl_ops.merge_planes(), {
+        "up": _own_up(planes) if up is None else up,
+        "angle_tolerance": own_tolerance if angle_tolerance is None else angle_tolerance,
+        **parameters})
     points = _array_of(planes)
     inliers = np.concatenate([np.empty(0, np.int32), *(plane.inliers for plane in planes)])
     if len(np.unique(inliers)) < len(inliers):
         raise ValueError("planes: some share points, which would count twice; give those of one "
                          "segment")
-    segments, merged_into = _pcl_ops.merge(
-        planes, with_given(_pcl_ops.merge_planes(), parameters))
+    segments, merged_into = _pcl_ops.merge(planes, given)
     merged = [Plane(segment, points) for segment in segments]
-    viewpoint = planes[0]._named_with[2] if planes else None
-    name_together(merged, parameters.get("up", (0.0, 0.0, 1.0)), viewpoint)
+    known = parameters_of(given)
+    name_together(merged, known["up"][0], known["angle_tolerance"][0], viewpoint)
     return merged, np.array(merged_into, np.int32)
 
 
 @named_parameters("filter_planes")
 def filter_planes(
-    planes: Planes, *, kind: Union[None, Kind, Sequence[Kind]] = None, **parameters: Any
+    planes: Planes, *, kind: Union[None, Kind, Sequence[Kind]] = None, up: Optional[Up] = None,
+    **parameters: Any,
 ) -> Tuple[List[Plane], Dict[str, int]]:
     """Keep the planes that are wanted.
 
@@ -357,7 +444,8 @@ def filter_planes(
     direction: vector (x, y, z) of any length; normals point along or against it, within
         direction_tolerance [rad].
     slope: (smallest, largest) angle between the plane and the horizontal [rad].
-    up: vector against gravity, for slope.
+    up: vector against gravity, or "camera", for slope; None: the up that the planes were found
+        with.
     min_points, min_area, min_width: smallest number of inliers, area of the hull and width of
         the rectangle around it.
     max_area, max_width: largest area and width; None: any.
@@ -369,22 +457,26 @@ def filter_planes(
     argument dropped; a plane counts once, for the first argument it fails.
     """
     listed = plane_list("planes", planes)
+    given = with_given(_pcl_ops.filter_planes(), {
+        "up": _own_up(listed) if up is None else up, **parameters})
     of_kind = listed
     if kind is not None:
         wanted_kinds = _kinds_of(kind)
         if isinstance(planes, FoundPlanes):
             planes._warn_of_kinds(3)
         of_kind = [plane for plane in listed if plane.kind in wanted_kinds]
-    kept, dropped = _pcl_ops.filter(of_kind, with_given(_pcl_ops.filter_planes(), parameters))
+    kept, dropped = _pcl_ops.filter(of_kind, given)
     return [of_kind[i] for i in kept], {"kind": len(listed) - len(of_kind), **dropped}
 
 
 def _kinds_of(given: Any) -> List[str]:
     """A list of kinds from one or several; raises if one is unknown."""
-    kinds = [given] if isinstance(given, str) else list(given)
     known = get_args(Kind)
+    if not isinstance(given, Iterable):
+        raise TypeError(f"kind: has to be one or several of {', '.join(known)}, not {given!r:.80}")
+    kinds = [given] if isinstance(given, str) else list(given)
     for kind in kinds:
-        if kind not in known:
+        if not (isinstance(kind, str) and kind in known):
             raise ValueError(f"kind: {kind!r:.80} is unknown{did_you_mean(kind, known)}; "
                              f"there are {', '.join(known)}")
     return kinds
@@ -411,7 +503,7 @@ class PlaneMove(NamedTuple):
 def regularize_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], List[PlaneMove]]:
     """Make nearly parallel, orthogonal and coplanar planes exactly so.
 
-    planes: list of Plane of one array.
+    planes: list of Plane in one frame, as of one array or of a tracker.
     max_angle: planes that are parallel or orthogonal within this angle are made so [rad].
     max_offset: parallel planes within this distance are made coplanar; None: three times their
         joint rms.
@@ -420,12 +512,15 @@ def regularize_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], L
     Returns (regularized, moves): a list of Plane in the order of planes, and how each moved.
     """
     planes = plane_list("planes", planes)
-    points = _array_of(planes)
     found, moves = _pcl_ops.regularize(
         planes, with_given(_pcl_ops.regularize_planes(), parameters))
-    regularized = [Plane(segment, points) for segment in found]
+    regularized = [Plane(segment, before._points) for segment, before in zip(found, planes)]
     for after, before in zip(regularized, planes):
         after._lies_on = before._lies_on
+        if not len(before.inliers):  # of a tracker: only its outline is known
+            corners = np.arange(len(before.hull), dtype=np.int32)
+            after._known_extent = _extent_of(
+                before.hull, _pcl_ops.Segment(*after._state(inliers=corners)))
     if planes:
         name_together(regularized, *planes[0]._named_with[1:])
     return regularized, [PlaneMove(*move) for move in moves]
@@ -513,17 +608,16 @@ class FloorPlan(NamedTuple):
     """Height of the cut."""
 
 
-def draw_floor_plan(planes: Planes, up: Vector, parameters: Dict[str, Any]) -> FloorPlan:
+def draw_floor_plan(planes: Planes, up: Optional[Up], parameters: Dict[str, Any]) -> FloorPlan:
     """The plan; warnings name the line of the user, which called the caller of this."""
     if isinstance(planes, FoundPlanes):
         planes._warn_of_kinds(4)
     planes = plane_list("planes", planes)
-    axis = finite_vector("up", up)
-    if not axis.any():
-        raise ValueError("up: has no direction")
+    axis = up_of(planes, up)
+    planes = _named_by(axis, planes)
     given = with_given(_pcl_ops.floor_plan(), parameters)
     meter = parameters.get("meter", 1.0)
-    kinds = [plane.kind for plane in planes] if meter == 1.0 else plane_kinds(planes, up, meter)
+    kinds = [plane.kind for plane in planes] if meter == 1.0 else _kinds_as_found(planes, meter)
     single, origin = single_precision(_array_of(planes))
     walls, rooms, floor, height = _pcl_ops.plan(single, origin, planes, kinds, axis, given)
     if not walls and planes:
@@ -543,11 +637,11 @@ def draw_floor_plan(planes: Planes, up: Vector, parameters: Dict[str, Any]) -> F
 
 
 @named_parameters("floor_plan")
-def floor_plan(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) -> FloorPlan:
+def floor_plan(planes: Planes, up: Optional[Up] = None, **parameters: Any) -> FloorPlan:
     """Draw the floor plan of the planes of a room, or of several: walls, openings, rooms.
 
     planes: all Plane of one array, as segment gives them. Their kind says what makes the plan.
-    up: vector against gravity.
+    up: vector against gravity, or "camera"; None: the up that the planes were found with.
     cut_height: height over the lowest floor at which walls are cut.
     min_opening, max_opening: the shortest and longest gap that is an opening.
     max_snap: how far ends of walls are moved to the wall they meet.
@@ -564,8 +658,8 @@ def estimate_up_axis(
 ) -> Optional[Tuple[NDArray[np.float64], float]]:
     """Which way is up in a room, by its planes alone.
 
-    planes: list of Plane of one array as segment returns them, with normals towards the
-        viewpoint.
+    planes: list of Plane in one frame, as segment returns them or of a tracker, with normals
+        towards the viewpoint.
     viewpoint: the position of the sensor, in the frame of the planes.
     angle_tolerance: planes within this angle of horizontal or vertical count as such [rad].
     min_share: smallest share of the planes that must be horizontal, and that must be vertical.
@@ -577,9 +671,10 @@ def estimate_up_axis(
     """
     planes = plane_list("planes", planes)
     sensor = finite_vector("viewpoint", viewpoint)
-    single, origin = single_precision(_array_of(planes))
     found = _pcl_ops.up_axis(planes, sensor, with_given(_pcl_ops.estimate_up_axis(), parameters))
-    return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
+    arrays = {id(plane._points): plane._points for plane in planes}.values()
+    are_seen = all(_viewpoint_if_true(array, sensor) is not None for array in arrays)
+    return found if found and are_seen else None
 
 
 @named_parameters("match_planes")
@@ -668,16 +763,23 @@ class PlaneTracker:
 
         The others are those of match_planes; errors are from one frame to the next.
         """
-        if memory is not None and not (isinstance(memory, int) and memory >= 0):
-            raise ValueError(f"memory: has to be a number of frames or None, not {memory!r:.80}")
-        self._tracker = _pcl_ops.Tracker(with_given(_pcl_ops.match_planes(), parameters), memory,
-                                         None if max_distance is None else float(max_distance))
+        if memory is not None:
+            memory = checked_number(
+                "memory", memory, lambda frames: frames >= 0, "a number of frames or None", int)
+        if max_distance == np.inf:
+            max_distance = None
+        if max_distance is not None:
+            max_distance = checked_number(
+                "max_distance", max_distance, lambda length: length > 0.0, "a length above 0 or None")
+        self._tracker = _pcl_ops.Tracker(
+            with_given(_pcl_ops.match_planes(), parameters), memory, max_distance)
         self._way = _Way()
+        self._sum_of_ups = np.zeros(3)
 
     def __copy__(self) -> "PlaneTracker":
         copied = PlaneTracker()
         copied._tracker = _pcl_ops.Tracker(self._tracker)
-        copied._way = copy(self._way)
+        copied._way, copied._sum_of_ups = copy(self._way), self._sum_of_ups
         return copied
 
     def __deepcopy__(self, _: Any) -> "PlaneTracker":
@@ -697,8 +799,10 @@ class PlaneTracker:
         get new ones. Warns by ResultWarning, once, where the frames move along the up axis of
         their planes, as they do by poses of KITTI's camera.
         """
-        frame = pose_matrix(pose)
-        numbers = self._tracker.track(plane_list("planes", planes), frame)
+        frame, listed = pose_matrix(pose), plane_list("planes", planes)
+        numbers = self._tracker.track(listed, frame)
+        if listed:
+            self._sum_of_ups = self._sum_of_ups + frame[:3, :3] @ up_of(listed, None)
         if self._way.goes_up(frame, getattr(planes, "up", None)):
             context = _pcl_ops.ResultContext()
             context.has_camera_poses = True
@@ -709,8 +813,12 @@ class PlaneTracker:
 
     @property
     def planes(self) -> List[TrackedPlane]:
-        """All planes that are remembered, by their numbers."""
-        return [_tracked(*known) for known in self._tracker.planes]
+        """All planes that are remembered, by their numbers. Their kinds are told by all of them, and by
+        the mean up of the frames."""
+        tracked = [_tracked(*known) for known in self._tracker.planes]
+        up = self._sum_of_ups if self._sum_of_ups.any() else FoundPlanes.up
+        name_together([one.plane for one in tracked], up, _default_tolerance(), None)
+        return tracked
 
     @property
     def pose(self) -> NDArray[np.float64]:

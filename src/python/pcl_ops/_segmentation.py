@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Points, Vector, finite_vector, named_parameters, parameters_of
+from ._arguments import Points, Vector, checked_number, finite_vector, flag, named_parameters, parameters_of
 from ._arguments import plane_numbers, points_array, single_precision, with_given
 from ._planes import MAX_WARNINGS, FoundPlanes, Labels, Plane, ResultWarning, name_together
 
@@ -25,13 +25,6 @@ def _preset(method: Any, preset: Any) -> Any:
                 f"{name}: has to be one of {words}, not {value!r:.80}")
     kind = getattr(_pcl_ops, method)
     return kind.paper() if preset == "paper" else kind()
-
-
-def _checked_gap(piece_gap: Any) -> float:
-    if not isinstance(piece_gap, (int, float)) or not 1.0 <= piece_gap < float("inf"):
-        raise ValueError(
-            f"piece_gap: has to be a number of spacings from 1, not {piece_gap!r:.80}")
-    return float(piece_gap)
 
 
 @named_parameters("ops", "fspf", "kht", up="Union[Vector, Literal['auto', 'camera']]")
@@ -70,6 +63,9 @@ def segment(
     they cannot tell it for "auto"; planes.warnings has the same warnings.
     """
     by_default = _preset(method, preset)
+    are_pieces = flag("pieces", pieces)
+    gap = checked_number("piece_gap", piece_gap, lambda spacings: spacings >= 1.0,
+                         "a number of spacings from 1")
     sensor = finite_vector("viewpoint", viewpoint)
     array = points_array(points)
     single, origin = single_precision(array)
@@ -88,16 +84,17 @@ def segment(
         up_warning = _suggested_up(seen, segments, given)
     warnings = _warnings_of(seen, segments, given, is_up_known)
     lies_on = [None] * len(segments)
-    if pieces:
+    if are_pieces:
         segments, lies_on = _pcl_ops.pieces(
-            single, origin, segments, _checked_gap(piece_gap), parameters.get("threads", 1))
+            single, origin, segments, gap, parameters.get("threads", 1))
     planes = FoundPlanes(Plane(segment, array) for segment in segments)
     for plane, number in zip(planes, lies_on):
         plane._lies_on = number
     planes.voxel_size, planes.distance_threshold = voxel_size, distance_threshold
-    planes.up = parameters_of(given)["up"][0]
+    known = parameters_of(given)
+    planes.up = known["up"][0]
     planes.up_confidence = found_up and found_up[1]
-    name_together(planes, planes.up, sensor)
+    name_together(planes, planes.up, known["angle_tolerance"][0], sensor)
     # That kinds need to know up is told when somebody asks for them.
     planes._of_kinds = None if up_warning else next(
         (warning for warning in warnings if warning.code == "unknown-up"), None)
@@ -186,7 +183,7 @@ def is_seen_from(points: Points, viewpoint: Vector = (0.0, 0.0, 0.0)) -> bool:
     return _pcl_ops.is_seen_from(single, sensor - origin)
 
 
-@named_parameters("evaluate")
+@named_parameters("evaluate", up="Union[Vector, Literal['camera']]")
 def evaluate(
     truth: NDArray[Any], result: NDArray[Any], points: Points, *,
     none: Optional[int] = None, **parameters: Any,
@@ -209,6 +206,8 @@ def evaluate(
     points, truth_planes and result_planes.
     """
     array, shape = points_array(points), np.shape(points)[:-1]
+    if none is not None:
+        none = checked_number("none", none, lambda _: True, "a label or None", int)
     true_planes = plane_numbers("truth", truth, shape, -1 if none is None else none)
     found_planes = plane_numbers("result", result, shape, -1)
     # In these numbers 1 was the label 0, and 0 a negative label.

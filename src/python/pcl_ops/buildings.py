@@ -9,9 +9,9 @@
 Lengths of plans are meters, whatever the unit of the planes (meter=).
 """
 
-from typing import Any, List
+from typing import Any, List, Optional
 
-from ._arguments import Vector, named_parameters
+from ._arguments import Up, named_parameters
 from ._planes import FloorPlan, PlaneMove, PlanOpening, PlanRoom, PlanWall, Planes
 from ._planes import draw_floor_plan, floor_plan, regularize_planes
 from ._planes import plane_kinds as kinds
@@ -23,7 +23,7 @@ __all__ = [
 
 
 @named_parameters("floor_plan")
-def rooms(planes: Planes, up: Vector = (0.0, 0.0, 1.0), **parameters: Any) -> List[PlanRoom]:
+def rooms(planes: Planes, up: Optional[Up] = None, **parameters: Any) -> List[PlanRoom]:
     """The rooms of a floor plan, by falling area, with their outlines and heights.
 
     The arguments are those of floor_plan, which gives walls and openings, too.
