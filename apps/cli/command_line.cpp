@@ -80,14 +80,6 @@ explained (const OptionGroup& group, std::size_t name_width)
   return text;
 }
 
-/** \brief Refuses an empty text, such as an unset shell variable gives. */
-void
-requireText (const std::string& subject, const std::string& text)
-{
-  if (text.empty())
-    throw UsageError (subject, "is empty; give a value or leave it out");
-}
-
 /** \brief Whether a token begins like an option: two dashes, or a dash and a letter. A
  * dash and a digit begin a number, so that `--up -1,0,0` has a value. */
 bool
@@ -200,10 +192,8 @@ storeArguments (const std::vector<Argument>& arguments,
   std::size_t next = 0;
   for (const Argument& argument : arguments) {
     std::size_t taken = 0;
-    for (; taken < argument.max_count && next < given.size(); ++taken, ++next) {
-      requireText (argument.name, given[next]);
+    for (; taken < argument.max_count && next < given.size(); ++taken, ++next)
       argument.store (given[next]);
-    }
     if (taken == 0)
       throw UsageError (argument.name, "is missing; see --help");
   }
@@ -212,6 +202,13 @@ storeArguments (const std::vector<Argument>& arguments,
 }
 
 } // namespace
+
+void
+requireText (const std::string& subject, const std::string& text)
+{
+  if (text.empty())
+    throw UsageError (subject, "is empty; give a value or leave it out");
+}
 
 std::string
 CommandLine::usage() const

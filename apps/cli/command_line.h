@@ -70,6 +70,11 @@ nameOf (const std::string& usage)
   return usage.substr (0, usage.find (' '));
 }
 
+/** \brief Refuses an empty text, such as an unset shell variable gives.
+ * \throws UsageError about \p subject */
+void
+requireText (const std::string& subject, const std::string& text);
+
 struct OptionGroup {
   std::string title;
   std::vector<Option> options = {};
@@ -89,7 +94,10 @@ public:
   void
   addArgument (const std::string& name, std::string& target, const std::string& help)
   {
-    const auto store = [&target] (const std::string& text) { target = text; };
+    const auto store = [name, &target] (const std::string& text) {
+      requireText (name, text);
+      target = text;
+    };
     arguments_.push_back ({name, help, 1, store});
   }
 
@@ -99,7 +107,23 @@ public:
                 std::vector<std::string>& targets,
                 const std::string& help)
   {
-    const auto store = [&targets] (auto& text) { targets.push_back (text); };
+    addArguments (
+        name,
+        [name, &targets] (const std::string& text) {
+          requireText (name, text);
+          targets.push_back (text);
+        },
+        help);
+  }
+
+  /** \brief As above.
+   * \param[in] store is called with each value, which may be empty; it may throw a
+   * UsageError */
+  void
+  addArguments (const std::string& name,
+                const StoreText& store,
+                const std::string& help)
+  {
     arguments_.push_back ({name, help, std::numeric_limits<std::size_t>::max(), store});
   }
 

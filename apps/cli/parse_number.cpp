@@ -42,18 +42,26 @@ parseNumber (const std::string& option,
              const Range& of_type,
              bool must_be_whole)
 {
-  const std::string fix = std::string ("; give a ") + (must_be_whole ? "whole " : "") +
-                          "number " + range.text();
+  const auto fix = [must_be_whole] (const Range& wanted) {
+    return std::string ("; give a ") + (must_be_whole ? "whole " : "") + "number " +
+           wanted.text();
+  };
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars (text.data(), end, number);
   const bool is_beyond_double = error == std::errc::result_out_of_range;
   if (rest != end || error == std::errc::invalid_argument)
-    throw UsageError (option, "'" + text + "' is no number" + fix);
-  if (is_beyond_double || !range.contains (number) || !of_type.contains (number))
-    throw UsageError (option, text + " is out of range" + fix);
+    throw UsageError (option, "'" + text + "' is no number" + fix (range));
+  if (is_beyond_double || !range.contains (number))
+    throw UsageError (option, text + " is out of range" + fix (range));
+  if (!of_type.contains (number)) {
+    const double largest =
+        of_type.highest_included ? of_type.highest : of_type.highest - 1.0;
+    const Range in_type = number < of_type.lowest ? range : range.upTo (largest);
+    throw UsageError (option, text + " is out of range" + fix (in_type));
+  }
   if (must_be_whole && number != std::floor (number))
-    throw UsageError (option, text + " is not whole" + fix);
+    throw UsageError (option, text + " is not whole" + fix (range));
   return number;
 }
 

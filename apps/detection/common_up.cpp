@@ -29,7 +29,8 @@ commonUp (const std::vector<UpAxis>& axes)
     if (group.axis.confidence > best.axis.confidence)
       best = group;
   }
-  const bool is_majority = 2.0 * best.axis.confidence > confidence_of_all;
+  const bool is_majority =
+      2.0 * best.axis.confidence > confidence_of_all && 2 * best.agreeing > axes.size();
   if (best.agreeing == 0 || !is_majority)
     return std::nullopt;
   best.axis.direction.normalize();

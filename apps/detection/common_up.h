@@ -23,7 +23,8 @@ struct CommonUp {
  * confidence. Of several groups of agreeing axes it takes that with the most
  * confidence.
  * \param[in] axes of single clouds, in one common frame
- * \return nothing if the agreeing axes have half of the total confidence or less */
+ * \return nothing if the agreeing axes are half of all or fewer, or have half of the
+ * total confidence or less */
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& axes);
 

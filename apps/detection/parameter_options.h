@@ -110,7 +110,7 @@ visitOwn (OpsParameters& parameters, const Visit& visit)
   visit (parameters.paper_only.probability,
          {"probability P",
           above (0).below (1),
-          "of drawing a point of the largest plane"});
+          "of drawing a point of the largest plane; only with --preset paper"});
   visit (parameters.surfels.voxel_size,
          {"voxel-size M",
           from (0),

@@ -64,6 +64,28 @@ putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings
   warnings = std::move (plan_first);
 }
 
+void
+putWarningOnHeights (LasFile& las, std::vector<ResultWarning>& warnings)
+{
+  const LasUnit horizontal = unitOf (las), vertical = heightUnitOf (las);
+  const bool is_only_z_in_feet =
+      horizontal == LasUnit::Meter && vertical == LasUnit::Foot;
+  const bool is_only_z_in_meters =
+      horizontal == LasUnit::Foot && vertical == LasUnit::Meter;
+  if (!is_only_z_in_feet && !is_only_z_in_meters)
+    return;
+  warnings.insert (
+      warnings.begin(),
+      ResultWarning{
+          "height-unit",
+          is_only_z_in_feet
+              ? "by the reference system of the file x and y are in meters and z is in "
+                "feet: slopes and distances mix both; convert z to meters"
+              : "by the reference system of the file x and y are in feet and z is in "
+                "meters: slopes and distances mix both; convert z to feet"});
+  warnings.resize (std::min (warnings.size(), ResultContext().max_warnings));
+}
+
 CoordinateUnit
 coordinateUnitOf (LasFile& las)
 {

@@ -43,6 +43,11 @@ private:
 void
 putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
 
+/** \brief If the reference system of a LAS file has x and y in meters and z in feet, or
+ * the reverse, puts a warning on it before the others. */
+void
+putWarningOnHeights (LasFile& las, std::vector<ResultWarning>& warnings);
+
 /** \brief Returns the unit of x and y by the reference system of a LAS file. */
 CoordinateUnit
 coordinateUnitOf (LasFile& las);

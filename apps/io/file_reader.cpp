@@ -87,8 +87,12 @@ FileReader::nextJoinedLines (const std::vector<std::size_t>& lengths)
   setLine (joined, ' ');
 }
 
-FileReader::FileReader (const std::string& file, std::string format)
-: file_ (file), format_ (std::move (format)), stream_ (file, std::ios::binary)
+FileReader::FileReader (const std::string& file,
+                        std::string format,
+                        const std::string& name_in_messages)
+: file_ (name_in_messages.empty() ? file : name_in_messages)
+, format_ (std::move (format))
+, stream_ (file, std::ios::binary)
 {
   stream_.seekg (0, std::ios::end);
   file_size_ = offset();

@@ -33,8 +33,11 @@ splitWords (std::string_view line,
  * without coordinates, of it. */
 class FileReader {
 public:
-  /** \param[in] format e.g. "PCD", for error messages */
-  FileReader (const std::string& file, std::string format);
+  /** \param[in] format e.g. "PCD", for error messages
+   * \param[in] name_in_messages of the file; empty for \p file */
+  FileReader (const std::string& file,
+              std::string format,
+              const std::string& name_in_messages = "");
 
   std::uint64_t
   fileSize () const
@@ -229,6 +232,7 @@ private:
   [[noreturn]] void
   failAtWord (const std::string& word) const;
 
+  /** \brief For messages. */
   std::string file_, format_;
   /** \brief The current line, and its words. */
   std::string line_;

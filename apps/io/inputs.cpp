@@ -109,6 +109,8 @@ checkIsOneCloud (const std::string& name)
   if (fs::is_directory (status))
     throw UsageError (name,
                       "is a folder; to segment the clouds in it give --output-dir DIR");
+  if (fs::is_fifo (status))
+    throw UsageError (name, "is a pipe; give it as the standard input: - <" + name);
   if (!fs::exists (status) && isPattern (name))
     throw UsageError (
         name, "is no file; to segment what the pattern matches give --output-dir DIR");

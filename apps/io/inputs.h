@@ -22,7 +22,7 @@ InputFiles
 findInputs (const std::vector<std::string>& names);
 
 /** \brief Checks that a name is not one of several clouds, where one cloud is needed.
- * \throws UsageError with the fix if it is a folder or a pattern */
+ * \throws UsageError with the fix if it is a folder, a pattern or a pipe */
 void
 checkIsOneCloud (const std::string& name);
 

@@ -50,7 +50,7 @@ crsInWkt (const std::string& text)
   // The EPSG number ends the text of a system; a vertical system may follow.
   static const std::regex epsg_at_end (
       R"re((AUTHORITY|ID)\s*\[\s*"EPSG"\s*,\s*"?([0-9]{1,7})"?\s*\]\s*\]\s*,?\s*$)re");
-  std::string system = text.substr (0, text.find ("VERT"));
+  std::string system = text.substr (0, beginOfHeights (text));
   while (!system.empty() && system.back() == '\0')
     system.pop_back();
   constexpr std::size_t max_searched =

@@ -266,6 +266,9 @@ LasFile::validate (const std::vector<LasField>& wanted) const
   }
   if (added.empty())
     return "";
+  if (describes_behind_points)
+    return "describes its Extra Bytes behind its points, where no field can be added; "
+           "give an OUTPUT.pcd";
   const std::uint64_t content_size = extra_bytes ? extra_bytes->contentSize() : 0;
   const std::uint64_t added_size = descriptionsOf (added, *this).size();
   const std::uint64_t added_with_vlr = extraBytesVlr ("", 0).size() + added_size;
@@ -295,14 +298,9 @@ openLas (const std::string& file)
   }
   const TemporaryFile temporary (".las", file);
   temporary.fill ([&] (std::ostream& stream) { decompressLaz (file, stream); });
-  try {
-    las = std::make_shared<LasFile> (temporary.name());
-    las->checkPoints();
-    return las;
-  }
-  catch (const WorkError& error) {
-    throw WorkError (file, error.problem);
-  }
+  las = std::make_shared<LasFile> (temporary.name(), file);
+  las->checkPoints();
+  return las;
 }
 
 void

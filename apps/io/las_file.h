@@ -35,8 +35,10 @@ struct LasColumn {
  * meanwhile. */
 struct LasFile {
   /** \throws WorkError if it is no LAS file, a variable length record does not fit
-   * before the points, or the Extra Bytes VLR describes more bytes than a record has */
-  explicit LasFile (const std::string& file);
+   * before the points, or the Extra Bytes VLR describes more bytes than a record has
+   * \param[in] name_in_messages of the file that was decompressed into this one; empty
+   * for none */
+  explicit LasFile (const std::string& file, const std::string& name_in_messages = "");
 
   /** \brief Number of points. */
   std::uint64_t
@@ -61,6 +63,11 @@ struct LasFile {
    * uncompressed points, or valid extended variable length records behind them */
   void
   checkPoints ();
+
+  /** \brief Sets the fields to those that an Extra Bytes VLR describes.
+   * \throws WorkError if it describes more bytes than a record has */
+  void
+  readFields (const LasVlr& vlr);
 
   /** \brief Returns all points with x, y, z in double precision, intensity, and, if the
    * file has it, label. */
@@ -112,6 +119,7 @@ struct LasFile {
   void
   copyFrom (std::uint64_t begin, std::ostream& stream);
 
+  /** \brief The name of the file in messages. */
   std::string file;
   FileReader reader;
   LasHeader header;
@@ -125,6 +133,9 @@ struct LasFile {
   /** \brief The VLRs with the reference system as WKT and as GeoTIFF keys; the last one
    * of each kind counts. */
   std::optional<LasVlr> wkt, geo_keys;
+  /** \brief Whether the Extra Bytes VLR is an extended one, which follows the points;
+   * known from \ref checkPoints on. Then \ref extra_bytes is not set. */
+  bool describes_behind_points = false;
   /** \brief The fields that the Extra Bytes VLR describes. */
   std::vector<LasField> fields;
   /** \brief Offset of the end of these fields in a record [bytes]. */

@@ -238,9 +238,9 @@ extraBytesVlr (const std::string& descriptions, std::uint8_t minor_version)
   return bytesOf (header) + descriptions;
 }
 
-LasFile::LasFile (const std::string& name)
-: file (name)
-, reader (name, "LAS")
+LasFile::LasFile (const std::string& name, const std::string& name_in_messages)
+: file (name_in_messages.empty() ? name : name_in_messages)
+, reader (name, "LAS", name_in_messages)
 , header (readLasHeader (reader))
 , scale (toEigen (header.scale))
 , offset (toEigen (header.offset))
@@ -270,7 +270,13 @@ LasFile::LasFile (const std::string& name)
       geo_keys = vlr;
   }
   if (extra_bytes)
-    fields = describedFields (*extra_bytes, reader, fields_end);
+    readFields (*extra_bytes);
+}
+
+void
+LasFile::readFields (const LasVlr& vlr)
+{
+  fields = describedFields (vlr, reader, fields_end);
   if (fields_end > header.record_length)
     reader.fail ("its Extra Bytes VLR describes more bytes than its records have");
 }
@@ -300,8 +306,13 @@ LasFile::checkPoints()
                  "or behind its end");
   const auto vlrs = readVlrs<LasHeader::UInt64> (
       reader, header.evlr_offset, reader.fileSize(), header.evlr_count);
-  if (std::any_of (vlrs.begin(), vlrs.end(), describesExtraBytes))
-    reader.fail ("its Extra Bytes are described behind its points");
+  for (const LasVlr& vlr : vlrs)
+    if (describesExtraBytes (vlr)) {
+      if (extra_bytes || describes_behind_points)
+        reader.fail ("it has two Extra Bytes VLRs");
+      describes_behind_points = true;
+      readFields (vlr);
+    }
 }
 
 void

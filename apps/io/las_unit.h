@@ -25,13 +25,27 @@ geoKeysIn (const std::string& directory);
 
 enum class LasUnit { Unknown, Meter, Foot, Degree };
 
-/** \brief Returns the unit of x and y in a WKT text (OGC 01-009). */
+/** \brief Returns the offset of the vertical system in a WKT text (OGC 01-009, 18-010);
+ * that of the end if there is none. */
+std::size_t
+beginOfHeights (const std::string& text);
+
+/** \brief Returns the unit of x and y in a WKT text. */
 LasUnit
 unitInWkt (const std::string& text);
 
+/** \brief Returns the unit of z in a WKT text. */
+LasUnit
+heightUnitInWkt (const std::string& text);
+
 /** \brief Returns the unit of x and y of a file, by its WKT, else by its GeoTIFF keys
- * (OGC 19-008). A key that has only the EPSG number of a system tells no unit. */
+ * (OGC 19-008). Keys that have only the EPSG number of a system tell no other unit than
+ * feet. */
 LasUnit
 unitOf (LasFile& las);
+
+/** \brief Returns the unit of z of a file, by its WKT, else by its GeoTIFF keys. */
+LasUnit
+heightUnitOf (LasFile& las);
 
 } // namespace pcl_ops::apps

@@ -65,7 +65,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   Outputs& outputs = options.outputs;
   line.add ("output-dir DIR", options.output_dir)
       .help ("write DIR/NAME.pcd, .json for each INPUT NAME.pcd;\n"
-             "below, {} in FILE and DIR stands for NAME");
+             "outputs below are in it, with {} for NAME");
   line.add ("jobs N", options.jobs, from (0).upTo (256))
       .help ("INPUTs at a time; 0: one for each processor (1)");
   line.add ("planes FILE", outputs.planes)
@@ -228,6 +228,10 @@ checkBatch (const SegmentOptions& options)
     if (input == standard_stream)
       throw UsageError (standard_stream,
                         "is one cloud without a name; leave out --output-dir");
+  if (options.outputs.planes == standard_stream)
+    throw UsageError ("--planes",
+                      "- prints the planes of one input; leave it out, as each input "
+                      "gets a NAME.json");
   for (const OutputOption& option : output_options) {
     const std::string& pattern = options.outputs.*option.output;
     if (!pattern.empty() && pattern.find (name_placeholder) == std::string::npos)
@@ -372,7 +376,12 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   line.setUsage (
       {"INPUT [OUTPUT.pcd] [options]", "INPUT... --output-dir DIR [options]"},
       in_and_out);
-  line.addArguments ("INPUT", arguments, "");
+  const auto store_argument = [&] (const std::string& text) {
+    const bool is_output = arguments.size() == 1 && !options.isBatch();
+    requireText (is_output ? "OUTPUT" : "INPUT", text);
+    arguments.push_back (text);
+  };
+  line.addArguments ("INPUT", store_argument, "");
   declareOutputs (line, options);
   declareMethodOptions (line, options.method, options.detector);
   declareChoice (line, options.choice);

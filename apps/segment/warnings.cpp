@@ -46,7 +46,11 @@ warningsOn (const SegmentOptions& options,
   context.uses_kinds = !task.outputs.floor_plan.empty() || options.choice.namesKinds();
   context.has_camera_poses = options.track.has_camera_poses;
   context.search = detected.search;
-  return resultWarnings (*shifted.cloud, detected.planes, context);
+  std::vector<ResultWarning> warnings =
+      resultWarnings (*shifted.cloud, detected.planes, context);
+  if (cloud.las)
+    putWarningOnHeights (*cloud.las, warnings);
+  return warnings;
 }
 
 } // namespace pcl_ops::apps

@@ -127,11 +127,13 @@ unroundedCellEdgeFor (const std::vector<Eigen::Vector3d>& sample,
  * [m], rounded to two digits. It follows from the density of the points, not from their
  * number. Measured on simulated surveys: larger cells miss planes, smaller ones cost
  * more.
+ * \param[in] file the first input, for messages
  * \param[in] sample an even sample of the points; most of them may coincide
  * \param[in] local_origin a position near most of them
  * \param[in] points number of all points */
 double
-cellEdgeFor (std::vector<Eigen::Vector3d> sample,
+cellEdgeFor (const std::string& file,
+             std::vector<Eigen::Vector3d> sample,
              const Eigen::Vector3d& local_origin,
              std::uint64_t points)
 {
@@ -146,7 +148,7 @@ cellEdgeFor (std::vector<Eigen::Vector3d> sample,
     edge = unroundedCellEdgeFor (sample, local_origin, points);
   }
   if (!(edge > 0.0))
-    throw WorkError ("INPUT", "has its points at one place; give --voxel-size");
+    throw WorkError (file, "has its points at one place; give --voxel-size");
   const double second_digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);
   return std::round (edge / second_digit) * second_digit;
 }
@@ -260,9 +262,11 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   for (const InputSample& sample : samples)
     plan.inputs.push_back (sample.input);
   TileGrid& grid = plan.grid;
-  grid.edge = options.voxel_size
-                  ? *options.voxel_size
-                  : cellEdgeFor (even_sample, local_origin, plan.points());
+  grid.edge =
+      options.voxel_size
+          ? *options.voxel_size
+          : cellEdgeFor (
+                samples.front().input.file, even_sample, local_origin, plan.points());
   plan.is_on_voxels = options.voxel_size.has_value();
   grid.cells_of_tile = cellsOfTile (options, grid.edge);
   for (const InputSample& sample : samples)

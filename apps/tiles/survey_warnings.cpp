@@ -8,6 +8,7 @@
 #include <pcl_ops/detect_planes.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -15,14 +16,13 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Unit of the first input's reference system; all inputs share a frame. */
-CoordinateUnit
-unitOfSurvey (const Plan& plan)
+/** \brief Returns the first input if it is LAS: its reference system is that of all
+ * inputs, which share a frame. */
+std::shared_ptr<LasFile>
+firstLasOf (const Plan& plan)
 {
   const std::string& file = plan.inputs.front().file;
-  if (!isLasName (file))
-    return CoordinateUnit::Unknown;
-  return coordinateUnitOf (*openLas (file));
+  return isLasName (file) ? openLas (file) : nullptr;
 }
 
 CloudView
@@ -105,11 +105,14 @@ withWarnings (const Plan& plan,
   setNoise (boxes, sample.planes);
   ResultContext context;
   context.shift = sample.shifted.shift;
-  context.unit = unitOfSurvey (plan);
+  const std::shared_ptr<LasFile> las = firstLasOf (plan);
+  context.unit = las ? coordinateUnitOf (*las) : CoordinateUnit::Unknown;
   context.has_meter = has_meter || plan.meter != 1.0;
   context.tiles = searchOf (plan, sample, boxes);
-  const std::vector<ResultWarning> warnings =
+  std::vector<ResultWarning> warnings =
       resultWarnings (*sample.shifted.cloud, sample.planes, context);
+  if (las)
+    putWarningOnHeights (*las, warnings);
   if (warnings.empty())
     return list_text;
   // Keys stay in the order of insertion: the long list of planes comes last.

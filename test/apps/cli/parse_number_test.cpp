@@ -4,6 +4,7 @@
 
 #include <cli/errors.h>
 #include <cli/parse_number.h>
+#include <support/text.h>
 
 #include <cstdint>
 
@@ -18,4 +19,20 @@ TEST (ParseNumber, TakesWholeNumbersUpToTheLargestOfTheirType)
   EXPECT_EQ (parseNumber<int> ("n", "-2147483648", Range()),
              std::numeric_limits<int>::lowest());
   EXPECT_THROW (parseNumber<int> ("n", "2147483648", Range()), UsageError);
+}
+
+TEST (ParseNumber, SaysTheLargestOfTheTypeIfANumberIsLarger)
+{
+  const auto complaint = [] (const auto& parse, const std::string& text) {
+    return complaintOf ([&] { parse ("n", text, from (0)); });
+  };
+  const auto& to_32_bits = parseNumber<std::uint32_t>;
+  EXPECT_EQ (complaint (to_32_bits, "4294967296"),
+             "n: 4294967296 is out of range; give a whole number from 0 up to "
+             "4294967295");
+  EXPECT_EQ (complaint (parseNumber<std::uint64_t>, "99999999999999999999"),
+             "n: 99999999999999999999 is out of range; give a whole number from 0 up "
+             "to 1.844674407e+19");
+  EXPECT_EQ (complaint (to_32_bits, "-1"),
+             "n: -1 is out of range; give a whole number from 0 on");
 }

@@ -36,6 +36,13 @@ TEST (CommonUp, IsNotToldByAnswersThatContradictEachOther)
   EXPECT_FALSE (commonUp ({{z, 0.8}, {-z, 0.8}}));
 }
 
+TEST (CommonUp, IsNotToldByTheSurerHalfOfTheAnswers)
+{
+  EXPECT_FALSE (commonUp ({{z, 0.9}, {x, 0.8}}));
+  EXPECT_FALSE (commonUp ({{z, 0.9}, {x, 0.3}, {-z, 0.3}}));
+  EXPECT_TRUE (commonUp ({{z, 0.9}}));
+}
+
 TEST (CommonUp, IsNotToldWithoutAnswers) { EXPECT_FALSE (commonUp ({})); }
 
 } // namespace

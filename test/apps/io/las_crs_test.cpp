@@ -76,6 +76,10 @@ TEST (LasCrs, InTextIsThatOfXAndY)
   EXPECT_EQ (crsInWkt (R"(COMPD_CS["a",PROJCS["b",AUTHORITY["EPSG","2992"]],)"
                        R"(VERT_CS["c",AUTHORITY["EPSG","5703"]]])"),
              "EPSG:2992");
+  EXPECT_EQ (
+      crsInWkt (R"(COMPD_CS["a",PROJCS["b, VERTICAL c",AUTHORITY["EPSG","2230"]],)"
+                R"(VERT_CS ["c",AUTHORITY["EPSG","6360"]]])"),
+      "EPSG:2230");
   EXPECT_EQ (crsInWkt ("PROJCRS[\"b\",\n  ID[\"EPSG\", 25832]\n]"), "EPSG:25832");
 }
 

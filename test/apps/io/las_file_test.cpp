@@ -215,10 +215,47 @@ TEST_F (LasFileTest, RefusesExtraBytesThatDoNotAddUp)
   twice.vlrs.assign (2, lasVlr ("LASF_Spec", 4, ""));
   EXPECT_EQ (complaintAbout ("a.las", lasBytes (twice)),
              invalid ("it has two Extra Bytes VLRs"));
-  LasRecipe behind;
-  behind.evlrs = {lasVlr<LasHeader::UInt64> ("LASF_Spec", 4, "")};
-  EXPECT_EQ (complaintAbout ("a.las", lasBytes (behind)),
-             invalid ("its Extra Bytes are described behind its points"));
+  twice.vlrs.pop_back();
+  twice.evlrs = {lasVlr<LasHeader::UInt64> ("LASF_Spec", 4, "")};
+  EXPECT_EQ (complaintAbout ("a.las", lasBytes (twice)),
+             invalid ("it has two Extra Bytes VLRs"));
+}
+
+TEST_F (LasFileTest, CannotAddToExtraBytesThatAreDescribedBehindItsPoints)
+{
+  LasRecipe recipe;
+  recipe.extra = {"12", "34"};
+  recipe.evlrs = {
+      lasVlr<LasHeader::UInt64> ("LASF_Spec", 4, extraBytesField ("range", 3))};
+  const FileCloud cloud = load ("a.las", lasBytes (recipe));
+  EXPECT_EQ (cloud.size(), recipe.points.size());
+  EXPECT_EQ (
+      cloud.las->validate ({label_field}),
+      "describes its Extra Bytes behind its points, where no field can be added; "
+      "give an OUTPUT.pcd");
+}
+
+TEST_F (LasFileTest, ReadsAndReplacesALabelThatIsDescribedBehindItsPoints)
+{
+  LasRecipe recipe;
+  recipe.extra = {std::string ("\1\0\0\0", 4), std::string ("\2\0\0\0", 4)};
+  recipe.evlrs = {lasVlr<LasHeader::UInt64> (
+      "LASF_Spec", 4, extraBytesField ("label", las_uint32))};
+  const FileCloud cloud = load ("a.las", lasBytes (recipe));
+  EXPECT_TRUE (contains (textOf (cloud), "; label 1 2"));
+  EXPECT_EQ (cloud.las->validate ({label_field}), "");
+  EXPECT_TRUE (
+      contains (textOf (load ("b.las", labelled (lasBytes (recipe), {70000, 3}))),
+                "; label 70000 3"));
+}
+
+TEST_F (LasFileTest, IsCalledInMessagesAsTheFileItWasDecompressedFrom)
+{
+  LasFile las (folder_.write ("temporary.las", lasBytes ({})), "a.laz");
+  const std::string no_labels = complaintOf ([&] { las.forLabels ({}); });
+  EXPECT_EQ (no_labels, "a.laz: has no labels; give a file with labels");
+  const std::string beyond_end = complaintOf ([&] { las.bytes (0, 1U << 20U); });
+  EXPECT_EQ (beyond_end.find ("a.laz: is truncated"), 0u);
 }
 
 TEST_F (LasFileTest, SaysHowToDecompressLaz)

@@ -6,36 +6,70 @@
 #include <support/cloud_values.h>
 #include <support/las_bytes.h>
 
+#include <array>
+
 using namespace pcl_ops::apps;
 
 namespace {
 
-// A key of GeoTIFF, and values of keys.
-constexpr std::uint16_t unit_of_length = 3076;
+// Keys of GeoTIFF, and values of keys.
+constexpr std::uint16_t unit_of_length = 3076, unit_of_heights = 4099;
 constexpr std::uint16_t projected = 1, geographic_model = 2;
 constexpr std::uint16_t meter = 9001, foot = 9002, us_foot = 9003;
 
 class LasUnitTest : public CloudFolder {
 protected:
-  /** \brief Unit of a LAS with this variable length record. */
-  LasUnit
-  unitWith (std::uint16_t record, const std::string& content) const
+  /** \brief A LAS with this variable length record. */
+  LasFile
+  fileWith (std::uint16_t record, const std::string& content) const
   {
     LasRecipe recipe;
     recipe.vlrs.push_back (lasVlr ("LASF_Projection", record, content));
-    return unitOf (*load ("a.las", lasBytes (recipe)).las);
+    return LasFile (folder_.write ("a.las", lasBytes (recipe)));
   }
 
-  /** \brief Unit of a LAS with a GeoKeyDirectoryTag: its header of four numbers, and
-   * for each key its id, 0, 1 and its value. */
-  LasUnit
-  unitWithKeys (const std::vector<std::uint16_t>& keys) const
+  /** \brief A LAS with a GeoKeyDirectoryTag of these numbers. */
+  LasFile
+  fileWithNumbers (const std::vector<std::uint16_t>& numbers) const
   {
     constexpr std::uint16_t keys_of_geotiff = 34735;
     std::string bytes;
-    for (const std::uint16_t number : keys)
+    for (const std::uint16_t number : numbers)
       bytes += bytesOf (LasHeader::UInt16 (number));
-    return unitWith (keys_of_geotiff, bytes);
+    return fileWith (keys_of_geotiff, bytes);
+  }
+
+  /** \brief A LAS with these GeoTIFF keys: the header of the tag of four numbers, and
+   * for each key its id, 0, 1 and its value. */
+  LasFile
+  fileWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys) const
+  {
+    std::vector<std::uint16_t> numbers = {
+        1, 1, 0, static_cast<std::uint16_t> (keys.size())};
+    for (const auto& [key, value] : keys)
+      numbers.insert (numbers.end(), {key, 0, 1, value});
+    return fileWithNumbers (numbers);
+  }
+
+  LasUnit
+  unitWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys) const
+  {
+    LasFile las = fileWithKeys (keys);
+    return unitOf (las);
+  }
+
+  LasUnit
+  heightUnitWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys) const
+  {
+    LasFile las = fileWithKeys (keys);
+    return heightUnitOf (las);
+  }
+
+  LasUnit
+  unitWithText (const std::string& text) const
+  {
+    LasFile las = fileWith (wkt_id, text);
+    return unitOf (las);
   }
 };
 
@@ -63,28 +97,70 @@ TEST_F (LasUnitTest, IsNotThatOfHeights)
              LasUnit::Meter);
 }
 
+TEST_F (LasUnitTest, IsNotCutOffByANameThatTellsOfHeights)
+{
+  const std::string name = "California zone 6 (ftUS), vertical NAVD88, VERT_CS[";
+  const std::string projected_part = "PROJCS[\"" + name + "\"," + geographic +
+                                     ",UNIT[\"US survey foot\",0.3048006096012192]]";
+  EXPECT_EQ (unitInWkt (projected_part), LasUnit::Foot);
+  EXPECT_EQ (unitInWkt ("COMPD_CS[\"" + name + "\"," + projected_part +
+                        ",VERT_CS [\"c\",UNIT[\"metre\",1]]]"),
+             LasUnit::Foot);
+}
+
+TEST_F (LasUnitTest, IsNotThatOfTheHeightsWhereASystemIsUsed)
+{
+  EXPECT_EQ (
+      unitInWkt ("PROJCRS[\"a\",CS[Cartesian,2],LENGTHUNIT[\"foot\",0.3048],"
+                 "USAGE[SCOPE[\"s\"],VERTICALEXTENT[-9,9,LENGTHUNIT[\"metre\",1]]]]"),
+      LasUnit::Foot);
+}
+
+TEST_F (LasUnitTest, OfHeightsIsThatOfTheVerticalSystem)
+{
+  const std::string begin = "COMPD_CS[\"VERT_CS[\",PROJCS[\"b\",UNIT[\"metre\",1]]";
+  const std::string end = "[\"c\",VERT_DATUM[\"d\",2005],UNIT[\"foot\",0.3048]]]";
+  for (const char* keyword : {"VERT_CS", "vertcrs", "VERTICALCRS", "VERT_CS \n"})
+    EXPECT_EQ (heightUnitInWkt (begin + "," + keyword + end), LasUnit::Foot) << keyword;
+  EXPECT_EQ (heightUnitInWkt (begin + "]"), LasUnit::Unknown);
+  EXPECT_EQ (heightUnitInWkt (""), LasUnit::Unknown);
+}
+
+TEST_F (LasUnitTest, OfHeightsIsReadFromTheKeysOfAFile)
+{
+  EXPECT_EQ (heightUnitWithKeys ({{unit_of_length, meter}, {unit_of_heights, us_foot}}),
+             LasUnit::Foot);
+  EXPECT_EQ (heightUnitWithKeys ({{unit_of_length, foot}, {unit_of_heights, meter}}),
+             LasUnit::Meter);
+  EXPECT_EQ (heightUnitWithKeys ({{unit_of_length, foot}}), LasUnit::Unknown);
+}
+
 TEST_F (LasUnitTest, IsReadFromTheTextOfAFile)
 {
-  EXPECT_EQ (unitWith (wkt_id, "PROJCS[\"a\",UNIT[\"US survey foot\",0.3048]]"),
+  EXPECT_EQ (unitWithText ("PROJCS[\"a\",UNIT[\"US survey foot\",0.3048]]"),
              LasUnit::Foot);
-  EXPECT_EQ (unitWith (wkt_id, ""), LasUnit::Unknown);
+  EXPECT_EQ (unitWithText (""), LasUnit::Unknown);
 }
 
 TEST_F (LasUnitTest, IsReadFromTheKeysOfAFile)
 {
-  const std::vector<std::uint16_t> header = {1, 1, 0, 2};
-  const auto unitOfKeys = [&] (std::initializer_list<std::uint16_t> keys) {
-    std::vector<std::uint16_t> all = header;
-    all.insert (all.end(), keys);
-    return unitWithKeys (all);
+  const auto unit_of_projected = [&] (std::uint16_t key, std::uint16_t value) {
+    return unitWithKeys ({{model_type, projected}, {key, value}});
   };
-  const auto unitOfProjected = [&] (std::uint16_t key, std::uint16_t value) {
-    return unitOfKeys ({model_type, 0, 1, projected, key, 0, 1, value});
-  };
-  EXPECT_EQ (unitOfProjected (unit_of_length, meter), LasUnit::Meter);
-  EXPECT_EQ (unitOfProjected (unit_of_length, foot), LasUnit::Foot);
-  EXPECT_EQ (unitOfProjected (unit_of_length, us_foot), LasUnit::Foot);
-  EXPECT_EQ (unitOfKeys ({model_type, 0, 1, geographic_model}), LasUnit::Degree);
-  EXPECT_EQ (unitOfProjected (projected_system, 32632), LasUnit::Unknown);
-  EXPECT_EQ (unitWithKeys ({1, 1}), LasUnit::Unknown) << "cut short";
+  EXPECT_EQ (unit_of_projected (unit_of_length, meter), LasUnit::Meter);
+  EXPECT_EQ (unit_of_projected (unit_of_length, foot), LasUnit::Foot);
+  EXPECT_EQ (unit_of_projected (unit_of_length, us_foot), LasUnit::Foot);
+  EXPECT_EQ (unitWithKeys ({{model_type, geographic_model}}), LasUnit::Degree);
+  LasFile cut_short = fileWithNumbers ({1, 1});
+  EXPECT_EQ (unitOf (cut_short), LasUnit::Unknown);
+}
+
+TEST_F (LasUnitTest, IsFeetByTheNumberOfASystemWhereNoKeyTellsTheUnit)
+{
+  constexpr std::uint16_t california_in_us_feet = 2230, utm_zone_32 = 32632;
+  EXPECT_EQ (unitWithKeys ({{projected_system, california_in_us_feet}}), LasUnit::Foot);
+  EXPECT_EQ (unitWithKeys (
+                 {{projected_system, california_in_us_feet}, {unit_of_length, meter}}),
+             LasUnit::Meter);
+  EXPECT_EQ (unitWithKeys ({{projected_system, utm_zone_32}}), LasUnit::Unknown);
 }

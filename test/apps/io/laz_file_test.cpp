@@ -160,6 +160,16 @@ TEST_F (LazFileTest, IsKnownByItsContentNotByItsName)
   EXPECT_TRUE (loadCloud (las).points.data == points);
 }
 
+TEST_F (LazFileTest, IsNamedInMessagesInsteadOfItsTemporaryCopy)
+{
+  const std::string laz = compressed (LasRecipe{});
+  const std::shared_ptr<LasFile> las = openLas (laz);
+  const std::string no_labels = complaintOf ([&] { las->forLabels ({}); });
+  EXPECT_EQ (no_labels.substr (0, laz.size() + 2), laz + ": ");
+  const std::string beyond_end = complaintOf ([&] { las->bytes (0, 1U << 20U); });
+  EXPECT_EQ (beyond_end.substr (0, laz.size() + 2), laz + ": ");
+}
+
 TEST_F (LazFileTest, IsRefusedWhereverItsPointsAreCut)
 {
   const std::string whole = contentOf (compressed (recipeWithAll (4, 6)));

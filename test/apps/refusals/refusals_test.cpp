@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <segment/segment_program.h>
 #include <support/las_bytes.h>
+#include <sys/stat.h>
 
 #include <map>
 
@@ -68,6 +69,7 @@ protected:
     fs::create_symlink ("loop.las", folder_ / "loop.las");
     fs::create_symlink ("gone", folder_ / "gone*.pcd");
     fs::create_symlink ("/dev/null", folder_ / "null.pcd");
+    ::mkfifo ((folder_ / "pipe.pcd").c_str(), S_IRUSR | S_IWUSR);
   }
 
   /** \brief The files in the folder and the times they were written. */

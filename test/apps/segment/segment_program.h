@@ -69,19 +69,31 @@ floorAndWallInLas ()
   return recipe;
 }
 
+/** \brief \ref floorAndWallInLas with GeoTIFF keys.
+ * \param[in] keys each key and its value */
+inline LasRecipe
+floorAndWallWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
+{
+  constexpr std::uint16_t geo_keys_id = 34735;
+  std::string bytes;
+  const auto add = [&] (std::initializer_list<std::uint16_t> entry) {
+    for (const std::uint16_t number : entry)
+      bytes += bytesOf (LasHeader::UInt16 (number));
+  };
+  add ({1, 1, 0, static_cast<std::uint16_t> (keys.size())});
+  for (const auto& [key, value] : keys)
+    add ({key, 0, 1, value});
+  LasRecipe recipe = floorAndWallInLas();
+  recipe.vlrs = {lasVlr ("LASF_Projection", geo_keys_id, bytes)};
+  return recipe;
+}
+
 /** \brief \ref floorAndWallInLas with GeoTIFF keys for EPSG:2992 in international feet.
  */
 inline LasRecipe
 floorAndWallInFeet ()
 {
-  constexpr std::uint16_t geo_keys_id = 34735;
-  // The header, then for each key its id, 0, 1 and its value.
-  std::string keys;
-  for (const std::uint16_t number : {1, 1, 0, 2, 3072, 0, 1, 2992, 3076, 0, 1, 9002})
-    keys += bytesOf (LasHeader::UInt16 (number));
-  LasRecipe recipe = floorAndWallInLas();
-  recipe.vlrs = {lasVlr ("LASF_Projection", geo_keys_id, keys)};
-  return recipe;
+  return floorAndWallWithKeys ({{3072, 2992}, {3076, 9002}});
 }
 
 /** \brief A text file of a square of points 4 cm apart at UTM coordinates; the fourth

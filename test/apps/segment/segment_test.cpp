@@ -133,6 +133,12 @@ protected:
     pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
     folder_.write ("in.las", lasBytes (floorAndWallInLas()));
     folder_.write ("feet.las", lasBytes (floorAndWallInFeet()));
+    // 3072 is the projected system, 3076 the unit of x and y, 4099 that of z.
+    folder_.write ("number.las", lasBytes (floorAndWallWithKeys ({{3072, 2230}})));
+    folder_.write ("high.las",
+                   lasBytes (floorAndWallWithKeys ({{3076, 9001}, {4099, 9003}})));
+    folder_.write ("low.las",
+                   lasBytes (floorAndWallWithKeys ({{3072, 2230}, {4099, 9001}})));
     folder_.write ("rough.las", lasBytes (roughWall()));
     if (pcl_ops::apps::hasLaszip()) {
       std::ofstream stream (folder_ / "in.laz", std::ios::binary);
