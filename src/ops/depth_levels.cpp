@@ -30,9 +30,8 @@ constexpr std::size_t min_levels = 12;
 struct FlatPatch {
   Eigen::Vector3d normal;
   Eigen::Vector3d point;
-  double
-      width;  // extent of the nearest points in the narrower direction of the plane [m]
-  double rms; // of their distances to the plane [m]
+  double width; // of the nearest points, in the narrower direction of the plane [m]
+  double rms;   // of their distances to the plane [m]
 };
 
 // Returns the nearest points of a query point, itself first and included in count.
