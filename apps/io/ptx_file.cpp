@@ -49,6 +49,8 @@ public:
     if (cloud.scans.size() > 1)
       return cloud;
     cloud.scans.clear();
+    // A PTX has its points column by column: a column of the scan is a row of the
+    // cloud.
     cloud.points.width = static_cast<pcl::uindex_t> (scan.rows);
     cloud.points.height = static_cast<pcl::uindex_t> (scan.columns);
     cloud.origin = scan.position;
@@ -92,7 +94,7 @@ private:
   PtxScan
   readScanHeader ()
   {
-    constexpr double min_determinant = 0.5; // that of orthonormal axes is 1
+    constexpr double min_determinant = 0.5; // orthonormal axes have 1 before rounding
     PtxScan scan;
     scan.columns = takeCount ("its number of columns");
     nextLine();

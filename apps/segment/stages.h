@@ -18,7 +18,8 @@ stageFiles ();
 
 /** \brief Writes a cloud and a picture for each stage in one step, and creates the
  * folder. The clouds have the fields x, y, z and rgb, and value, label (0: no label) or
- * both. Regions have the label of the plane that they become.
+ * both. Of the regions after joining, the one with most points of a plane has the label
+ * of the plane; all others have larger labels.
  * \return a description of the contents for messages
  * \throws WorkError that names the folder, Interrupted */
 std::string

@@ -53,7 +53,7 @@ emptyBoxes (const PlaneSample& sample)
     const std::vector<Vector3d>& positions = sample.points[group].positions;
     const std::size_t max_boxes = is_on_none ? boxes_on_none : boxes_of_plane;
     for (std::size_t k = 0; k < std::min (max_boxes, positions.size()); ++k) {
-      const Vector3d& center = positions[k];
+      const Vector3d& center = positions[k]; // the first ones are an even sample
       const Vector3d to_corner =
           Vector3d::Constant (halfEdgeAround (center, sample, sampled_share));
       boxes.push_back ({group, {center - to_corner, center + to_corner}, {}});

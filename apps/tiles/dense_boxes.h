@@ -24,7 +24,7 @@ struct DenseBox {
 
 /** \brief Collects some thousand points around each of a few points of the largest
  * planes, and of a few points on no plane.
- * \param[in] list of planes
+ * \param[in] list of planes by falling number of points
  * \param[in] sample of the points of these planes, and of the points on no plane
  * \throws WorkError as \p for_each_point does */
 std::vector<DenseBox>

@@ -14,7 +14,7 @@
 namespace pcl_ops::apps {
 
 /** \brief Chooses the tiles in which the noise of the survey is measured: evenly
- * spread, with some hundred thousand points together; all tiles of a small survey.
+ * spread, with 400,000 points together or more; all tiles of a small survey.
  * \return their positions in the list
  * \param[in] points_of_tile number of points of each tile */
 std::vector<std::size_t>

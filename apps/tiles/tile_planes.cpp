@@ -68,7 +68,7 @@ inputsOf (const PlaneSegment& plane, const TilePoints& points)
   return inputs;
 }
 
-/** \param[in] own_points how many inliers are the tile's own points; they come first
+/** \param[in] own_inliers how many inliers are the tile's own points; they come first
  * \param[in] position of the piece in TilePlanes::pieces
  * \param[in,out] border_voxels gets the cells of the piece that other tiles see, too;
  * one for each of their points */
@@ -76,7 +76,7 @@ TilePiece
 pieceOf (const PlaneSegment& plane,
          const TilePoints& points,
          const TileGrid& grid,
-         std::size_t own_points,
+         std::size_t own_inliers,
          std::uint32_t position,
          std::vector<BorderVoxel>& border_voxels)
 {
@@ -93,7 +93,7 @@ pieceOf (const PlaneSegment& plane,
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const std::size_t index = plane.inliers[i];
     const Eigen::Vector3d local = points.points[index].cast<double>();
-    outline[i].is_own = i < own_points;
+    outline[i].is_own = i < own_inliers;
     if (outline[i].is_own)
       piece.own_moments.add (origin + local);
     CellKey cell = grid.cellOf (local);

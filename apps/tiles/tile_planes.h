@@ -30,7 +30,7 @@ struct TilePiece {
   std::vector<std::uint32_t> inputs;
 };
 
-/** \brief A cell of \ref TileGrid with points on a piece that another tile sees, too.
+/** \brief A cell of \ref TileGrid that another tile sees, too, with points on a piece.
  */
 struct BorderVoxel {
   /** \brief Its \ref CellKey, in less memory. */

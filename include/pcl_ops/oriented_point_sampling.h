@@ -99,7 +99,8 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
     /** \brief The same for voxels of half the edge, which are searched last. */
     double max_thickness = 0.3;
     /** \brief A plane is merged into a larger adjacent plane if the rms distance of its
-     * points to that plane is below this, in units of the noise of both planes. */
+     * points to that plane is below this, in units of the larger plane's noise or rms,
+     * whichever is larger, but at most 6 times that of the smaller plane. */
     double absorption_noise_factor = 3.5;
     /** \brief Largest distance of a point to a plane, in units of the plane's noise. */
     double assignment_noise_factor = 5.0;
@@ -110,9 +111,9 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
 
   Sampling sampling = Sampling::Automatic;
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. With
-   * Sampling::Surfels it decides the number of voxels. With Sampling::Neighborhoods all
-   * points get a normal, and a larger rate makes the neighborhoods smaller: 16 times
-   * the rate halves the number of neighbors. */
+   * Sampling::Surfels it decides the number of voxels if their size is not given. With
+   * Sampling::Neighborhoods all points get a normal, and a larger rate makes the
+   * neighborhoods smaller: 16 times the rate halves the number of neighbors. */
   double sampling_rate = 0.03;
   /** \brief k: number of neighbors from which the normal of a sample is computed, 2 or
    * more. With Sampling::Neighborhoods the smallest neighborhoods have k / 3 to 1.2 k

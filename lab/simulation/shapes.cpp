@@ -10,10 +10,12 @@ namespace {
 
 using Kind = Shape::Kind;
 
-/** Ranges of \ref Shape::half_v (radii) and \ref Shape::half_u (heights) [m]. Heights
- * of domes follow from their radii; those of cylinders are half of their length, those
- * of tori the radius of the tube. Of cones, large_height is a multiple of the radius;
- * of tori, it is a multiple of the smallest large radius. */
+/** Ranges of \ref Shape::half_v (radius) and \ref Shape::half_u (height) of small
+ * shapes [m], and of the height of large shapes, whose radii \ref drawLarge draws. The
+ * height of a cylinder is half its length, that of a torus the radius of its tube.
+ * Domes have no range: a small one is a whole sphere, the height of a large one follows
+ * from its length. large_height is in meters for cylinders, in radii for cones, and in
+ * smallest radii of large shapes for tori. */
 constexpr struct ShapeSizes {
   Kind kind;
   struct {
@@ -56,7 +58,7 @@ drawSmall (const ShapeSizes& sizes, int position, Random& random)
   const auto& [lowest_radius, highest_radius] = sizes.small_radius;
   const auto& [lowest, highest] = sizes.small_height;
   const double radius = random.between (lowest_radius, highest_radius);
-  const bool is_sphere = sizes.kind == Kind::Dome;
+  const bool is_sphere = sizes.kind == Kind::Dome; // as high as its sphere
   const double height = is_sphere ? 2.0 * radius : random.between (lowest, highest);
   const double z = is_sphere ? radius : height;
   return makeRound (sizes.kind, {xInRow (position, distance), row, z}, radius, height);

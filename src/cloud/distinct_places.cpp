@@ -33,12 +33,13 @@ addPlacesOfCell (const Coordinates& points,
   }
 }
 
-// Returns an edge of the cells of the curve [m] at which no key is clamped; 1 if that
-// edge or its inverse is out of the range of single precision.
+// Returns an edge of the cells of the curve [m] so large that no point is farther from
+// zero than key_limit cells; 1 if that edge or its inverse is out of the range of
+// single precision.
 double
 edgeOfCells (const Coordinates& points)
 {
-  constexpr double max_cells_from_zero = key_limit / 2;
+  constexpr double max_cells_from_zero = key_limit / 2; // half of what fits
   float largest = 0.0F;
   for (const std::vector<float>* axis : {&points.x, &points.y, &points.z})
     for (const float coordinate : *axis)

@@ -163,8 +163,10 @@ struct ReadingStatistics {
 ReadingStatistics
 statisticsOf (const SortedByPlace& sorted)
 {
-  // A place has missing readings if the number of its points is more than max_times the
-  // mean over places, and its square more than max_squared_count times all points.
+  // A place has missing readings if it has far more points than others, which the
+  // places of a cloud that repeats all points have not, and so many that they alone
+  // raise the mean over points of the number of points at their place, by more than
+  // max_squared_count.
   constexpr double max_times = 16.0;
   constexpr double max_squared_count = 0.25;
   const std::size_t size = sorted.keys.size();

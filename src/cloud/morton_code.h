@@ -70,7 +70,7 @@ gatherBits (MortonCode code)
   return static_cast<std::uint32_t> ((code | code >> 32) & 0x1fffff);
 }
 
-/** \brief Returns the Morton code of a voxel from its key. */
+/** \brief Returns the Morton code of a voxel from its keys along the axes. */
 inline MortonCode
 mortonCode (std::int32_t x, std::int32_t y, std::int32_t z)
 {

@@ -42,8 +42,8 @@ groupsWithAPlane (const std::vector<Moments>& planes)
 }
 
 // Whether the noise of both groups explains the rms distance of the smaller group's
-// points to the plane of the larger one. The points of the larger group need not reach
-// as far as the centroid of the smaller one.
+// points to the plane of the larger one. Unlike areCoplanar it tests this direction
+// only. That plane has no bounds here: the groups may lie apart.
 bool
 agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {

@@ -9,7 +9,7 @@ namespace pcl_ops::evaluation {
 /** Returns the largest sum of benefits over all one-to-one assignments of rows to
  * columns. This is the Hungarian method by shortest augmenting paths (Kuhn 1955; Jonker
  * & Volgenant 1987), O(rows^2 columns).
- * \param[in] benefit values from 0 on; no more rows than columns */
+ * \param[in] benefit finite values of any sign; no more rows than columns */
 double
 maximumAssignment (const Eigen::MatrixXd& benefit);
 

@@ -16,7 +16,7 @@ namespace pcl_ops::internal {
 inline constexpr std::size_t least_places = 6;
 
 /** \brief Whether the sampling rate alpha_s would draw no point of a cloud with this
- * number of points: then no planes are detected. */
+ * number of points, or hardly any: then no planes are detected. */
 bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points);
 

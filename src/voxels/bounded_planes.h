@@ -42,7 +42,8 @@ refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes);
 void
 renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes);
 
-/** \brief Fewest points of a voxel from which its noise can be measured. */
+/** \brief Fewest points of a voxel whose scatter about a plane of its own tells its
+ * noise. */
 inline constexpr double min_points_of_noise = 16.0;
 
 /** \brief Lower bound of the noise measured in a grid [m]. */

@@ -24,8 +24,8 @@ namespace {
 using Parameters = OrientedPointSamplingParameters;
 
 // The neighborhood of a normal holds at least k divided by this factor: small CAD
-// models have no more points around a voxel. One with fewer than k times the factor is
-// sparse.
+// models have no more points around a voxel. A voxel that has, with its neighbors,
+// fewer than k times the factor is sparse.
 constexpr double neighborhood_factor = 2.0;
 
 VoxelLevels
@@ -80,7 +80,7 @@ mergingByNoise (MergingParameters merging)
   return merging;
 }
 
-// Merges parts of one plane: first those divided by noise, then those divided by a gap.
+// Merges parts of one plane: first those that touch, then also those beyond a gap.
 MergedPlanes
 mergedPlanes (const VoxelGrid& grid,
               const Parameters& parameters,
@@ -248,7 +248,8 @@ labelPoints (const Points& points,
   // n_i, the normals: from the moments around; Pi, the planes: grown over voxels
   findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock(); // findPlanes has added its own time
-  // points that no plane explains, again, in voxels of half the edge
+  // points that no plane explains, again, in voxels of half the edge; finer.planes
+  // begins with the planes found so far, and findPlanes appends new ones
   Refinement finer = refine (voxels, planes, parameters.threads);
   clock.lap (durations.search);
   findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);

@@ -106,17 +106,17 @@ roomOf4By3 ()
 inline Building
 twoRooms (const Opening& opening = door)
 {
-  Building flat;
+  Building apartment;
   for (const double x : {0.0, 4.1}) {
-    flat.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
-    flat.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
+    apartment.level (PlaneKind::Floor, 0.0, {x, 0}, {x + 4, 3});
+    apartment.wall ({x, 0}, {x + 4, 0}).wall ({x + 4, 3}, {x, 3});
   }
   // The same opening along the other side, which runs from y = 3 m to y = 0.
   const Opening reversed = {
       3 - opening.end, 3 - opening.begin, opening.sill, opening.head};
-  flat.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
-  flat.wall ({4, 0}, {4, 3}, {opening});
-  return flat.wall ({4.1, 3}, {4.1, 0}, {reversed});
+  apartment.wall ({8.1, 0}, {8.1, 3}).wall ({0, 3}, {0, 0});
+  apartment.wall ({4, 0}, {4, 3}, {opening});
+  return apartment.wall ({4.1, 3}, {4.1, 0}, {reversed});
 }
 
 /** \brief Number of openings of all walls. */

@@ -80,8 +80,8 @@ coefficientsOf (const PlaneSegment& plane)
   return coefficients.cast<float>();
 }
 
-/** \brief Fails unless every overload refuses misuse: it returns false, empties its
- * outputs, and prints one message that names the fix. */
+/** \brief Fails unless every overload refuses misuse: it returns false and empties its
+ * outputs. The first one has to say \p message on the standard error. */
 template <typename Detector>
 void
 expectRefused (Detector& detector, const std::string& message)
@@ -126,6 +126,7 @@ protected:
   void
   use (const Cloud::ConstPtr& cloud)
   {
+    // By the base class, as code written for any class of PCL calls it.
     static_cast<pcl::PCLBase<pcl::PointXYZ>&> (detector).setInputCloud (cloud);
   }
 

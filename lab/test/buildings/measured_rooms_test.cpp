@@ -237,13 +237,16 @@ TEST (MeasuredRooms, HaveTheirHeights)
       const PlanRoom& room = plan.rooms[i];
       ASSERT_EQ (room.floor.has_value(), truth.floor.has_value()) << name;
       ASSERT_EQ (room.ceiling.has_value(), truth.ceiling.has_value()) << name;
-      if (truth.floor)
+      if (truth.floor) {
         EXPECT_NEAR (*room.floor, *truth.floor, same) << name;
-      if (truth.ceiling)
+      }
+      if (truth.ceiling) {
         EXPECT_NEAR (*room.ceiling, *truth.ceiling, same) << name;
-      if (truth.floor && truth.ceiling)
+      }
+      if (truth.floor && truth.ceiling) {
         EXPECT_NEAR (*room.ceiling - *room.floor, *truth.ceiling - *truth.floor, same)
             << name;
+      }
     }
   }
 }

@@ -120,12 +120,14 @@ TEST_F (LasFileTest, OfVersion10HasItsPointsBehindTheTwoBytesThatMarkTheirBegin)
   const std::string expected = textOf (load ("a.las", lasBytes (recipe)));
   EXPECT_EQ (textOf (load ("a.las", las)), expected);
   headerIn (las).points_offset = headerIn (las).header_size;
-  EXPECT_EQ (textOf (load ("a.las", las)), expected) << "where the offset is theirs";
+  EXPECT_EQ (textOf (load ("a.las", las)), expected)
+      << "where the offset is that of the mark, not of the points";
   std::string after = labelled (las, {5, 6});
   EXPECT_EQ (after.substr (headerIn (after).points_offset),
              recordsWithLabels (recipe, 5, 6));
   const std::string record = after.substr (headerIn (after).header_size);
-  EXPECT_EQ (record.substr (0, 2), "\xbb\xaa") << "as records of 1.0 begin";
+  EXPECT_EQ (record.substr (0, 2), "\xbb\xaa")
+      << "the signature of a variable length record of LAS 1.0";
 }
 
 TEST_F (LasFileTest, OfVersion10BeginsWithAPointWhoseBytesAreThatMark)
@@ -158,7 +160,8 @@ TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
   EXPECT_EQ (after.substr (fields, field), extraBytesField ("range", 3));
   for (std::size_t i = 1; i <= 3; ++i)
     EXPECT_EQ (after.substr (fields + i * field, field), extraBytesField ("", 0, 1))
-        << "what nobody had described, byte by byte, as CloudCompare counts";
+        << "one for each byte without a description: CloudCompare counts a longer one "
+           "as a single byte";
   EXPECT_STREQ (&after[fields + 4 * field + 4], "label");
   EXPECT_EQ (after.substr (fields + 5 * field, recipe.vlrs[1].size()), recipe.vlrs[1]);
   EXPECT_EQ (after.substr (headerIn (after).points_offset),
