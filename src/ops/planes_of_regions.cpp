@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -18,11 +19,56 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// Whether a place has a neighbor one coordinate step away along the axis nearest to a
+// normal.
+bool
+hasTwin (const Places& places,
+         std::size_t place,
+         const Eigen::Vector3d& normal,
+         const Eigen::Vector3d& steps)
+{
+  constexpr double tolerance = 0.1; // in steps
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff (&axis);
+  const std::uint32_t* const nearest = places.nearestOf (place);
+  return std::any_of (nearest, nearest + places.neighbors, [&] (std::uint32_t other) {
+    Eigen::Vector3d off = (places.position[other] - places.position[place]).cwiseAbs();
+    off[axis] -= steps[axis];
+    return off.lpNorm<Eigen::Infinity>() < tolerance * steps[axis];
+  });
+}
+
+// Returns for each region the step of rounded coordinates along its normal [m]: they
+// put a surface into layers that far apart. The step is 0 where nearly all places have
+// a twin: those of the two sides of a body on an exact grid do, those of a surface that
+// was rounded do not.
+std::vector<double>
+roundingSteps (const Coordinates& points, const Places& places, const Regions& regions)
+{
+  constexpr double min_share_of_twins = 0.9;
+  std::vector<double> step (regions.list.size(), 0.0);
+  const Eigen::Vector3d steps = coordinateSteps (points);
+  if (steps.isZero (0.0))
+    return step;
+  std::vector<double> twins (step.size(), 0.0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (const std::int32_t region = regions.of_place[i]; region != no_plane)
+      twins[region] +=
+          hasTwin (places, i, regions.list[region].fit.plane.normal, steps) ? 1.0 : 0.0;
+  for (std::size_t r = 0; r < step.size(); ++r) {
+    const Region& region = regions.list[r];
+    if (twins[r] < min_share_of_twins * region.moments.count)
+      step[r] = region.fit.plane.normal.cwiseProduct (steps).norm();
+  }
+  return step;
+}
+
 // Splits each region that grew over both sides of a thin wall into two planes. The new
 // planes have the indices after the last region.
 // \param[in,out] labels of the places
 void
-splitThinWalls (const Coordinates& places,
+splitThinWalls (const Coordinates& points,
+                const Places& places,
                 const Regions& regions,
                 std::optional<double> distance_threshold,
                 Labels& labels,
@@ -31,19 +77,17 @@ splitThinWalls (const Coordinates& places,
   // Least distance of the sides, in units of the noise. It is below 2: noise that was
   // measured over both sides of a wall is half of their distance.
   constexpr double noises_apart = 1.7;
-  // Rounded coordinates put a surface into two layers, one step apart.
-  constexpr double steps_apart = 1.5;
-  const Eigen::Vector3d steps = coordinateSteps (places);
+  constexpr double steps_apart = 1.5; // above 1, the distance of layers by rounding
+  const std::vector<double> step = roundingSteps (points, places, regions);
   std::vector<Plane> planes;
   std::vector<double> min_apart;
-  for (const Region& region : regions.list) {
-    const double step = region.fit.plane.normal.cwiseProduct (steps).norm();
-    planes.push_back (region.fit.plane);
-    min_apart.push_back (std::max ({noises_apart * region.noise,
-                                    steps_apart * step,
+  for (std::size_t r = 0; r < regions.list.size(); ++r) {
+    planes.push_back (regions.list[r].fit.plane);
+    min_apart.push_back (std::max ({noises_apart * regions.list[r].noise,
+                                    steps_apart * step[r],
                                     distance_threshold.value_or (0.0)}));
   }
-  splitLayers (places, planes, min_apart, labels, is_plane);
+  splitLayers (points, planes, min_apart, labels, is_plane);
 }
 
 // Returns for each plane the noises of all items with its label.
@@ -168,7 +212,8 @@ planesOfRegions (const Points& points,
                                is_plane,
                                parameters.distance_threshold,
                                parameters.threads);
-  splitThinWalls (distinct, regions, parameters.distance_threshold, labels, is_plane);
+  splitThinWalls (
+      distinct, places, regions, parameters.distance_threshold, labels, is_plane);
   if (!parameters.distance_threshold)
     dropThickPlanes (distinct, noise, labels, parameters.threads, is_plane);
   LabelledPlanes found = fitAndMerge (

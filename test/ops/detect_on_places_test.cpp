@@ -228,6 +228,22 @@ TEST (DetectOnPlaces, MakesOnePlaneOfAFloorWhoseHeightsAreRounded)
   EXPECT_EQ (detectIn (points).planes.fits.size(), 1u);
 }
 
+TEST (DetectOnPlaces, TellsTheSidesOfABodyOnAnExactGridApart)
+{
+  // A slab as thick as the step of the grid.
+  constexpr float step = 0.05F;
+  Points points;
+  for (const int layer : {0, 1})
+    for (int x = 0; x < 60; ++x)
+      for (int y = 0; y < 60; ++y)
+        points.add (step * static_cast<float> (x),
+                    step * static_cast<float> (y),
+                    step * static_cast<float> (layer));
+  const LabelledPlanes found = detectIn (points);
+  EXPECT_EQ (found.planes.fits.size(), 2u);
+  expectEachHasItsPlane (found, {points.size() / 2, points.size()});
+}
+
 TEST (DetectOnPlaces, MakesOnePlaneOfWhatAGapDivides)
 {
   const Points points = drawnPoints (
