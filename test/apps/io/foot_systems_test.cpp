@@ -27,6 +27,8 @@ TEST (FootSystems, AreNoSystemsInOtherUnits)
   EXPECT_FALSE (isInFeet (6538)) << "6539 in meters";
   EXPECT_FALSE (isInFeet (2993)) << "2994 in meters";
   EXPECT_FALSE (isInFeet (2136)) << "Ghana National Grid, in Gold Coast feet";
+  for (const unsigned compound : {6172, 6190, 6871})
+    EXPECT_FALSE (isInFeet (compound)) << "x and y in meters, with heights";
   EXPECT_FALSE (isInFeet (0));
   EXPECT_FALSE (isInFeet (32767)) << "a system of the user's own";
 }
