@@ -133,6 +133,13 @@ class Planes(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "^" + name):
                 pcl_ops.plane_kinds(planes, **wrong)
 
+    def test_keep_their_kinds_where_the_list_changes(self):
+        planes = pcl_ops.segment(points)[1]
+        kinds = [plane.kind for plane in pcl_ops.segment(points)[1]]
+        taken = planes.pop(2)
+        planes.clear()
+        self.assertEqual(taken.kind, kinds[2])
+
     def test_of_a_room_make_a_floor_plan(self):
         door = (1.0, 1.9)
         length, height = 4.0, 2.5

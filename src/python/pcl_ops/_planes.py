@@ -315,6 +315,7 @@ def name_together(
     planes: List[Plane], up: Vector, angle_tolerance: float, viewpoint: Optional[Vector]
 ) -> None:
     """Makes Plane.kind of each follow from all of these planes."""
+    planes = list(planes)  # users may take planes out of theirs
     for plane in planes:
         plane._kind, plane._named_with = None, _Naming(planes, up, angle_tolerance, viewpoint)
 
@@ -766,7 +767,7 @@ class PlaneTracker:
         if memory is not None:
             memory = checked_number(
                 "memory", memory, lambda frames: frames >= 0, "a number of frames or None", int)
-        if max_distance == np.inf:
+        if isinstance(max_distance, (float, np.floating)) and max_distance == np.inf:
             max_distance = None
         if max_distance is not None:
             max_distance = checked_number(
