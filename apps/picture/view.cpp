@@ -138,15 +138,21 @@ bestSlant (const std::vector<PlaneSegment>& planes,
 }
 
 /** \brief Whether most of the points on planes are on planes that the eye sees from
- * behind. */
+ * behind. Centroids of planes may be in another frame than the cloud and the eye, as
+ * those of a cloud near zero are in map coordinates; points are not. */
 bool
-seesMostlyBacks (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& eye)
+seesMostlyBacks (const XyzCloud& cloud,
+                 const std::vector<PlaneSegment>& planes,
+                 const Eigen::Vector3f& eye)
 {
   std::size_t points = 0;
   std::size_t points_from_behind = 0;
   for (const PlaneSegment& plane : planes) {
     points += plane.inliers.size();
-    if (plane.normal.dot (eye.cast<double>() - plane.centroid) <= 0.0)
+    if (plane.inliers.empty())
+      continue;
+    const Eigen::Vector3f to_eye = eye - cloud[plane.inliers.front()].getVector3fMap();
+    if (plane.normal.dot (to_eye.cast<double>()) <= 0.0)
       points_from_behind += plane.inliers.size();
   }
   return 2 * points_from_behind > points;
@@ -157,6 +163,7 @@ seesMostlyBacks (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f&
  * the view is from below. If that hides most, too, it is from above with all planes. */
 void
 lookInto (const Eigen::AlignedBox3f& box,
+          const XyzCloud& cloud,
           const std::vector<PlaneSegment>& planes,
           const Eigen::Vector3f& up,
           View& view)
@@ -168,9 +175,9 @@ lookInto (const Eigen::AlignedBox3f& box,
   view.hides_backs = box.contains (view.eye);
   Eigen::Vector3f slant = bestSlant (planes, up, elevation);
   const auto eye_at = [&] { return box.center() + distance * slant; };
-  if (view.hides_backs && seesMostlyBacks (planes, eye_at()))
+  if (view.hides_backs && seesMostlyBacks (cloud, planes, eye_at()))
     slant = bestSlant (planes, up, -elevation);
-  if (view.hides_backs && seesMostlyBacks (planes, eye_at())) {
+  if (view.hides_backs && seesMostlyBacks (cloud, planes, eye_at())) {
     slant = bestSlant (planes, up, elevation);
     view.hides_backs = false;
   }
@@ -226,7 +233,7 @@ chooseView (const XyzCloud& cloud,
   else {
     if (!planes.empty())
       points = somePointsOn (planes, cloud);
-    lookInto (boxOf (points), planes, up_axis, view);
+    lookInto (boxOf (points), cloud, planes, up_axis, view);
   }
   fit (points, width, height, view);
   return view;

@@ -95,6 +95,21 @@ TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
   EXPECT_GT (view.project ({0, 0, -1}).y(), view.project ({0, 0, 1}).y());
 }
 
+TEST (View, IsTheSameForPlanesInMapCoordinates)
+{
+  XyzCloud hall;
+  std::vector<PlaneSegment> planes = {
+      addSquare (hall, {-1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
+      addSquare (hall, {1, 0, 1}, {0, 1, 0}, {1, 0, 0}),
+      addSquare (hall, {0, 0, -1}, {1, 0, 0}, {0, 1, 0})};
+  const View expected = viewOf (hall, planes);
+  for (const double height : {-300.0, 300.0}) {
+    for (PlaneSegment& plane : planes)
+      plane.centroid = {448000.0, 5411000.0, height};
+    EXPECT_EQ (viewOf (hall, planes).eye, expected.eye) << height;
+  }
+}
+
 TEST (View, LooksFromBelowAtCeilingsAroundTheSensor)
 {
   XyzCloud hall;
