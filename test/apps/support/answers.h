@@ -135,7 +135,8 @@ protected:
                  last = value.begin() + std::stol (parts[5]);
       value = std::set<Json> (first, last + 1);
     }
-    return is_size ? Json (value.size()) : value;
+    // A discarded value would have the size 1.
+    return is_size && !value.is_discarded() ? Json (value.size()) : value;
   }
 
   /** \param[in] expected absent, =where (the value there), >number, <number, a value,
