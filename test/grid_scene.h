@@ -6,7 +6,8 @@
 #include "cloud/voxel_grid.h"
 #include "scene.h"
 
-/** \brief Points drawn uniformly in a cube that is centered at the origin. */
+/** \brief Points drawn uniformly in a cube that is centered at the origin.
+ * \param[in] edge of the cube [m] */
 inline pcl_ops::internal::Coordinates
 pointsInACube (std::size_t number, double edge)
 {
@@ -42,7 +43,8 @@ addGrid (pcl_ops::internal::Coordinates& points,
     }
 }
 
-/** \brief The points of \ref addGrid on each of several surfaces. */
+/** \brief The points of \ref addGrid on each of several surfaces, one surface after
+ * the other. All surfaces get the same offsets. */
 inline pcl_ops::internal::Points
 gridsOf (const std::vector<Surface>& surfaces, int steps, double max_offset = 0.0)
 {

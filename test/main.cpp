@@ -5,7 +5,9 @@
 #include <iostream>
 #include <string>
 
-/** \brief A GoogleTest filter for the tests of a source file; empty without tests. */
+/** \brief A GoogleTest filter for the tests of a source file; empty if this program
+ * has no test of that file.
+ * \param[in] file name of the source file, without folders */
 static std::string
 testsOf (const std::string& file)
 {

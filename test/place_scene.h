@@ -28,9 +28,10 @@ drawnOn (const std::vector<Surface>& surfaces, double spacing, double noise)
   return points;
 }
 
-/** \brief noiseOfPlaces: the places are no part of a larger cloud. */
+/** \brief For noiseOfPlaces: the places are no part of a larger cloud. */
 inline constexpr std::nullopt_t no_whole_cloud = std::nullopt;
-/** \brief The distance of places to their planes follows the noise. */
+/** \brief For growRegions: no threshold is given, so the largest distance of a place to
+ * its plane follows the noise. */
 inline constexpr std::nullopt_t no_threshold = std::nullopt;
 
 /** \brief The results of the stages of detectOnPlaces up to region growing. */

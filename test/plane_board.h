@@ -4,9 +4,11 @@
 
 #include "scene.h"
 
-/** \brief A rectangular board of 20 x 20 points as a detector returns it.
- * \param[in] size of an upright board its width and its height; of a level board its
- * extents along x and y [m]
+/** \brief The plane of a rectangular board of 20 x 20 points: centroid, normal and
+ * moments, without inliers.
+ * \param[in] normal that of the plane; a board is level if it is nearly along z
+ * \param[in] size width and height of an upright board; extents along x and y of a
+ * level board [m]
  * \param[in] noise points lie by turns this far in front of the board and behind it [m]
  */
 inline pcl_ops::PlaneSegment

@@ -13,7 +13,7 @@
 using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief A cloud of \p size points: \p point makes each from its index 0, 1, ... */
+/** \brief A cloud of \p size points. \p point makes a point of its index 0, 1, ... */
 inline Cloud::Ptr
 cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
 {
@@ -34,7 +34,7 @@ opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters = {})
   return ops;
 }
 
-/** \brief \ref opsOn with default parameters, apart from the kind of samples. */
+/** \brief \ref opsOn with this kind of samples; all other parameters are defaults. */
 inline Ops
 sampledOn (pcl_ops::Sampling sampling, const Cloud::ConstPtr& cloud)
 {
@@ -43,7 +43,7 @@ sampledOn (pcl_ops::Sampling sampling, const Cloud::ConstPtr& cloud)
   return opsOn (cloud, parameters);
 }
 
-/** \brief OPS that samples a surfel from each voxel. */
+/** \brief \ref opsOn on voxels: its samples are flat voxels with a normal (surfels). */
 inline Ops
 voxelsOn (const Cloud::ConstPtr& cloud)
 {
@@ -57,7 +57,8 @@ paperOn (const Cloud::ConstPtr& cloud)
   return opsOn (cloud, Ops::Parameters::paper());
 }
 
-/** \brief The planes that a detector finds in its cloud; fails if it refuses it. */
+/** \brief The planes that a detector finds in its cloud. The test fails if the detector
+ * refuses the cloud. */
 template <typename Detector>
 std::vector<pcl_ops::PlaneSegment>
 planesOf (Detector& detector)

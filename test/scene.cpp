@@ -85,6 +85,7 @@ Scene::addClutter (LabelledScene& scene)
                                   static_cast<double> (scene.cloud->size()));
   for (long i = 0; i < count; ++i) {
     Eigen::Vector3d share; // of the box, along each axis
+    // From z to x: another order would give all tests other clutter.
     for (double* coordinate : {&share.z(), &share.y(), &share.x()})
       *coordinate = drawUnit (generator_);
     constexpr int label_of_clutter = -1;

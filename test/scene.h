@@ -38,8 +38,9 @@ constexpr double operator"" _deg (long double degrees) { return static_cast<doub
 constexpr double operator"" _deg (unsigned long long degrees) { return static_cast<double> (degrees) * pi / 180.0; }
 // clang-format on
 
-/** \brief Returns a seed hashed from the running test's name (FNV-1a). Each test has
- * random numbers of its own; adding a test leaves those of all other tests alone. */
+/** \brief Returns a seed hashed from the name of the running test (FNV-1a). Each test
+ * has random numbers of its own, which stay the same if other tests are added. Only a
+ * running test may call this. */
 std::uint32_t
 seedOfTest ();
 
@@ -100,8 +101,8 @@ struct Surface {
 Eigen::Vector3d
 drawPointOf (const Surface& surface, double noise, RandomGenerator& generator);
 
-/** \brief A cloud with its ground truth: each label is an index into surfaces, or -1
- * for clutter. */
+/** \brief A cloud with its ground truth. The label of each point is an index into
+ * surfaces, or -1 for clutter. */
 struct LabelledScene {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
   std::vector<int> labels;
@@ -148,14 +149,15 @@ public:
     noise_ = meters;
     return *this;
   }
-  /** \brief Share of all points that are drawn in the scene's bounding box. */
+  /** \brief Share of all points that are clutter: drawn uniformly in the bounding box
+   * of the surfaces. */
   Scene&
   clutter (double share)
   {
     clutter_ = share;
     return *this;
   }
-  /** \brief Moves the whole scene. */
+  /** \brief Moves the whole scene [m]. */
   Scene&
   movedBy (const Eigen::Vector3d& shift)
   {
@@ -163,6 +165,8 @@ public:
     return *this;
   }
 
+  /** \brief Draws the points of one surface after the other, then the clutter. Each
+   * call draws other points. */
   LabelledScene
   build ();
 
@@ -184,14 +188,14 @@ private:
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
 };
 
-/** \brief A floor of 4 m x 3 m with two walls of 2.5 m, some 18,000 points, and a
- * little clutter. The noise is 1 mm: the normal estimated at any point fits its whole
+/** \brief A floor of 4 m x 3 m with two walls 2.5 m high: some 18,400 points, and 2 %
+ * clutter. The noise is 1 mm: the normal estimated at any point fits its whole
  * surface, so that no test depends on a lucky sample. */
 Scene
 room (std::uint32_t seed = seedOfTest());
 
-/** \brief \ref room with the point density of a depth camera: a sphere of FSPF's
- * default radius holds some 300 points. */
+/** \brief \ref room with a point every 2 cm, as of a depth camera: FSPF's outer sphere,
+ * by default with a radius of 20 cm, holds some 300 points of a surface. */
 Scene
 denseRoom ();
 
@@ -207,7 +211,8 @@ roomSeenByCamera (std::uint32_t width, std::uint32_t height);
 pcl_ops::Moments
 momentsOf (const Surface& surface, int columns, int rows, double noise = 0.0);
 
-/** \brief A plane with this normal, and the moments and the centroid of its inliers. */
+/** \brief A plane with this normal, and the moments and the centroid of its inliers.
+ * \param[in] inliers at least one index into the cloud */
 pcl_ops::PlaneSegment
 planeOfPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
                const pcl::Indices& inliers,
@@ -226,8 +231,8 @@ isNear (const pcl_ops::Plane& plane,
         double max_angle,
         double max_distance);
 
-/** \brief Fails the test unless there are as many planes as surfaces, and each surface
- * has a plane near it (see \ref isNear) with at least 90 % of its points. */
+/** \brief Fails the test unless there are as many planes as surfaces, and the first
+ * plane near each surface (\ref isNear) has at least 90 % of the surface's points. */
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
                          const LabelledScene& scene,

@@ -5,8 +5,8 @@
 #include "grid_scene.h"
 #include "voxels/bounded_planes.h"
 
-// Each surface passes through the middle of 20 x 20 voxels of 10 cm; a grid of points
-// on it has 6 x 6 points in each of them.
+// Each surface passes through the middles of 20 x 20 voxels of 10 cm. A grid of
+// grid_steps x grid_steps points on a surface has 6 x 6 points in each of these voxels.
 constexpr std::size_t voxels_of_surface = 20 * 20;
 constexpr int grid_steps = 120;
 constexpr std::size_t points_of_surface = grid_steps * grid_steps;
@@ -23,8 +23,8 @@ countVoxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& plane
 
 /** \brief Points in voxels of 10 cm. Each voxel has the plane of its first point. */
 struct VoxelScene {
-  /** \param[in] surfaces one list of surfaces for each plane, all with a grid of
-   * grid_steps x grid_steps points
+  /** \param[in] surfaces one list of surfaces for each plane, which goes through the
+   * first of them; each surface has a grid of grid_steps x grid_steps points
    * \param[in] max_offset of points along the normal, as in \ref addGrid [m] */
   explicit VoxelScene (const std::vector<std::vector<Surface>>& surfaces,
                        double max_offset = 0.0)
@@ -38,7 +38,7 @@ struct VoxelScene {
     }
     voxelize();
     const pcl_ops::internal::Indices voxels = voxelsOfPoints (grid());
-    for (std::size_t i = points.size(); i-- > 0;) // the first point of a voxel is last
+    for (std::size_t i = points.size(); i-- > 0;) // the first point of a voxel wins
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   }
 

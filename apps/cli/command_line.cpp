@@ -18,8 +18,10 @@ namespace {
 /** \brief Width of consoles in letters. */
 constexpr std::size_t help_width = 80;
 
-/** \brief Adds words to a line and breaks it at \p width.
- * \param[in] column number of letters in front of the words of further lines */
+/** \brief Adds words to a line, with a blank in front of each, and breaks it at
+ * \p width.
+ * \param[in] column number of letters in front of the words of further lines; if
+ * \p line is shorter, the first word stays on it */
 std::string
 wrapped (std::string line,
          const std::string& words,
@@ -69,7 +71,7 @@ nameWidth (const OptionGroup& group)
 std::string
 explained (const OptionGroup& group, std::size_t name_width)
 {
-  constexpr std::size_t around = 6; // margin, dashes, and a blank on either side
+  constexpr std::size_t around = 6; // margin, dashes, and blanks around the value
   constexpr std::size_t min_column = 24;
   const std::size_t column =
       std::clamp (name_width + around, min_column, help_width / 2);
@@ -163,8 +165,9 @@ refuseUnknown (const std::string& name, const std::vector<OptionGroup>& groups)
           (similar.empty() ? "see --help" : "did you mean --" + similar + "?"));
 }
 
-/** \brief Returns the option with this name, or else the only one whose name begins
- * with it. */
+/** \brief Returns the option with this name or old name, or else the only one whose
+ * name begins with it.
+ * \throws UsageError if there is no such option, or several */
 const Option&
 findOption (const std::vector<OptionGroup>& groups, const std::string& name)
 {
@@ -240,7 +243,7 @@ std::string
 CommandLine::help (bool is_full) const
 {
   std::size_t width = nameWidth (groups_.front());
-  if (is_full) // help2man wants two blanks in front of every meaning, one more
+  if (is_full) // help2man wants two blanks in front of each meaning
     for (const OptionGroup& group : groups_)
       width = std::max (width, nameWidth (group) + 1);
   std::string text = usage() + explained (groups_.front(), width);

@@ -91,6 +91,7 @@ public:
                const std::string& summary,
                const std::string& version);
 
+  /** \brief Declares an argument that takes one value, which must not be empty. */
   void
   addArgument (const std::string& name, std::string& target, const std::string& help)
   {
@@ -101,7 +102,7 @@ public:
     arguments_.push_back ({name, help, 1, store});
   }
 
-  /** \brief Declares an argument that takes one or more values. */
+  /** \brief Declares an argument that takes one or more values, none of them empty. */
   void
   addArguments (const std::string& name,
                 std::vector<std::string>& targets,
@@ -116,7 +117,7 @@ public:
         help);
   }
 
-  /** \brief As above.
+  /** \brief Declares an argument that takes one or more values.
    * \param[in] store is called with each value, which may be empty; it may throw a
    * UsageError */
   void
@@ -137,14 +138,15 @@ public:
     explanation_ = explanation;
   }
 
-  /** \brief Begins a group of options. --help lists only their names; --help-all
-   * explains them. */
+  /** \brief Begins a group, to which the options declared next belong. --help lists
+   * only their names; --help-all explains them. */
   void
   beginGroup (const std::string& title);
 
   /** \brief Declares an option: add ("jobs N", store).help ("...").
    * \param[in] usage "name PLACEHOLDER", or only "name" where the option has no value
-   * \param[in] store may throw a UsageError */
+   * \param[in] store may throw a UsageError
+   * \return the declared option; valid until the next one is declared */
   Option&
   add (const std::string& usage, const StoreText& store);
 
@@ -186,7 +188,8 @@ public:
     });
   }
 
-  /** \brief Stores the values of the command line, or prints the help or the version.
+  /** \brief Stores the values of the command line, those of the options first, or
+   * prints the help or the version.
    * \return false if it printed and the program should end
    * \throws UsageError on anything undeclared, missing, ambiguous, given twice or wrong
    */

@@ -36,7 +36,8 @@ struct OutputError : WorkError {
 };
 
 /** \brief Returns the result of \p work.
- * \throws WorkError with \p fix if memory runs out */
+ * \throws WorkError about \p subject, with \p fix, if memory runs out, and whatever
+ * else \p work throws */
 template <typename Work>
 auto
 inMemory (const std::string& subject, const std::string& fix, Work&& work)

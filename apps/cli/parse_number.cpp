@@ -55,6 +55,7 @@ parseNumber (const std::string& option,
   if (is_beyond_double || !range.contains (number))
     throw UsageError (option, text + " is out of range" + fix (range));
   if (!of_type.contains (number)) {
+    // The range of an integer type ends below 2^digits.
     const double largest =
         of_type.highest_included ? of_type.highest : of_type.highest - 1.0;
     const Range in_type = number < of_type.lowest ? range : range.upTo (largest);

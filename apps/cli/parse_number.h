@@ -15,8 +15,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The range of numbers that an option takes. "above 0 and up to 1" is above (0)
- * .upTo (1). */
+/** \brief The range of numbers that an option takes. For "above 0 and up to 1" write
+ * above (0).upTo (1). */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   bool lowest_included = false;

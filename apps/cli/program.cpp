@@ -46,7 +46,7 @@ noteSignal (int signal)
   // timeout and others signal twice: the program, then its process group.
   constexpr std::int64_t same_wish = 500; // [ms] longest time between the two
   if (noted_signal == 0) {
-    noted_at = milliseconds();
+    noted_at = milliseconds(); // before noted_signal, which tells that it is set
     noted_signal = signal;
   }
   else if (milliseconds() - noted_at > same_wish) {

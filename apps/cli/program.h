@@ -44,6 +44,7 @@ noteInterruptions ();
 void
 ignoreClosedPipes ();
 
+/** \brief Whether a signal was noted. */
 bool
 isInterrupted ();
 

@@ -15,10 +15,11 @@
 namespace pcl_ops::apps {
 
 enum class ProgressStyle {
-  /** \brief A bar with the time left that overwrites itself, for terminals. */
+  /** \brief A bar, with the time left, in one line that is written again at each step,
+   * for terminals. */
   Bar,
-  /** \brief A line at most every ten seconds, for files; no line if the run ends
-   * before. */
+  /** \brief A line at a step, at most every ten seconds, for files; no line if the run
+   * ends before. */
   Lines,
   None
 };
@@ -134,8 +135,8 @@ private:
 };
 
 /** \brief Calls \p work with 0, 1, ... \p count - 1; the calls begin in this order.
- * After an exception no further call begins; it is rethrown once the running calls have
- * returned.
+ * After an exception no further call begins, and an exception of the calls is rethrown
+ * once the running ones have returned.
  * \param[in] jobs calls at a time, fewer if the system starts no more threads; 0: as
  * many as there are processors */
 void

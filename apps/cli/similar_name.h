@@ -9,7 +9,8 @@ namespace pcl_ops::apps {
 
 /** \brief Returns the name that a mistyped one most likely means: the first of those
  * with the fewest edits, where a letter is inserted, deleted, changed or swapped with
- * the next. Empty if this takes more edits than a third of the mistyped letters. */
+ * the next. Empty if all names take more edits than a third of the mistyped letters, or
+ * if these are more than 64. */
 std::string
 similarName (const std::string& mistyped, const std::vector<std::string>& names);
 

@@ -57,7 +57,8 @@ adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
 }
 
 /** \brief Returns the median number of points within a radius of a point, over spheres
- * around 101 points of the cloud. */
+ * around 101 points of the cloud.
+ * \param[in] points at least one */
 inline double
 medianPointsWithin (double radius, const FinitePoints& points)
 {
@@ -104,7 +105,7 @@ adviceOnTooFew (const OrientedPointSamplingParameters& parameters,
   return "";
 }
 
-/** \brief Returns which option of OPS to change. */
+/** \brief Returns which option of OPS to change. Only 3D-KHT uses found_none. */
 inline std::string
 adviceOn (const OrientedPointSamplingParameters& parameters,
           const FinitePoints& points,
@@ -183,9 +184,8 @@ adviceOn (const KernelHoughTransformParameters& parameters,
 /** \brief If a smaller share of the points is on planes, advice is given. */
 constexpr double min_share_on_planes = 0.05;
 
-/** \brief The same on voxels: even voxels that hold few points give some planes by
- * chance.
- */
+/** \brief The same for a given --voxel-size: voxels that hold few points give some
+ * planes by chance. */
 constexpr double min_share_on_voxels = 0.1;
 
 inline double
@@ -279,7 +279,7 @@ hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& plane
   const double thick_share = fraction (on_thick_planes, on_planes, 0.0);
   if (thick_share < min_share)
     return "";
-  // A surfel needs several points, and more points than empty voxels around it.
+  // On a surface, about four points are in a voxel of twice their spacing.
   constexpr double voxel_size_by_spacing = 2.0;
   const double voxel_size = voxel_size_by_spacing * *spacing;
   const double first_digit = std::pow (10.0, std::floor (std::log10 (voxel_size)));

@@ -11,7 +11,7 @@ namespace pcl_ops::apps {
 std::optional<CommonUp>
 commonUp (const std::vector<UpAxis>& axes)
 {
-  // Largest angle between two axes that agree: each may be off by half of it.
+  // Largest angle to the candidate of a group: both may be off by half of it.
   constexpr double max_degrees_apart = 15.0;
   const double min_cosine = std::cos (toRadians (max_degrees_apart));
   // Until the end, directions are weighted sums, and confidences are sums.

@@ -19,9 +19,9 @@ struct CommonUp {
   std::size_t agreeing;
 };
 
-/** \brief Returns the mean of the up axes that agree with each other, weighted by
- * confidence. Of several groups of agreeing axes it takes that with the most
- * confidence.
+/** \brief Returns the mean, weighted by confidence, of a group of up axes: those within
+ * 15 degrees of one of them. Of all such groups it takes the one with the largest sum
+ * of confidences. The axes of this group are those that agree.
  * \param[in] axes of single clouds, in one common frame
  * \return nothing if the agreeing axes are half of all or fewer, or have half of the
  * total confidence or less */

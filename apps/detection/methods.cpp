@@ -87,7 +87,8 @@ sensorOf (const XyzCloud& cloud)
 }
 
 /** \brief Adds a hint that --min-inliers counts samples, not points, if a value above
- * the default leaves hardly a plane. */
+ * the default leaves 5 planes or fewer, and at most a quarter of those that the default
+ * value leaves. */
 void
 hintOnMinInliers (const GivenNumbers& given,
                   OpsParameters parameters,
@@ -96,7 +97,7 @@ hintOnMinInliers (const GivenNumbers& given,
 {
   // More planes are enough for a room, so that no second search is needed.
   constexpr std::size_t max_left = 5;
-  // The default value has to find so many times as many planes.
+  // The default value has to leave at least so many times as many planes.
   constexpr std::size_t min_ratio = 4;
   const unsigned default_min = OpsParameters().min_samples;
   const unsigned asked = parameters.min_samples;

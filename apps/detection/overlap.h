@@ -22,8 +22,8 @@ struct OverlappingPlanes {
 /** \brief Finds two planes that may be one surface. They are parallel within 7 degrees
  * and no farther apart than 3 times the larger rms distance. The smaller plane has at
  * least 2 % of the inliers of the larger one. Their convex outlines overlap, or the gap
- * is at most 4 times the point spacing. Of several pairs it returns the one whose
- * smaller plane has most inliers.
+ * is at most 4 times the point spacing of the smaller plane. Of several pairs it
+ * returns the one whose smaller plane has most inliers.
  * \param[in] planes by falling size, in the frame of the cloud */
 std::optional<OverlappingPlanes>
 findOverlapping (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);

@@ -241,6 +241,7 @@ chosenOf (const PlaneChoice& choice,
       index_of_named.push_back (i);
     }
   }
+  // keptPlanes passes elements of named: their address tells their index.
   const auto extent_of_named = [&] (const PlaneSegment& plane) {
     return extent_of (planes[index_of_named[std::size_t (&plane - named.data())]]);
   };

@@ -58,8 +58,8 @@ finishChoice (const CommandLine& line, PlaneChoice& choice);
 /** \brief Returns the indices of the chosen planes, in ascending order.
  * \param[in] kinds one for each plane; empty: no plane has a kind
  * \param[in] up against gravity, in the frame of the planes
- * \param[in] extent_of called with elements of \p planes, only for planes whose area or
- * width decides
+ * \param[in] extent_of called with elements of \p planes, not with copies, so that it
+ * can find their indices; only for planes whose area, width or size decides
  * \param[out] dropped how many planes each option dropped */
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,

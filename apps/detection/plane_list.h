@@ -79,8 +79,8 @@ void
 turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up);
 
 /** \brief Turns each normal to the side where the scanners of most inliers stood.
- * \param[in] scans the scans of the cloud, in the frame of the planes; empty: the
- * normals stay as they are */
+ * \param[in] scans in the frame of the planes and in the order of their points, the
+ * first one from point 0 on; empty: the normals stay as they are */
 void
 turnToScanners (std::vector<PlaneSegment>& planes, const std::vector<Scan>& scans);
 
@@ -136,8 +136,8 @@ checkMap (const CommandLine& line,
 
 /** \brief Returns a list of planes in the format that the extension of a file asks
  * for. A .json gets the list unchanged. A .csv has the outline as its last column. In
- * .geojson and .gpkg vectors are split into one number per property, as GDAL's formats
- * have no lists.
+ * .csv, .geojson and .gpkg vectors are split into one number per column or property, as
+ * GDAL's formats have no lists.
  * \param[in] list an object whose "planes" is an array of \ref planeObject */
 std::string
 planesFor (const std::string& file,

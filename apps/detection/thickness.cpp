@@ -249,7 +249,8 @@ thicknessOf (const XyzCloud& cloud,
              const std::vector<PlaneSegment>& planes,
              std::size_t probes)
 {
-  // A quarter of a small plane: points around it must not outweigh its own.
+  // Of a small plane a quarter of its inliers, so that points around it do not outweigh
+  // its own.
   constexpr std::size_t min_neighbors = 20;
   constexpr std::size_t max_neighbors = 80;
   constexpr std::size_t inliers_per_neighbor = 4;

@@ -19,9 +19,9 @@ public:
   void
   add (const std::string& input, const std::vector<ResultWarning>& warnings);
 
-  /** \brief Returns a line for each of the three codes with the most inputs, the code
-   * with the most inputs first. The text is that of the first input: "a.pcd and 11
-   * others: what is doubtful about a.pcd; what to do". */
+  /** \brief Returns a line for each of the three codes (ResultContext::max_warnings)
+   * with the most inputs, the code with the most inputs first. The text is that of the
+   * first input: "a.pcd and 11 others: what is doubtful about a.pcd; what to do". */
   std::vector<std::string>
   lines () const;
 
@@ -39,12 +39,13 @@ private:
 
 /** \brief If a floor plan has no wall, puts a warning with the reason before the
  * others. A warning on the unit of the cloud becomes that reason and is removed, so
- * that it is not printed twice. */
+ * that it is not printed twice. The first ResultContext::max_warnings are kept. */
 void
 putWarningOnPlan (const PlanCounts& counts, std::vector<ResultWarning>& warnings);
 
 /** \brief If the reference system of a LAS file has x and y in meters and z in feet, or
- * the reverse, puts a warning on it before the others. */
+ * the reverse, puts a warning on it before the others. The first
+ * ResultContext::max_warnings are kept. */
 void
 putWarningOnHeights (LasFile& las, std::vector<ResultWarning>& warnings);
 

@@ -26,7 +26,7 @@ struct Layer {
   LineStyle style = LineStyle::Solid;
 };
 
-/** \brief Corners joined by straight lines. */
+/** \brief Corners joined by straight lines, in the unit of the drawing. */
 struct DrawnLine {
   /** \brief Name of the layer. */
   std::string layer;
@@ -41,7 +41,7 @@ struct DrawnText {
   Eigen::Vector3d middle;
   /** \brief In UTF-8, one line. */
   std::string text;
-  /** \brief Height of capital letters [m]. */
+  /** \brief Height of capital letters, in the unit of the drawing. */
   double height;
 };
 
@@ -55,13 +55,16 @@ struct Drawing {
 };
 
 /** \return ASCII DXF of AutoCAD 2000 (AC1015), which all programs read, with its unit
- * in $INSUNITS, 6 for meters, 0 for an unknown one: TEXT, LINE between two corners,
- * LWPOLYLINE where all z are 0, else POLYLINE in space */
+ * in $INSUNITS, 6 for meters, 0 for an unknown one. A text is a TEXT; an open line with
+ * two corners is a LINE, any other an LWPOLYLINE where all z are 0, else a POLYLINE in
+ * space */
 std::string
 toDxf (const Drawing& drawing);
 
-/** \return SVG of the drawing from above, at the largest usual scale (1:20, 1:50, ...)
- * at which it fits on A3, with a scale bar */
+/** \param[in] drawing in meters; only what is on its layers is drawn
+ * \return SVG of the drawing from above, with a scale bar, at the largest usual scale
+ * (1:20, 1:50, ... 1:10000) at which its lines fit on A3, or a smaller one if they fit
+ * at none */
 std::string
 toSvg (const Drawing& drawing, const std::string& title);
 

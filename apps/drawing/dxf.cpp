@@ -32,7 +32,8 @@ bytesThatFollow (unsigned char first)
   return first >= first_of_two ? 1 : 0;
 }
 
-/** \brief Returns UTF-8 as ASCII, with other characters as \U+XXXX, which DXF reads. */
+/** \brief Returns UTF-8 as ASCII, with other characters as \U+XXXX, which DXF reads,
+ * and blanks in place of control characters. */
 std::string
 asciiOf (const std::string& text)
 {
@@ -91,12 +92,12 @@ public:
   }
 
   /** \brief Begins an object.
-   * \param[in] owner its handle
+   * \param[in] owner the handle of its owner
    * \return the handle of the object */
   std::string
   beginObject (const char* type, const std::string& owner)
   {
-    const bool has_own_code = std::string (type) == "DIMSTYLE";
+    const bool has_own_code = std::string (type) == "DIMSTYLE"; // for its handle
     const std::string handle = str (boost::format ("%X") % ++last_handle_);
     put (0, type).put (has_own_code ? 105 : 5, handle);
     put (330, owner);
@@ -117,15 +118,17 @@ public:
 
 private:
   std::ostringstream text_;
-  /** \brief Up to this one handles are constants below. */
+  /** \brief The last handle that was given. Those up to the first value are constants
+   * below. */
   unsigned last_handle_ = 0x1f;
 };
 
-// Handles of objects that others refer to before they are written.
+// Handles of objects that others refer to before they are written, and 0 for no owner.
 constexpr const char *root_dictionary = "C", *group_dictionary = "D",
                      *model_space = "1F", *paper_space = "1B", *no_owner = "0";
 
-/** \brief Returns a box around the drawing; one of a cubic meter if it is empty. */
+/** \brief Returns a box around the corners of lines and the middles of texts; the unit
+ * cube if there are none. */
 Eigen::AlignedBox3d
 boxAround (const Drawing& drawing)
 {
@@ -180,6 +183,7 @@ void
 putTable (const char* name, int size, DxfText& dxf, const PutEntries& put_entries)
 {
   dxf.put (0, "TABLE").put (2, name);
+  // Handles of tables, which are below those that beginObject gives.
   static const std::map<std::string, std::string> handles = {{"VPORT", "8"},
                                                              {"LTYPE", "5"},
                                                              {"LAYER", "2"},
@@ -211,13 +215,13 @@ putEntry (const char* type,
   return dxf.put (2, name).put (70, 0);
 }
 
-/** \brief Writes the first view of a program: the drawing from above. */
+/** \brief Writes the view that a program shows first: the drawing from above. */
 void
 putView (const Eigen::AlignedBox3d& box, DxfText& dxf)
 {
-  constexpr double with_margin = 1.1; // height of the view in that of the drawing
-  constexpr double aspect = 1.5;      // width of the view in its height
-  constexpr double min_height = 1.0;  // [m]
+  constexpr double with_margin = 1.1; // height of the view, in heights of the drawing
+  constexpr double aspect = 1.5;      // width of the view, in its heights
+  constexpr double min_height = 1.0;  // [unit of the drawing]
   const Eigen::Vector3d middle = box.center();
   const Eigen::Vector3d sizes = box.sizes();
   const double height =
@@ -268,6 +272,7 @@ putLayers (const std::vector<Layer>& layers, DxfText& dxf)
   constexpr double hundredths = 100.0; // of a millimeter, the unit of widths
   std::vector<Layer> all = {{"0", CadColor::BlackOrWhite, "", 0.25}}; // each DXF has it
   all.insert (all.end(), layers.begin(), layers.end());
+  // 62 color, 6 line type, 370 width of lines
   putTable (
       "LAYER", static_cast<int> (all.size()), dxf, [&] (const std::string& table) {
         for (const Layer& layer : all)
@@ -278,7 +283,8 @@ putLayers (const std::vector<Layer>& layers, DxfText& dxf)
       });
 }
 
-/** \brief Writes the tables that AutoCAD requires, with no or one usual entry. */
+/** \brief Writes the other tables that AutoCAD requires: each is empty or has one usual
+ * entry. */
 void
 putOtherTables (DxfText& dxf)
 {
@@ -386,8 +392,8 @@ putDxfLine (const DrawnLine& line, DxfText& dxf)
   constexpr int in_space_flag = 8, vertex_in_space_flag = 32;
   const std::string handle = putEntity ("POLYLINE", line.layer, dxf);
   dxf.putClass ("AcDb3dPolyline")
-      .put (66, 1)
-      .putPoint (10, Eigen::Vector3d::Zero()); // vertices follow
+      .put (66, 1) // vertices follow
+      .putPoint (10, Eigen::Vector3d::Zero());
   dxf.put (70, in_space_flag + closed_flag);
   for (const Eigen::Vector3d& corner : corners) {
     putEntity ("VERTEX", line.layer, dxf, handle);
@@ -405,10 +411,12 @@ putText (const DrawnText& text, DxfText& dxf)
   dxf.putClass ("AcDbText").putPoint (10, text.middle).put (40, text.height);
   dxf.put (1, asciiOf (text.text)).put (72, horizontally_centered);
   dxf.putPoint (11, text.middle);
+  // The class is there twice, as in the reference of DXF: 73 is behind the second one.
   dxf.putClass ("AcDbText").put (73, vertically_centered);
 }
 
-/** \brief Writes the dictionaries that AutoCAD requires, an empty one in the root. */
+/** \brief Writes the dictionaries that AutoCAD requires: the root, and in it an empty
+ * one for groups. Codes 3 and 350 are the name and the handle of an entry. */
 void
 putObjects (DxfText& dxf)
 {

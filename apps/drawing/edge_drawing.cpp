@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 Json
 featureOf (const PlaneEdge& edge)
 {
-  // One property for each plane, as GDAL's formats have no lists.
+  // One property for each plane, not a list: GDAL's formats have no lists.
   return {
       {"type", "Feature"},
       {"geometry",

@@ -12,8 +12,9 @@ namespace pcl_ops::apps {
 Drawing
 drawingOf (const PlaneEdges& edges, double meter);
 
-/** \brief Returns edges as lines, then corners as points, in space.
- * \param[in] edges with the planes numbered as labels are, from 1
+/** \brief Returns a GeoJSON text: edges as lines, then corners as points, in space. An
+ * edge has the properties "length" [unit of the edges] and "angle" [degree].
+ * \param[in] edges with ids of planes in place of their indices
  * \param[in] crs "EPSG:N" or empty */
 std::string
 edgesToGeoJson (const PlaneEdges& edges, const std::string& crs);

@@ -72,6 +72,7 @@ addTexts (const PlanRoom& room, double max_height, Drawing& drawing)
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double lines_below_middle =
         static_cast<double> (i) - 0.5 * static_cast<double> (lines.size() - 1);
+    // It is subtracted, as y points up in a plan.
     const Eigen::Vector2d down (0.0, lines_below_middle * line_spacing * letter_height);
     drawing.texts.push_back (
         {text_layer, inDrawing (room.middle - down), lines[i], letter_height});

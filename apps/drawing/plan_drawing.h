@@ -19,10 +19,11 @@ contentOf (const FloorPlan& plan);
 Drawing
 drawingOf (const FloorPlan& plan);
 
-/** \brief Returns a plan as a map: walls (lines between their openings), openings
- * (lines), rooms (polygons) and their outlines without a wall (lines). The property
- * "layer" has the kind. Properties are in meters, coordinates in the unit of the cloud.
- * \param[in] ids of the planes
+/** \brief Returns a plan as a map, a GeoJSON text: walls (lines between their
+ * openings), openings (lines), rooms (polygons) and their outlines without a wall
+ * (lines). The property "layer" has the kind. Properties are in meters, coordinates in
+ * the unit of the cloud.
+ * \param[in] ids of the planes, by the indices in PlanWall::planes
  * \param[in] crs "EPSG:N" or empty
  * \param[in] meter the length of a meter in the unit of the cloud */
 std::string
@@ -32,7 +33,9 @@ planToGeoJson (const FloorPlan& plan,
                double meter);
 
 /** \brief Writes a plan in the format of the file's extension: .dxf, .svg, .geojson or
- * .gpkg. Drawings are in meters.
+ * .gpkg. A .dxf and an .svg are in meters.
+ * \param[in] title only for an .svg
+ * \param[in] ids, crs, meter as of \ref planToGeoJson, only for a .geojson or .gpkg
  * \throws WorkError if it cannot be written */
 void
 savePlan (const std::string& file,

@@ -45,7 +45,7 @@ escaped (const std::string& text)
 
 /** \brief Transforms meters to millimeters on paper, where y points down. */
 struct Paper {
-  /** \brief Around what is drawn [m]. */
+  /** \brief Around all lines [m]. */
   Eigen::AlignedBox2d box;
   /** \brief 100 for 1:100. */
   double scale;
@@ -80,7 +80,8 @@ paperFor (const Drawing& drawing)
       box.extend (corner.head<2>().eval());
   if (box.isEmpty())
     box = {Eigen::Vector2d (0, 0), Eigen::Vector2d (1, 1)};
-  // A3 without the margin, the foot, and the edge that printers leave white [mm].
+  // A3, 420 x 297, without the margin, the foot, and the edge that printers leave white
+  // [mm].
   constexpr double max_width = 380.0, max_height = 250.0;
   const Eigen::Vector2d sizes = millimeters_of_meter * box.sizes();
   const double min_scale = std::max (sizes.x() / max_width, sizes.y() / max_height);

@@ -17,13 +17,13 @@ std::string
 decimal (double number, int decimals);
 
 /** Returns a Markdown table with a row for each object. Columns are aligned for the
- * terminal. Null is "-"; floating-point numbers have four decimals.
+ * terminal. Null and NaN are "-"; other floating-point numbers have four decimals.
  * \param[in] list at least one object, all with the same keys */
 std::string
 tableOf (const std::string& title, const Answer& list);
 
-/** Prints the result of a command, as JSON or as text: a line for each value and a
- * table for each list of objects. */
+/** Prints the result of a command, as JSON or as text: a table for each list of objects
+ * and a line for each other value. */
 void
 print (const Answer& answer, bool as_json);
 

@@ -76,7 +76,8 @@ loadLabeledCloud (const std::string& file, bool needs_labels)
 
 namespace {
 
-/** \throws WorkError unless both clouds have the same points in the same order */
+/** \throws WorkError unless both clouds have the same points in the same order. Points
+ * that are not finite in one of them are not compared. */
 void
 checkSamePoints (const LabeledCloud& truth,
                  const LabeledCloud& result,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Finds the edges and corners where planes meet, a wireframe of the scene, and prints
-// them with the indices of their planes.
+// them with the indices of their planes in the list of planes, from 0.
 #include <pcl/common/angles.h>
 #include <pcl/io/pcd_io.h>
 

@@ -70,7 +70,7 @@ def main():
         print(title_of(file, clouds[-1][1]))
     known = np.concatenate([noise[np.isfinite(noise)] for _, noise in clouds])
     known = known if len(known) > 0 else np.array([1e-3])
-    scale = LogNorm(MM * known.min(), MM * known.max() * 1.01)  # larger, if all are the same
+    scale = LogNorm(MM * known.min(), MM * known.max() * 1.01)  # ends must differ
     figure, panels = plt.subplots(1, len(files), figsize=(3 * len(files), 3.4), squeeze=False)
     for axes, file, (points, noise) in zip(panels[0], files, clouds):
         colored = draw(axes, points, noise, scale)

@@ -13,7 +13,7 @@ matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
 
 CUT = 1.2  # height above the lowest floor [m], as in floor plans
-NEAR_CUT = 0.3  # distance of points that are drawn from the height of the cut [m]
+NEAR_CUT = 0.3  # points that are drawn are at most so far above or below the cut [m]
 MARGIN = 0.7  # around the rooms [m]
 
 
@@ -22,7 +22,7 @@ def draw_line(axes, start, end, **style):
 
 
 def draw_plan(axes, plan):
-    """Walls black, openings blue, outlines of rooms as thin lines with their area."""
+    """Draws walls black, openings blue, and rooms orange with their area."""
     for room in plan.rooms:
         for ring in room.rings:
             axes.fill(ring[:, 0], ring[:, 1], fc="tab:orange", alpha=0.15)

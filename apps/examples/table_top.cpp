@@ -14,8 +14,8 @@
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief Returns the points over the hull of a plane, above its noise and up to half a
- * meter high. */
+/** \brief Returns the points over the hull of a plane that are higher than four times
+ * its rms distance, at least 1 cm, and up to half a meter. */
 static pcl::PointIndices
 objectsOn (const pcl_ops::PlaneSegment& table,
            const pcl_ops::PlaneExtent& extent,
@@ -47,9 +47,10 @@ main (int argc, char** argv)
 
   // One object for all frames: later calls reuse the memory that the first allocates.
   pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
-  // The up axis of a level camera. Frame 0 estimates that of a tilted one from planes.
+  // The up axis of a level camera. The planes of frame 0 tell that of a tilted one.
   ops.setUpAxis (pcl_ops::cameraUp());
-  // Merges parts of the table that clutter divides, even if far parts are bent by 1 cm.
+  // Merges parts of the table that clutter divides, even if the middle of one is 1 cm
+  // off the plane of the other.
   pcl_ops::MergingParameters merging;
   merging.distance_threshold = 0.01; // [m]
   ops.setMergingParameters (merging);
@@ -65,6 +66,7 @@ main (int argc, char** argv)
         ops.setUpAxis (up->direction);
       continue;
     }
+    // Planes are in descending order of points: this is the largest horizontal one.
     const auto table = std::find_if (planes.begin(), planes.end(), [] (auto& plane) {
       return plane.orientation == pcl_ops::Orientation::Horizontal;
     });

@@ -99,7 +99,7 @@ std::string
 readNpyLiteral (FileReader& reader)
 {
   constexpr std::size_t start_size = 8, version_offset = 6;
-  constexpr std::uint32_t max_length = 1U << 16U;
+  constexpr std::uint32_t max_length = 1U << 16U; // [bytes]
   std::string start (std::min<std::uint64_t> (start_size, reader.fileSize()), '\0');
   reader.read (start.data(), start.size());
   if (start.rfind ("\x93NUMPY", 0) != 0)
@@ -220,8 +220,9 @@ declarePoints (const std::string& file,
   points.height = static_cast<pcl::uindex_t> (height);
 }
 
-/** \brief Returns the data of points whose numbers are in Fortran order, column by
- * column, and in each column image column by image column, in the order of a cloud. */
+/** \brief Returns the data of points in the order of a cloud.
+ * \param[in] points with numbers in Fortran order: x of all points, then y of all, and
+ * so on, each with the points column by column of the image, not row by row */
 std::vector<std::uint8_t>
 fromFortranOrder (const pcl::PCLPointCloud2& points)
 {

@@ -126,14 +126,15 @@ formatOf (const std::string& file)
   return nullptr;
 }
 
-/** \brief Lists the extensions of the wanted formats: ".a, .b or .c". */
+/** \brief Lists the extensions of the wanted formats, of which there must be at least
+ * two: ".a, .b or .c". */
 std::string
 listOf (const std::function<bool (const Format&)>& is_wanted)
 {
   std::string all_but_last;
   std::string last;
   for (const Format& format : allFormats())
-    if (is_wanted (format)) {
+    if (is_wanted (format)) { // so the one before is not the last
       all_but_last += (all_but_last.empty() || last.empty() ? "" : ", ") + last;
       last = format.extension;
     }
@@ -192,13 +193,14 @@ extensionOfWord (const std::string& word)
     return ".ply";
   if (word.find ("OFF") <= max_letters_before_off)
     return ".off";
+  // Bytes that are no text are refused by the reader of PCD.
   const auto first = static_cast<unsigned char> (word[0]);
   return std::iscntrl (first) == 0 && !isPcdKey (word) ? ".xyz" : ".pcd";
 }
 
 /** \brief Returns the extension of the format of a cloud, by its first bytes. KITTI's
  * .bin and .obj cannot be recognized.
- * \param[in] start of the file, as long as the longest header */
+ * \param[in] start of the file, up to the size of the longest header, 1 MiB */
 std::string
 extensionOfContent (const std::string& start)
 {
@@ -239,7 +241,8 @@ fieldOf (const std::string& name,
   return field;
 }
 
-/** \brief Renames fields X, Y and Z, as PDAL writes them, to x, y and z. */
+/** \brief Renames fields X, Y and Z, as PDAL writes them, to x, y and z, where the file
+ * does not have these. */
 void
 nameCoordinates (pcl::PCLPointCloud2& points)
 {
@@ -379,7 +382,7 @@ saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set
 FileCloud
 loadStandardInput ()
 {
-  constexpr std::size_t buffer_size = 1U << 20U; // as the longest header
+  constexpr std::size_t buffer_size = 1U << 20U; // [bytes] as the longest header
   if (::isatty (STDIN_FILENO) == 1)
     throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
   std::vector<char> buffer (buffer_size);

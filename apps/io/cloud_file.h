@@ -17,9 +17,10 @@ namespace pcl_ops::apps {
 
 struct LasFile;
 
-/** \brief One of several scans in a file: the points from index \p first up to that of
- * the next scan. */
+/** \brief One of several scans in a file. Its last point is in front of the first point
+ * of the next scan, or is the last one of the cloud. */
 struct Scan {
+  /** \brief Index of its first point in the cloud. */
   std::size_t first;
   /** \brief The position of the scanner, in the common frame of all scans. */
   Eigen::Vector3d position;
@@ -37,8 +38,8 @@ sizeOf (const pcl::PCLPointCloud2& points)
 }
 
 /** \brief A cloud with every field of its file, and the sensor's pose in the frame of
- * its coordinates. Where the file has no valid origin it is zero, where it has no valid
- * orientation the identity. The pose of a PLY is not read. */
+ * the coordinates. The origin is zero and the orientation the identity where the file
+ * has no valid one. The pose in a PLY is not read. */
 struct FileCloud {
   pcl::PCLPointCloud2 points;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -46,10 +47,11 @@ struct FileCloud {
   /** \brief The open LAS that the points come from, with all bytes that have no field
    * here; nullptr for other formats. */
   std::shared_ptr<LasFile> las = {};
-  /** \brief Whether it comes from a LAS, text, OFF or OBJ, which store no pose. */
+  /** \brief Whether the format is LAS, text, OFF or OBJ. These have no pose, and zero
+   * need not be the position of a sensor. */
   bool is_survey = false;
-  /** \brief The scans of a PTX with two or more, in the order of their points; else
-   * empty, and the pose above is that of the only scan. */
+  /** \brief The scans of a PTX with two or more, in the order of their points; then the
+   * pose above is not set. Else empty. */
   std::vector<Scan> scans = {};
 
   std::size_t
@@ -65,8 +67,8 @@ bool
 hasCloudExtension (const std::string& file);
 
 /** \brief Whether a file in a folder is taken for a cloud, by its extension. False for
- * .txt, .csv, .npy and meshes, which mostly hold something else there, and for .laz
- * without LASzip. */
+ * .txt, .csv, .npy and meshes, as in a folder these mostly hold something else, and for
+ * formats that are refused, as .laz without LASzip. */
 bool
 isCloudFile (const std::string& file);
 
@@ -84,8 +86,9 @@ folderExtensions ();
 FileCloud
 loadCloud (const std::string& file);
 
-/** \brief Returns an unorganized cloud with the fields and the pose of another. Its
- * width is \p size, but its data are empty: the caller adds them. */
+/** \brief Returns an unorganized cloud with the fields and the pose of another cloud,
+ * without its LAS and scans. The width is \p size, but the data are empty: the caller
+ * adds them. */
 FileCloud
 emptyLike (const FileCloud& cloud, std::size_t size);
 
@@ -118,8 +121,10 @@ inline constexpr const char* standard_input = "standard input";
 FileCloud
 loadStandardInput ();
 
-/** \brief Declares a field behind the others, of a type of pcl::PCLPointField, and
- * enlarges point_step. The data do not change. */
+/** \brief Declares a field behind the others and enlarges point_step. The data do not
+ * change.
+ * \param[in] datatype a type of pcl::PCLPointField
+ * \param[in] count number of values of the field in each point */
 void
 addField (const std::string& name,
           std::uint8_t datatype,
@@ -130,8 +135,9 @@ bool
 hasField (const FileCloud& cloud, const std::string& name);
 
 /** \brief Sets a field of four bytes of every point. It replaces the field of its name,
- * with any padding up to the next field. If there is none, it goes in front of the
- * field called \p before, or to the end if there is none of that name either.
+ * with any padding up to the next field. If no field has its name, it goes in front of
+ * the field called \p before, or to the end if there is no such field either. The
+ * fields must be in the order of their offsets.
  * \param[in] datatype a type of pcl::PCLPointField
  * \param[in] values four bytes for each point */
 void

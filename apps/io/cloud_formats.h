@@ -12,8 +12,8 @@ namespace pcl_ops::apps {
 bool
 isPcdKey (const std::string& word);
 
-// The readers throw a WorkError that names the faulty line or says that data are
-// missing.
+// The readers throw a WorkError that says what is wrong in the file. Their clouds may
+// lack x, y or z: loadCloud checks this, and sets row_step and is_survey.
 
 FileCloud
 readPcd (const std::string& file);
@@ -25,18 +25,20 @@ pcdHeader (const FileCloud& cloud);
 
 /** \brief Reads the vertices of a PLY, with PCL's names of fields: red, green, blue
  * (and alpha) become `rgb` (`rgba`), nx `normal_x`, and so on. The cloud is organized
- * if num_cols and num_rows or PCL's camera element say so. */
+ * if num_cols and num_rows or PCL's camera element say so. Lists are left out. */
 FileCloud
 readPly (const std::string& file);
 
 /** \brief Returns the header of a binary little endian PLY. Every field keeps its name
- * and type, but: the first `rgb` or `rgba` becomes red, green, blue (and alpha), and
- * further ones are left out; 64-bit integers, which PLY lacks, become doubles; a field
- * NAME of several numbers becomes NAME_0, NAME_1, ...; normals become nx, ny, nz. */
+ * and type, but: the first `rgb` or `rgba` of four bytes becomes red, green, blue (and
+ * alpha); further such fields, and padding, are left out; 64-bit integers, which PLY
+ * lacks, become doubles; a field NAME of several numbers becomes NAME_0, NAME_1, ...;
+ * normals become nx, ny, nz; a name that is taken gets a _. */
 std::string
 plyHeader (const pcl::PCLPointCloud2& points);
 
-/** \brief Returns the data of the points that follow \ref plyHeader in the file. */
+/** \brief Returns the data of some points of a PLY, as its \ref plyHeader declares
+ * them. */
 std::string
 plyVertices (const pcl::PCLPointCloud2& points);
 
@@ -67,9 +69,10 @@ readNpy (const std::string& file);
 /** \brief Reads a text with a line for each point: x, y, z and further columns,
  * separated by blanks, commas or semicolons. Each column of numbers becomes a field in
  * double precision. Before the points there may be a line with the names of the columns
- * and one with the number of points. Lines that begin with # or // are comments; a
- * comment with x, y and z among its words names the columns. pcl::ASCIIReader has no
- * header, and leaves out every line it does not understand. */
+ * and one with the number of points. Lines that begin with # or // are comments. If no
+ * line names the columns, a comment before the points does that has a word for each
+ * column, x, y and z among them. pcl::ASCIIReader knows no such names, and leaves out
+ * every line that it does not understand. */
 FileCloud
 readTextCloud (const std::string& file);
 

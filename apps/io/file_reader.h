@@ -18,8 +18,9 @@ using Words = std::vector<std::string>;
 constexpr std::size_t max_columns = 1000;
 
 /** \brief Splits a line into words, without the blanks around them.
- * \param[in] separator a character between words, which may then be empty; a space
- * stands for any run of blanks */
+ * \param[in] separator between words. A space stands for any run of blanks (spaces,
+ * tabs, carriage returns). Between two of another separator is an empty word.
+ * \param[out] words parts of \p line, which must outlive them */
 void
 splitWords (std::string_view line,
             char separator,
@@ -29,12 +30,13 @@ splitWords (std::string_view line,
  * bytes, and lines of numbers. It also words their error messages. Offsets are from the
  * beginning of the file, in bytes.
  *
- * It refuses a word in place of a number; PCL's readers make a point at zero, or one
- * without coordinates, of it. */
+ * Where a number should be it refuses any other word. PCL's readers put a point at
+ * zero there, or one without coordinates. */
 class FileReader {
 public:
   /** \param[in] format e.g. "PCD", for error messages
-   * \param[in] name_in_messages of the file; empty for \p file */
+   * \param[in] name_in_messages of the file; empty for \p file
+   * \throws WorkError if the file cannot be read or is empty */
   FileReader (const std::string& file,
               std::string format,
               const std::string& name_in_messages = "");
@@ -87,7 +89,8 @@ public:
 
   /** \brief Returns the words of the next line of a header.
    * \param[in] last keyword of the line that should end the header, for the message
-   * \throws WorkError if the file or its first MiB ends before this line does */
+   * \throws WorkError if the file, or its first MiB, ends before the end of the next
+   * line */
   Words
   nextHeaderLine (const std::string& last);
 
@@ -125,17 +128,18 @@ public:
   bool
   nextWords ();
 
-  /** \brief Appends the following lines to the current one if it then has exactly
-   * \p count words; else leaves it unchanged. RealSense's viewer writes the position of
-   * a vertex in one line, its normal and its color in the next.
+  /** \brief Appends up to seven following lines to the current one if it then has
+   * exactly \p count words. Else the current line stays as it is, but the lines that
+   * were tried are skipped: the caller has to refuse the file. RealSense's viewer
+   * writes the position of a vertex in one line, its normal and its color in the next.
    * \return the number of words of each joined line; one element if nothing was joined
    */
   std::vector<std::size_t>
   joinNextLines (std::size_t count);
 
-  /** \brief Reads as many lines as \p lengths has elements, each with that many words,
-   * and joins them.
-   * \param[in] lengths as from \ref joinNextLines */
+  /** \brief Reads a line for each element of \p lengths, and joins the lines.
+   * \param[in] lengths number of words of each line, as from \ref joinNextLines
+   * \throws WorkError if a line has another number of words, or the file ends before */
   void
   nextJoinedLines (const std::vector<std::size_t>& lengths);
 
@@ -147,7 +151,7 @@ public:
     splitWords (line_, separator, words_);
   }
 
-  /** \brief Removes the first word of the current line. */
+  /** \brief Removes the first word of the current line, which must have one. */
   void
   dropFirstWord ()
   {
@@ -173,6 +177,7 @@ public:
   isNumber (std::size_t i) const;
 
   /** \brief Writes the number of word \p i into \p bytes; an empty word counts as nan.
+   * \param[out] bytes as many as the type has
    * \throws WorkError if it is no number or too large for double precision */
   void
   readNumber (std::size_t i, const NumberType& type, void* bytes) const;
@@ -200,8 +205,8 @@ public:
 
   /** \brief Returns a count, such as a number of points, that a header has as text.
    * \param[in] what the count, for the message
-   * \throws WorkError if \p text is no whole number, or more than PCL's indices can
-   * number */
+   * \throws WorkError if \p text is no whole number, or above the largest value of
+   * pcl::index_t */
   std::uint64_t
   parseCount (const std::string& what, const std::string& text) const;
 

@@ -25,7 +25,7 @@ isPattern (const std::string& name)
   return name.find_first_of ("*?[") != std::string::npos;
 }
 
-/** \brief Adds the clouds in a folder, sorted. */
+/** \brief Adds the clouds in a folder, sorted, without hidden ones. */
 void
 addFolder (const std::string& folder, InputFiles& found)
 {
@@ -49,8 +49,9 @@ addFolder (const std::string& folder, InputFiles& found)
   found.files.insert (found.files.end(), clouds.begin(), clouds.end());
 }
 
-/** \brief Adds the matches of a shell pattern. A match is not expanded again, even if
- * its name looks like a pattern or it is a broken link. */
+/** \brief Adds the matches of a shell pattern. A matching folder stands for the clouds
+ * in it. Any other match is taken as a file, even if its name looks like a pattern or
+ * it is a broken link. */
 void
 addPattern (const std::string& pattern, InputFiles& found)
 {

@@ -17,11 +17,12 @@ struct InputFiles {
 
 /** \brief Looks up names of files, of folders, which stand for the clouds in them (\ref
  * isCloudFile), and of shell patterns. An existing file is listed whatever its
- * extension; a missing one only if it has the extension of a cloud. */
+ * extension; a missing one only if it has the extension of a cloud: its reader reports
+ * that it is missing. */
 InputFiles
 findInputs (const std::vector<std::string>& names);
 
-/** \brief Checks that a name is not one of several clouds, where one cloud is needed.
+/** \brief Checks that a name can stand for one cloud in a file.
  * \throws UsageError with the fix if it is a folder, a pattern or a pipe */
 void
 checkIsOneCloud (const std::string& name);

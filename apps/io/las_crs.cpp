@@ -27,7 +27,8 @@ valueOfKey (const std::string& directory, std::uint16_t wanted)
 std::string
 crsInKeys (const std::string& directory)
 {
-  // Ids of keys, whose values are EPSG numbers of reference systems, and a value.
+  // The ids of the keys whose values are EPSG numbers of reference systems, and the
+  // value of a system that has no number.
   constexpr std::uint16_t projected_id = 3072;
   constexpr std::uint16_t geographic_id = 2048;
   constexpr std::uint16_t user_defined = 32767;

@@ -54,6 +54,7 @@ forRecords (LasFile& las, Visit&& visit)
 Eigen::Vector3d
 positionIn (const char* record, const LasFile& las)
 {
+  // Of any point data record format, as only the coordinates are read.
   const auto& point = *reinterpret_cast<const LasPoint*> (record);
   const Eigen::Vector3d raw (point.raw[0], point.raw[1], point.raw[2]);
   return raw.cwiseProduct (las.scale) + las.offset;

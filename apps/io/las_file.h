@@ -69,8 +69,9 @@ struct LasFile {
   void
   readFields (const LasVlr& vlr);
 
-  /** \brief Returns all points with x, y, z in double precision, intensity, and, if the
-   * file has it, label. */
+  /** \brief Returns all points with x, y, z in double precision, intensity in single
+   * precision, and label, if the file has a \ref label_field. Call \ref checkPoints
+   * before this and the following functions that read points. */
   pcl::PCLPointCloud2
   readPoints ();
 
@@ -104,8 +105,9 @@ struct LasFile {
     return bytes;
   }
 
-  /** \brief Sets the offsets in the header of a copy of this file, and replaces the
-   * header that \p front begins with by it.
+  /** \brief Completes the header of a copy of this file, and writes it over the header
+   * that \p front begins with.
+   * \param[in] copy the header; its offsets are still those of this file
    * \param[in] points_end, copy_points_end offsets of the end of the points in this file
    * and in the copy
    * \param[in,out] front all bytes of the copy in front of its points */
@@ -142,6 +144,7 @@ struct LasFile {
   std::uint64_t fields_end;
   /** \brief The records that \ref position read last. */
   std::string block;
+  /** \brief Index of the first point in \ref block, and the number of points there. */
   std::uint64_t first_in_block = 0, points_in_block = 0;
 };
 
@@ -155,9 +158,10 @@ std::shared_ptr<LasFile>
 openLas (const std::string& file);
 
 /** \brief Writes a copy of \p las with further fields by \ref writeFile; compressed if
- * \p file is a .laz. A field replaces one of the same name and type; all other bytes
- * are kept.
- * \throws WorkError if the file was cut meanwhile */
+ * \p file is a .laz. A field replaces one of the same name and type; all other data are
+ * kept.
+ * \param[in] columns with fields that LasFile::validate allows
+ * \throws WorkError if the file of \p las was cut meanwhile */
 void
 saveLasWith (const std::string& file,
              LasFile& las,
@@ -186,7 +190,9 @@ static_assert (sizeof (LasPoint) == 24, "without padding");
 
 /** \brief Writes a LAS 1.2 of point data record format 0 by \ref writeFile, with the
  * labels as extra bytes.
- * \param[in] scale [m] the same for each axis */
+ * \param[in] points at least one
+ * \param[in] scale [m], the same for each axis
+ * \param[in] offset [m] */
 void
 saveLas (const std::string& file,
          const std::vector<LasPoint>& points,
@@ -204,7 +210,9 @@ hasLaszip ();
 void
 decompressLaz (const std::string& file, std::ostream& stream);
 
-/** \brief Writes the LAS \p file with compressed points; every other byte is kept. */
+/** \brief Writes the LAS \p file with compressed points; all other data are kept.
+ * \param[in] stream at its beginning; it must be seekable, as the header is written
+ * again at last */
 void
 compressLas (const std::string& file, std::ostream& stream);
 

@@ -44,13 +44,15 @@ struct LasHeader {
   std::uint8_t format_bits;
   /** \brief Bytes of a point record. */
   UInt16 record_length;
-  /** \brief The number of points if readers of LAS 1.3 can read the file, else 0. */
+  /** \brief The number of points; in LAS 1.4 only if readers of LAS 1.3 can read the
+   * file, else 0. */
   UInt32 legacy_point_count;
   std::array<UInt32, 5> legacy_point_counts_by_return;
   /** \brief Coordinates are raw * scale + offset, for each axis. */
   Vector scale, offset;
   /** \brief Largest x, smallest x, largest y, smallest y, largest z, smallest z. */
   std::array<boost::endian::little_float64_t, 6> bounds;
+  /** \brief Offset of the record with waveforms; 0 for none. */
   UInt64 waveform_offset;
   /** \brief Offset and number of the extended variable length records (EVLRs), which
    * follow the points. */
@@ -65,7 +67,8 @@ struct LasHeader {
     return format_bits & 0x3fU;
   }
 
-  /** \brief Returns the member with the number of points that the version has. */
+  /** \brief Returns the number of points. \ref readLasHeader has checked that of both
+   * members one is 0, or both are equal. */
   std::uint64_t
   pointCount () const
   {
@@ -86,7 +89,9 @@ constexpr std::uint16_t las_1_2_header_size = 227;
 
 /** \brief Reads and checks the header. Members that an older version does not have are
  * zero. Whether the file holds all of its points is not checked.
- * \throws WorkError if the header contradicts itself or the length of the file */
+ * \param[in] reader at the beginning of the file
+ * \throws WorkError if the file is no LAS 1.0 to 1.4, or its header contradicts itself
+ * or the length of the file */
 LasHeader
 readLasHeader (FileReader& reader);
 
@@ -105,8 +110,8 @@ using LasStandardVlrHeader = LasVlrHeader<LasHeader::UInt16>;
 /** \brief Where a variable length record is in the file, and its ids, which tell what
  * it is. */
 struct LasVlr {
-  /** \brief Offsets in the file [bytes] of the record and of its content, which reaches
-   * up to \p end. */
+  /** \brief Offsets in the file [bytes]: of the record, of its content, and of the end
+   * of both. */
   std::uint64_t begin, content, end;
   std::string user_id;
   std::uint16_t record_id;

@@ -59,8 +59,9 @@ heightUnitInKeys (const std::string& directory)
   return unit;
 }
 
-/** \brief Returns the offset of the first of some keywords of WKT, each with its
- * bracket, that is in no quoted name; that of the end if there is none.
+/** \brief Returns the offset of the first keyword of WKT that is one of \p keywords,
+ * has a bracket behind it, and is in no quoted name; the size of the text if there is
+ * none.
  * \param[in] text in upper case */
 std::size_t
 findKeyword (const std::string& text, const std::vector<std::string>& keywords)
@@ -143,7 +144,7 @@ unitInWkt (const std::string& text)
 {
   std::string system =
       boost::algorithm::to_upper_copy (text.substr (0, beginOfHeights (text)));
-  // Where a system may be used can be told in a unit of its own.
+  // The heights at which a system may be used (VERTICALEXTENT) have their own unit.
   system.resize (findKeyword (system, {"VERTICALEXTENT"}));
   // In a projected system the last unit is that of x and y; the angle unit of its base
   // comes before it.

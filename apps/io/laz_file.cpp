@@ -19,8 +19,8 @@ namespace {
 
 /** \brief The bit of LasHeader::format_bits that LASzip sets for compressed points. */
 constexpr std::uint8_t compressed_bit = 0x80;
-/** \brief The value of the first byte of a LASzip VLR if the points are not divided
- * into chunks. */
+/** \brief The value of the first byte of the content of a LASzip VLR if the points are
+ * not divided into chunks. */
 constexpr char in_one_chunk = 1;
 
 [[noreturn]] void
@@ -45,7 +45,7 @@ struct Laszip {
   {
     if (handle == nullptr)
       return;
-    // Closes the one that is open, which laszip_destroy does not.
+    // Closes the reader or the writer, if one is open: laszip_destroy does not.
     laszip_close_reader (handle);
     laszip_close_writer (handle);
     laszip_destroy (handle);
@@ -123,7 +123,7 @@ convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
   }
   if (stream && laszip_close_writer (writer.handle) == 0)
     return;
-  // LASzip would crash if it closed a writer that failed.
+  // LASzip would crash if ~Laszip closed a writer that failed.
   writer.handle = nullptr;
   if (stream) // else the owner of the stream reports its failure
     throw std::bad_alloc();
@@ -192,7 +192,7 @@ checkCompression (LasFile& las)
     table_offset = reader.readAt<LasHeader::UInt64> (end - sizeof (LasHeader::UInt64));
   check (begin <= table_offset && table_offset <= end - sizeof (TableHeader));
   const auto table = reader.readAt<TableHeader> (table_offset);
-  // The first point of each chunk is not compressed.
+  // The first point of each chunk is not compressed, so a chunk has a record or more.
   check (table.version == 0 && table.chunk_count > 0 &&
          table.chunk_count <= (end - begin) / header.record_length);
   check (chunk_size == sizes_differ ||
@@ -269,7 +269,7 @@ decompressLaz (const std::string& file, std::ostream&)
 void
 compressLas (const std::string& file, std::ostream& stream)
 {
-  decompressLaz (file, stream);
+  decompressLaz (file, stream); // throws the same error
 }
 
 bool

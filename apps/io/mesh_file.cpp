@@ -50,7 +50,7 @@ readOffHeader (FileReader& reader)
 
 /** \brief Returns names for the columns behind the coordinates of a vertex: three of
  * the normal, then as many of the color as there are numbers left.
- * \param[in] numbers of a vertex, with its coordinates */
+ * \param[in] numbers how many there are for a vertex, with its coordinates */
 Words
 furtherNames (const OffHeader& header, std::size_t numbers)
 {

@@ -65,7 +65,7 @@ template <typename Number>
 bool
 parse (std::string_view text, void* bytes)
 {
-  // from_chars does not accept a plus sign.
+  // from_chars does not accept a plus sign; +- is no sign.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix (1);
   Number number{};

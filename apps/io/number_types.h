@@ -25,9 +25,10 @@ struct NumberType {
   std::string_view ply_name, ply_name_with_bits;
   NumberReader read;
   /** \brief Parses a number and writes it into \p bytes. Accepts `nan`, `inf` and
-   * `infinity`, but no number too large for double precision. An integer type cuts
-   * decimals off, as PCL does, and takes values beyond its range modulo the range;
-   * `nan`, and sizes of 2^63 or more, give 0, except digits that fit a uint64.
+   * `infinity`, but no number too large for double precision; one that is too large
+   * only for a float becomes infinite. An integer type cuts decimals off, as PCL does,
+   * and takes values beyond its range modulo the range. `nan`, and absolute values of
+   * 2^63 or more, give 0, but uint64 takes all whole numbers in its range.
    * \param[in] text followed in memory by a character that cannot continue a number
    * \return false if \p text is anything else */
   bool (*parse) (std::string_view text, void* bytes);

@@ -20,10 +20,11 @@ checkWritable (const std::string& file);
 
 /** \brief Writes a file in one step: \p write fills a temporary file in the same
  * folder, which is renamed to \p file once all bytes are written. If anything fails, an
- * existing \p file does not change. All outputs are written this way.
+ * existing \p file does not change; else the new one gets its permissions. If \p file
+ * is a link, the file that it leads to is written. All outputs are written this way.
  * \param[in] write need not check the state of the stream
- * \throws WorkError as \ref checkWritable or if the disk is full, and whatever \p write
- * throws */
+ * \throws WorkError as \ref checkWritable, OutputError if the bytes cannot be written,
+ * and whatever \p write throws */
 void
 writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write);
@@ -41,6 +42,7 @@ makeFolder (const std::string& folder);
 std::string
 extensionOf (const std::string& file);
 
+/** \param[in] extensions in lower case, with their dots */
 bool
 hasExtension (const std::string& file, const std::vector<std::string>& extensions);
 
@@ -56,7 +58,7 @@ checkExtension (const std::string& option,
 std::string
 resolvedName (const std::string& file);
 
-/** \brief Whether both names lead to the same file. It need not exist. */
+/** \brief Whether both names lead to the same file, which need not exist. */
 bool
 isSameFile (const std::string& first, const std::string& second);
 
@@ -80,11 +82,13 @@ struct TemporaryPath {
  */
 class TemporaryFile {
 public:
-  /** \param[in] subject the file or option that error messages name
+  /** \param[in] extension with its dot, or empty
+   * \param[in] subject the file or option that error messages name
    * \throws WorkError if the file cannot be created */
   TemporaryFile (const std::string& extension, std::string subject);
 
-  /** \brief Fills the file by \p write, as \ref writeFile does. */
+  /** \brief Fills the file by \p write, which need not check the state of the stream.
+   * \throws WorkError if the disk is full, and whatever \p write throws */
   void
   fill (const std::function<void (std::ostream& stream)>& write) const;
 
@@ -99,8 +103,9 @@ private:
   TemporaryPath file_;
 };
 
-/** \brief A lock on a folder for one run of a program, released when the run ends in
- * any way. On a file system without locks every run gets it. */
+/** \brief A lock on a folder for one run of a program. The destructor releases it, and
+ * so does the end of the run in any way. Every run gets the lock of a folder that
+ * cannot be opened, or is on a file system without locks. */
 class FolderLock {
 public:
   explicit FolderLock (const std::string& folder);

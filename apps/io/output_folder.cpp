@@ -41,8 +41,8 @@ temporaryFolderIn (const std::string& folder)
   return name;
 }
 
-/** \brief Moves the files of a run from \p written_folder into \p folder, and removes
- * those that an earlier run left there. */
+/** \brief Moves the outputs of a run from \p written_folder into \p folder, and removes
+ * the outputs there that this run has not written again. */
 void
 exchangeFiles (const fs::path& folder,
                const fs::path& written_folder,
@@ -53,6 +53,7 @@ exchangeFiles (const fs::path& folder,
   lock.wait();
   std::set<std::string> stale = outputsIn (folder, is_ours);
   const std::set<std::string> written = outputsIn (written_folder, is_ours);
+  // All names are checked before the first file is moved.
   for (const std::string& name : written)
     if (fs::is_directory (folder / name))
       throw fs::filesystem_error (name,

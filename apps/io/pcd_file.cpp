@@ -25,7 +25,7 @@ readHeader (FileReader& reader)
   PcdHeader header;
   while (header.count (last_key) == 0) {
     Words words =
-        reader.nextHeaderLine (last_key); // which the message names at the end
+        reader.nextHeaderLine (last_key); // for the message if the file ends before
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
@@ -65,7 +65,7 @@ readFields (const FileReader& reader,
     reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
 
   constexpr std::uint64_t max_count = 1U << 20U; // far above that of any descriptor
-  // PCL's readers take at most as many in a point.
+  // PCL's readers take points of at most as many bytes.
   constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -159,12 +159,12 @@ readText (FileReader& reader, pcl::PCLPointCloud2& points)
 }
 
 /** \brief Decompresses bytes of the LZF format (M. Lehmann's LibLZF), without PCL's
- * library, which loads VTK. The format is a sequence of two kinds of chunks. The first
+ * library, which loads VTK. The format is a sequence of chunks of two kinds. The first
  * byte of a chunk, its head, has two parts: l, the upper 3 bits, and r, the lower 5.
- * - l = 0: r + 1 literal bytes follow.
- * - else: l + 2 bytes repeat earlier ones; if l = 7, one further byte is added to that
- *   number. Behind it is the low byte of the distance back less 1, whose high byte is
- *   r. */
+ * - l = 0: r + 1 bytes follow, which are copied to the output.
+ * - else: bytes of the output are repeated. Their number is l + 2; if l = 7, the next
+ *   byte of the chunk is added to it. How far back in the output they begin is
+ *   256 r + the last byte of the chunk + 1. */
 class LzfDecoder {
 public:
   /** \param[out] bytes of the expected size */
@@ -209,7 +209,7 @@ private:
   bool
   repeat (std::size_t head)
   {
-    constexpr std::size_t longest_in_head = 7;
+    constexpr std::size_t longest_in_head = 7; // of l
     constexpr std::size_t min_count = 2, min_distance = 1;
     std::size_t count = head / lower_part;
     const bool is_long = count == longest_in_head;

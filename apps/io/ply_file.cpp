@@ -363,8 +363,8 @@ organize (std::uint64_t size,
   points.height = static_cast<pcl::uindex_t> (fits ? height : 1.0);
 }
 
-/** \brief Whether the field is PCL's packed color. A text file may have a column of
- * this name that is not. */
+/** \brief Whether the field is PCL's packed color. A column of a text file may have
+ * this name, too, but is a double. */
 bool
 isColor (const PCLPointField& field)
 {
@@ -497,7 +497,7 @@ plyVertices (const pcl::PCLPointCloud2& points)
           &points.data[i * points.point_step + property.offset];
       const bool is_in_ply = !type.ply_name.empty();
       const double converted = is_in_ply ? 0.0 : type.read (number);
-      if (!is_in_ply)
+      if (!is_in_ply) // a 64-bit integer, which has the size of a double
         number = reinterpret_cast<const std::uint8_t*> (&converted);
       bytes.append (reinterpret_cast<const char*> (number), type.size);
     }

@@ -12,7 +12,8 @@
 namespace pcl_ops::apps {
 
 /** \brief Makes a cloud from lines of numbers, one line for each point. Declare the
- * columns first, from the left. The reader reads the lines. */
+ * columns first, from the left. Before each \ref addPoint, the caller has the reader go
+ * on to the next line. */
 class PointRows {
 public:
   explicit PointRows (FileReader& reader) : reader_ (reader) {}
@@ -33,7 +34,8 @@ public:
   /** \brief Declares all columns of the reader's current line in double precision: x,
    * y, z and further ones.
    * \param[in] further names of the columns behind z; if their number differs, the
-   * columns become field_4, field_5, ... */
+   * columns become field_4, field_5, ...
+   * \throws WorkError unless the line has 3 to \ref max_columns words */
   void
   addColumnsOfLine (const Words& further);
 
@@ -50,7 +52,7 @@ public:
     return size_;
   }
 
-  /** \brief Returns where the bytes of the last point begin. */
+  /** \brief Returns where the bytes of the last point begin; there must be one. */
   std::uint8_t*
   lastPoint ()
   {
@@ -66,7 +68,7 @@ public:
   /** \brief The points so far; width and height are 0 until \ref take. */
   pcl::PCLPointCloud2 cloud;
 
-  /** \brief Returns the cloud, unorganized.
+  /** \brief Returns the cloud, unorganized, and leaves this object without it.
    * \throws WorkError if it has no points */
   pcl::PCLPointCloud2
   take ();

@@ -14,14 +14,15 @@ namespace pcl_ops::apps {
  * al., IROS 2012), "timestamp tx ty tz qx qy qz qw" [s, m], or of KITTI, the first
  * three rows of a matrix, row by row. Empty lines and those that begin with # are
  * skipped.
- * \throws WorkError if the file cannot be read, or naming the first line that is no
- * pose */
+ * \throws WorkError if the file cannot be read, or has a line that is no pose: it names
+ * the first such line */
 std::vector<Eigen::Isometry3d>
 loadPoses (const std::string& file);
 
 /** \brief Whether poses look like those of KITTI's camera: the first is written as 12
  * numbers, and the motion is mostly along z, the viewing direction of that camera. In
- * KITTI's lidar frame it would be along x. */
+ * KITTI's lidar frame it would be along x. Poses without motion count, too.
+ * \param[in] file from which \p poses were loaded */
 bool
 lookLikeCameraOfKitti (const std::string& file,
                        const std::vector<Eigen::Isometry3d>& poses);

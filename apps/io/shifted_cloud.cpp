@@ -37,12 +37,12 @@ sampleOf (const XyzCloud& cloud)
   return sample;
 }
 
-/** \brief The place that most points share. */
+/** \brief The place at which the most points are. */
 struct SharedPlace {
   Eigen::Vector3d position;
   /** \brief Number of points at this place. */
   std::size_t points;
-  /** \brief Number of places of all points. */
+  /** \brief Number of distinct places. */
   std::size_t all_places;
 };
 
@@ -60,9 +60,10 @@ mostSharedPlace (const Positions& positions)
   return {Eigen::Vector3d (place.data()), points, points_at.size()};
 }
 
-/** \brief Returns the number of outliers: points sorted by distance from the median
- * count from the first one that is farther than a thousand diagonals of the bounding
- * box of all nearer ones, at least half of the points. */
+/** \brief Returns the number of outliers. The points are sorted by their distance from
+ * the median. In the farther half, the first point that is farther from it than a
+ * thousand diagonals of the bounding box of all nearer ones is an outlier, and so are
+ * all behind it. */
 std::size_t
 countFar (Positions positions)
 {

@@ -35,16 +35,16 @@ struct ShiftedCloud {
 
 /** \brief Shifts a cloud by \ref localOrigin if single precision does not hold all its
  * coordinates.
- * \param[in] step if above 0, the cloud is always shifted, along each axis by a
- * multiple of \p step */
+ * \param[in] step if above 0, the cloud is shifted in any case, and the shift along
+ * each axis is rounded to a multiple of \p step */
 ShiftedCloud
 shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
 /** \brief Returns why a cloud that can be read looks damaged, and the fix; empty if it
- * does not. In a sample of its points it looks for one of these:
- * - most points are at one place;
- * - some are more than a thousand times as far away as the rest is wide;
- * - one percent or more are at one place, as missing readings are. */
+ * does not. A sample of ten or more finite points tells that:
+ * - more than half of the points are at one place;
+ * - more than 0.5 % are more than a thousand times as far away as the rest is wide;
+ * - 1 % or more are at one place, and many more than at others, as missing readings. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 
@@ -92,7 +92,7 @@ std::uint32_t
 hashOf (const Eigen::Vector3d& position);
 
 /** \brief Returns a sample of the finite points, evenly spread over their indices.
- * \param[in] size number of all points
+ * \param[in] size number of all points, also of those that are not finite
  * \param[in] max_sample largest size of the sample */
 std::vector<Eigen::Vector3d>
 somePositions (std::size_t size, const PositionOf& position_of, std::size_t max_sample);

@@ -48,7 +48,7 @@ isName (const std::string& word)
          !numberType (pcl::PCLPointField::FLOAT64).parse (word, &ignored);
 }
 
-/** \brief A name in small letters, without a unit in brackets at its end. */
+/** \brief A name in small letters, up to the first bracket, in which is a unit. */
 std::string
 plainName (const std::string& name)
 {
@@ -57,8 +57,9 @@ plainName (const std::string& name)
   return boost::algorithm::to_lower_copy (plain, std::locale::classic());
 }
 
-/** \brief The column of a coordinate: the one with exactly the name of the field, else
- * the first one of the first of its names that any column has. */
+/** \brief The column of a coordinate: the one called exactly axis[0]. Else it is looked
+ * up by the \ref plainName of the columns: the first one called axis[0], else the first
+ * one called axis[1], and so on. The end of \p names if there is none. */
 Words::const_iterator
 findAxis (const Words& names, const AxisNames& axis)
 {
@@ -125,7 +126,7 @@ quotedParts (const std::string& line)
 }
 
 /** \brief Removes the quotes from a line, and puts underscores in place of separators
- * within them, which would divide a word.
+ * within them, which would divide a word. A line whose last quote is not closed stays.
  * \throws WorkError if a quoted number has a decimal comma, but commas separate words
  */
 void
@@ -138,7 +139,7 @@ removeQuotes (const FileReader& reader, std::string& line)
   for (std::size_t i = 0; i < parts.size(); i += 2)
     outside += parts[i];
   const char separator = separatorOf (outside);
-  // Those that would divide or misread a word where words are separated in this way.
+  // Characters that would divide a quoted word, or change the separator of the line.
   const std::string replaced = separator == ';'   ? ";"
                                : separator == ',' ? ",;"
                                                   : ",; \t";
@@ -156,8 +157,8 @@ removeQuotes (const FileReader& reader, std::string& line)
 }
 
 /** \brief Whether the commas between the words of a line look like decimal commas: all
- * words are whole numbers, and one of several digits begins with a zero, as 05 in
- * 3,05. */
+ * words are whole numbers, and one of several digits, behind the first word, begins
+ * with a zero, as 05 in 3,05. */
 bool
 mayHaveDecimalCommas (const FileReader& reader)
 {
@@ -214,7 +215,8 @@ columnsOfAxes (const std::string& file,
 
 /** \brief The name of the field that each column becomes; empty if the column has
  * words. The coordinates are those of \ref columnsOfAxes. Other columns keep their
- * names if a field can have them and no other has, or else become field_4, field_5, ...
+ * names if a field can have them and no other has; else column 4 becomes field_4, and
+ * so on.
  * \throws WorkError where columns have names, but a coordinate has none */
 Words
 fieldNames (const std::string& file,
@@ -249,7 +251,7 @@ public:
   {
     reader_.skipByteOrderMark();
     if (extensionOf (file) == ".xyzrgb")
-      comment_names_ = {"x", "y", "z", "r", "g", "b"};
+      comment_names_ = {"x", "y", "z", "r", "g", "b"}; // for 6 columns without names
   }
 
   pcl::PCLPointCloud2
@@ -329,7 +331,8 @@ private:
                           "decimal points, too");
   }
 
-  /** \brief Reads the lines up to the first point, and that of the point, too. */
+  /** \brief Reads the lines up to the first point, whose line becomes the current one.
+   */
   void
   readHead ()
   {
@@ -359,8 +362,8 @@ private:
 
   /** \brief Finds which columns have words, by the line that was taken.
    * \param[in] words of the line, without quotes
-   * \throws WorkError if it has fewer than three numbers, or, while columns have no
-   * names, a word such as 5abc that is neither a number nor a name */
+   * \throws WorkError if it has words but fewer than three numbers, or, while columns
+   * have no names, a word such as 5abc that is neither a number nor a name */
   void
   findColumnsOfWords (const Words& words)
   {
@@ -394,7 +397,8 @@ private:
   FileReader reader_;
   /** \brief The current line without quotes. */
   std::string line_;
-  /** \brief The names of columns in a line of their own, and in a comment. */
+  /** \brief The names of columns in a line of their own, and those in a comment or
+   * usual for the extension. */
   Words names_, comment_names_;
   /** \brief The number of points, where a line before them tells it. */
   std::optional<std::uint64_t> promised_points_;

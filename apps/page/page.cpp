@@ -16,7 +16,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Rounds positions to a lattice of 16 bits per axis in their bounding box. */
+/** \brief Rounds positions to the lattice of a \ref PointGroup. */
 PointGroup
 onLattice (const SampledPoints& points)
 {

@@ -27,9 +27,9 @@ struct PlanePage {
   nlohmann::ordered_json objects;
   /** \brief Direction against gravity, of any length but 0. */
   Eigen::Vector3f up;
-  /** \brief Only for a survey, which no single sensor has seen and whose cloud is just
-   * these samples: the points of each plane, then of no plane, in the frame of the
-   * file. */
+  /** \brief Only for a survey, which no single sensor has seen; else empty. The points
+   * of each plane, then of no plane, in the frame of the file. They are shown in place
+   * of the cloud, which has no other points. */
   std::vector<SampledPoints> samples = {};
 };
 
@@ -42,8 +42,8 @@ planeObjects (const std::vector<PlaneSegment>& planes,
               const std::vector<std::uint32_t>& ids,
               const Eigen::Vector3f& up);
 
-/** \brief Writes a page (\ref savePage) that begins with the view of \ref chooseView.
- */
+/** \brief Writes a page (\ref savePage) that begins with a view along the direction of
+ * \ref chooseView. */
 void
 savePlanePage (const std::string& file, const PlanePage& page);
 

@@ -18,7 +18,7 @@ namespace {
 std::vector<pcl::RGB>
 palette ()
 {
-  constexpr int min_chroma = 50; // difference of the parts of a color, 0 to 255
+  constexpr int min_chroma = 50; // largest minus smallest part of a color, of 255
   std::vector<pcl::RGB> colors;
   for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
     const pcl::RGB color = pcl::GlasbeyLUT::at (i);

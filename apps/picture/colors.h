@@ -22,6 +22,7 @@ colorOfLabel (std::uint32_t label);
 std::string
 webColor (const pcl::RGB& color);
 
+/** \brief Returns green for horizontal, blue for vertical, else orange. */
 pcl::RGB
 colorOf (Orientation orientation);
 

@@ -50,7 +50,8 @@ constexpr int margin = 12;
 
 /** \brief Transforms x and y of the map to columns and rows of the image. */
 struct MapScale {
-  /** \brief The largest scale at which all shapes fit into half an image. */
+  /** \brief The largest scale at which all shapes fit into half an image, without its
+   * legend and margins. */
   explicit MapScale (const std::vector<MapShape>& shapes)
   {
     Eigen::AlignedBox2d box;
@@ -181,6 +182,7 @@ Image::write (int left, int top, const std::string& text)
     for (int row = 0; row < letter_rows && !is_blank; ++row) {
       const char dots = rows_of_letters[letter_rows * index + std::size_t (row)];
       for (int column = 0; column < letter_columns; ++column)
+        // The lowest three bits of an ASCII digit are those of its value.
         if ((dots >> (letter_columns - 1 - column) & 1) != 0) {
           const int x = left + dot * column;
           const int y = top + dot * row;

@@ -15,8 +15,9 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Two pictures of \ref half_width side by side, white at first. Lengths,
- * columns and rows are in pixels, from the upper left corner. */
+/** \brief Two pictures of \ref half_width side by side, with a \ref gap between them,
+ * white at first. Lengths, columns and rows are in pixels, from the upper left corner.
+ */
 struct Image {
   static constexpr int half_width = 960;
   static constexpr int height = 720;
@@ -28,7 +29,8 @@ struct Image {
   std::vector<std::uint8_t> bytes =
       std::vector<std::uint8_t> (3U * width * height, 255U);
 
-  /** \brief Sets a pixel.
+  /** \brief Sets a pixel, which must be in the image; \ref fill and \ref write leave
+   * nothing out, either.
    * \param[in] brightness factor of the color, 0 (black) to 1 */
   void
   paint (int column, int row, const pcl::RGB& color, float brightness = 1.0f);

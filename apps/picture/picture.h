@@ -28,8 +28,9 @@ struct Raster {
   Eigen::ArrayXXf depths;
 };
 
-/** \brief Draws points as squares just large enough to close the gaps between them, the
- * nearest in front. Non-finite points are not drawn. */
+/** \brief Draws points as squares, roughly as large as is needed to close the gaps
+ * between them, the nearest in front. Non-finite points are not drawn.
+ * \param[in] width, height of the image [pixel] */
 Raster
 drawPoints (const XyzCloud& cloud,
             const View& view,
@@ -41,7 +42,8 @@ drawPoints (const XyzCloud& cloud,
 class CloudPicture {
 public:
   /** \param[in] labels per point: 0 for no plane, else its index in \p planes plus 1
-   * \param[in] planes points of a room's planes that are seen from behind are left out
+   * \param[in] planes their points are left out where they are seen from behind, if
+   * View::hides_backs says so
    * \param[in] up direction against gravity */
   CloudPicture (const XyzCloud& cloud,
                 const std::vector<std::uint32_t>& labels,

@@ -159,8 +159,10 @@ seesMostlyBacks (const XyzCloud& cloud,
 }
 
 /** \brief Sets a view into the cloud from outside and above. If the sensor was inside
- * the box, planes seen from behind are left out. If that hides most points on planes,
- * the view is from below. If that hides most, too, it is from above with all planes. */
+ * the box, planes seen from behind are left out. If this hides most points on planes,
+ * the view is from below. If most are hidden there, too, it is from above with all
+ * planes.
+ * \param[in,out] view its eye is the position of the sensor at first */
 void
 lookInto (const Eigen::AlignedBox3f& box,
           const XyzCloud& cloud,
@@ -185,7 +187,8 @@ lookInto (const Eigen::AlignedBox3f& box,
   view.axes = axesOf (-slant, -up);
 }
 
-/** \brief Zooms and shifts the image so that the points fill it but for a margin. */
+/** \brief Zooms and shifts the image so that the points, but for outliers, fill it up
+ * to a margin. */
 void
 fit (const Points& points, int width, int height, View& view)
 {

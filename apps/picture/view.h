@@ -33,8 +33,9 @@ struct View {
 };
 
 /** \brief Returns a view that shows a cloud as its sensor saw it. If the points lie all
- * around the sensor, or too far away to have been seen from it, it is from above at a
- * slant, or from below if that shows more fronts of planes.
+ * around the sensor, or too far away to have been seen from it, the view is from above
+ * at a slant. If that hides most points on planes (View::hides_backs), and a view from
+ * below does not, it is from below. If no point is finite, it is a default \ref View.
  * \param[in] planes whose normals point to the sensor
  * \param[in] up direction against gravity
  * \param[in] width, height of the image [pixel], which the cloud will fill */

@@ -121,7 +121,8 @@ private:
   /** \brief Gives the planes of a cloud their ids, once the statuses of all earlier
    * clouds are printed.
    * \param[in] sensor as in \ref GiveIds. Planes are matched relative to it, as the
-   * rotation error of a pose turns them about the sensor. */
+   * rotation error of a pose turns them about the sensor.
+   * \throws Interrupted if \ref gives_up_ */
   void
   giveIds (std::size_t i, const Eigen::Vector3d& sensor, Report& report)
   {

@@ -282,7 +282,9 @@ struct AllOutputs {
 };
 
 /** \brief Collects the outputs of all tasks.
- * \throws UsageError for two outputs of one name, or an output that is its own input */
+ * \param[in] fix end of messages on an output that would overwrite an input
+ * \throws UsageError for two outputs of one name, or an output that is the input of its
+ * own task */
 AllOutputs
 outputsOf (const std::vector<Task>& tasks, const std::string& fix)
 {
@@ -302,8 +304,8 @@ outputsOf (const std::vector<Task>& tasks, const std::string& fix)
 /** \brief Checks the names of all outputs.
  * \param[in] poses file of poses, which counts as an input; empty: no poses
  * \param[in] fix end of messages on an output that would overwrite an input
- * \throws UsageError if an output would overwrite another output or an input, or if
- * --planes-dir has an output named as a plane file, or an input */
+ * \throws UsageError if an output would overwrite another output or an input, or if the
+ * folder of --planes-dir has an input, or an output that is named as a plane file */
 void
 checkClashes (const std::vector<Task>& tasks,
               const std::string& poses,

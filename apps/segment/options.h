@@ -37,8 +37,8 @@ struct Outputs {
   /** \brief A folder for the results of each stage. */
   std::string trace;
 
-  /** \brief Returns all files to be written, those in \ref trace too. Those in \ref
-   * planes_dir are left out, as their names depend on the planes. */
+  /** \brief Returns all files to be written, those in \ref trace too. Left out are the
+   * standard output and files in \ref planes_dir, whose names depend on the planes. */
   std::vector<std::string>
   files () const;
 };

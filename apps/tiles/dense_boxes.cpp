@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** \brief Returns half the edge of a cube with some thousand points of the survey [m].
+/** \brief Returns half the edge of a cube with some thousand points of the survey [m]:
+ * by the sample, 3000 points are within this distance of the center.
  * \param[in] sampled_share share of the survey's points that are in the sample */
 double
 halfEdgeAround (const Vector3d& center, const PlaneSample& sample, double sampled_share)

@@ -11,14 +11,14 @@
 
 namespace pcl_ops::apps {
 
-/** \brief All survey points in a box around one sampled point. */
+/** \brief Survey points, not only sampled ones, in a box around one sampled point. */
 struct DenseBox {
   /** \brief Group of the sampled point: the position of its plane in the list of
    * planes, or the number of planes if it is on no plane. */
   std::size_t group = 0;
   Eigen::AlignedBox3d box;
-  /** \brief Points relative to the center of the box, 20,000 at most. Around a point on
-   * no plane, only points on no plane are kept. */
+  /** \brief Relative to the center of the box; the first 20,000 at most. Around a point
+   * on no plane, only points on no plane are kept. */
   std::vector<Eigen::Vector3f> points;
 };
 

@@ -198,7 +198,8 @@ inputsOf (const TilesOptions& options)
   return eachFileOnce (std::move (found.files));
 }
 
-/** \brief Refuses outputs that would be written over each other or over an input. */
+/** \brief Refuses outputs that would be written over each other or over an input.
+ * \throws UsageError, or WorkError as \ref checkWritable */
 void
 checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
 {
@@ -337,7 +338,8 @@ private:
     processor_start = processor;
   }
 
-  /** \brief Does this rank's share of a phase, without the parts done before.
+  /** \brief Does this rank's share of a phase, without the parts done before. A part is
+   * an input or a tile.
    * \param[in] work_of_part amount of work of each part
    * \param[in] noun what the progress bar counts
    * \param[in] is_done whether a part was done before, by its position
@@ -389,7 +391,8 @@ planFileOf (const RunFolder& folder)
 }
 
 /** \brief Makes sure that a folder has a plan: its own, that of --plan, or a new one.
- * If the folder has no plan, files that an earlier run left in it are removed first.
+ * If the folder has no plan, files that an earlier run left in it are removed first. A
+ * missing file of --plan is written, too.
  * \throws UsageError or WorkError if a plan does not fit this run, the folder has
  * another plan than --plan, or outputs cannot be written */
 void

@@ -35,11 +35,12 @@ struct Site {
   }
 };
 
-/** \brief Projects points along the coordinate axis nearest to the normal, so that all
- * tiles get the same sites. Returns the sites without duplicates, sorted by squares.
+/** \brief Projects points along a coordinate axis near the normal, so that all tiles
+ * get the same sites. Returns the sites without duplicates, sorted by squares.
  *
- * The axis follows from weighted components of the normal. Without weights the axes of
- * a roof of 45 degrees, or of a wall between two axes, could differ between tiles. */
+ * It is the axis of the largest weighted component of the normal. Without weights the
+ * axes of a roof of 45 degrees, or of a wall between two axes, could differ between
+ * tiles. */
 std::vector<Site>
 sitesOf (const std::vector<OutlinePoint>& points,
          const Eigen::Vector3d& normal,
@@ -50,6 +51,7 @@ sitesOf (const std::vector<OutlinePoint>& points,
   normal.cwiseAbs().cwiseProduct (weights).maxCoeff (&axis);
   Eigen::Index u = (axis + 1) % 3;
   Eigen::Index v = (axis + 2) % 3;
+  // Seen from the side that the normal points to, v is counter-clockwise of u.
   if (normal[axis] < 0.0)
     std::swap (u, v);
   const auto square_of = [cell_edge] (std::int64_t along) {
@@ -121,7 +123,7 @@ void
 markUnthinned (OccupiedSquares& squares)
 {
   // The circumcircle of a triangle of a dense plane is at most three cells wide
-  // (maxCircumradius). Sparser planes have hardly a square to thin.
+  // (maxCircumradius). Sparser planes have wider circles, but fewer points to thin.
   constexpr std::int64_t reach_of_triangles = 4;
   for (auto& [square, state] : squares) {
     bool is_at_rim = false;
@@ -160,9 +162,9 @@ thinned (const std::vector<Site>& sites, OccupiedSquares& squares)
   return kept;
 }
 
-/** \brief Returns the largest circumradius of a triangle [edges of a cell]: at any
- * density its circle has about a hundred sites. It changes in steps, so that tiles
- * mostly use the same one. */
+/** \brief Returns the largest circumradius of a triangle [edges of a cell]. A circle of
+ * this radius has some 60 to 230 sites if a square has 0.5 to 32. The radius changes in
+ * steps, so that tiles mostly use the same one. */
 double
 maxCircumradius (std::size_t sites, std::size_t squares)
 {
@@ -174,8 +176,8 @@ maxCircumradius (std::size_t sites, std::size_t squares)
 
 /** \brief Whether the outline encloses the Delaunay triangle of a Voronoi vertex, and
  * the triangle belongs to this tile: its circumradius is at most \p max_radius, and its
- * first site is the tile's own. Sites on one circle are one polygon instead of several
- * triangles.
+ * first site, by u and then v, is the tile's own. Sites on one circle are one polygon
+ * instead of several triangles.
  * \param[in] max_radius [unit of the lattice] */
 bool
 isKept (const Vertex& vertex, const std::vector<Site>& sites, double max_radius)
@@ -189,7 +191,8 @@ isKept (const Vertex& vertex, const std::vector<Site>& sites, double max_radius)
     edge = edge->rot_next();
   }
   while (edge != vertex.incident_edge());
-  // The vertex is the circumcenter, relative to the first of all sites.
+  // The vertex is the circumcenter; its coordinates are relative to the first of all
+  // sites (outlineEdges).
   const double du = vertex.x() - double (first->u - sites.front().u);
   const double dv = vertex.y() - double (first->v - sites.front().v);
   return first->point.is_own && du * du + dv * dv <= max_radius * max_radius;

@@ -34,13 +34,14 @@ outlineUnit (double cell_edge);
 /** \brief Returns a tile's share of the outline of a plane. The outline is the boundary
  * of an alpha shape (Edelsbrunner, Kirkpatrick & Seidel, On the shape of a set of
  * points in the plane, 1983): of the Delaunay triangles whose circumradius is at most
- * one and a half cells, or more where points are sparse.
+ * one and a half cells, or three or six if the points in the tile are sparse.
  *
- * Each triangle belongs to the tile of its first point. Along a border of tiles both
- * return the same edges in opposite directions. These cancel, and the remaining edges
- * of all tiles are the outline of the whole plane. Away from the outline and from
- * borders of tiles, points are first thinned to one per square as wide as a cell.
- * \param[in] points all points on the plane in a tile and its halo
+ * Each triangle belongs to the tile of its first corner by coordinates. Along a border
+ * of tiles both return the same edges in opposite directions. These cancel, and the
+ * remaining edges of all tiles are the outline of the whole plane. Away from the
+ * outline and from borders of tiles, points are first thinned to one per square as wide
+ * as a cell.
+ * \param[in] points all points on the plane in a tile and its halo, in any order
  * \param[in] normal to a viewer on the side that it points to, the plane lies to the
  * left of the returned edges
  * \param[in] cell_edge in units of the lattice */

@@ -209,6 +209,7 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
                            [&] (const TileKey& tile) { add (tile, TilePart::Halo); });
     });
     writer.finish();
+    // Inside writeFile: if this throws, there is no file, and the phase is not done.
     checkIsAsPlanned (plan.inputs[input], folder);
   });
 }

@@ -93,8 +93,9 @@ struct RunFolder {
   removePhaseFiles () const;
 
   /** \brief Writes planes.json and the mark of a finished run, as the last phase.
-   * \param[in] with_warnings returns the text of the list of planes with warnings added
-   */
+   * \param[in] with_warnings gets the text of the list of planes and returns it with
+   * warnings added
+   * \throws WorkError if that list is damaged or a file cannot be written */
   void
   finish (const std::function<std::string (const std::string&)>& with_warnings) const;
 };
@@ -118,7 +119,8 @@ struct SortedPoints {
 
   /** \brief One for each input. */
   std::vector<CellFile> files;
-  /** \brief All tiles with own points in ascending order, and how many each has. */
+  /** \brief All tiles with own points (TilePart::Own) in ascending order, and how many
+   * each has. */
   std::vector<TileKey> tiles;
   std::vector<std::uint64_t> points_of_tile;
 };
@@ -129,7 +131,8 @@ void
 measureSurvey (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
 /** \brief Phase for each tile: finds the planes of the points that it sees, and writes
- * its pieces of planes and the piece numbers of its own points. */
+ * the piece numbers of its own points and its pieces of planes. The file of pieces
+ * comes last: it marks a finished tile. */
 void
 detectTile (const Plan& plan,
             const RunFolder& folder,
@@ -137,11 +140,13 @@ detectTile (const Plan& plan,
             const TileKey& tile);
 
 /** \brief Phase for the whole survey: joins the pieces of all tiles to planes, and
- * writes the list of planes and the plane of each piece. */
+ * writes the plane of each piece and the list of planes. The list comes last: it marks
+ * the finished phase. */
 void
 joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
-/** \brief Phase for each input: writes it with the labels of its points. */
+/** \brief Phase for each input: writes it with the labels of its points, then the mark
+ * of \ref RunFolder::labeledMark. */
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 

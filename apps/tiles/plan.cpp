@@ -210,7 +210,7 @@ evenSample (const std::vector<InputSample>& samples)
 }
 
 /** \brief Reads a value from the reference system of every input. Returns nothing if
- * the values differ, or if an input is missing or no .las. */
+ * the values differ, or if an input is missing or no .las or .laz. */
 template <typename Value>
 std::optional<Value>
 commonToLas (const std::vector<PlannedInput>& inputs, Value (*read) (LasFile&))
@@ -271,6 +271,7 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   grid.cells_of_tile = cellsOfTile (options, grid.edge);
   for (const InputSample& sample : samples)
     checkReach (grid, sample.input.file, sample.points);
+  // The cell near local_origin, set below, must be in reach, too.
   checkReach (grid, plan.inputs.front().file, {local_origin});
   constexpr std::int64_t step = TileGrid::cells_of_coarsest;
   for (int axis = 0; axis < 3; ++axis)

@@ -31,7 +31,8 @@ struct Plan {
   /** \brief Its \ref TileGrid::cell_near_points is near most points of the first input.
    */
   TileGrid grid;
-  /** \brief Number of tiles that have points of the sample. */
+  /** \brief Number of tiles with points of the sample that \ref makePlan takes; all
+   * points may be in more tiles. */
   std::uint64_t likely_tiles = 0;
   /** \brief Whether planes are found on voxels, because --voxel-size was given. */
   bool is_on_voxels = false;
@@ -70,12 +71,13 @@ struct PlanOptions {
 
 /** \brief Makes a plan from the headers of all inputs and a sample of their points.
  * \param[in] files in any order
- * \throws WorkError if a file cannot be read or labels cannot be added to it */
+ * \throws WorkError if a file cannot be read or labels cannot be added to it,
+ * UsageError if given voxels or tiles are too small or too large */
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options);
 
 /** \brief Returns the reference system of all inputs, "EPSG:N"; empty if they differ or
- * have no number. */
+ * have no number, or if an input is missing or no LAS. */
 std::string
 commonCrs (const Plan& plan);
 

@@ -46,7 +46,8 @@ public:
     const auto [first, second] = std::minmax ({rootOf (a), rootOf (b)});
     if (first == second)
       return;
-    // The noise alone decides, as where Sampling::Surfels merges planes within a tile.
+    // Beside the angle the noise decides, as where Sampling::Surfels merges planes
+    // within a tile: with a threshold of 0 no pair passes the test of centroids.
     MergingParameters by_noise;
     by_noise.distance_threshold = 0.0;
     by_noise.noise_factor = 1.5;

@@ -12,6 +12,8 @@ namespace pcl_ops::apps {
 struct JoinedPlane {
   /** \brief Moments of all points on the plane; each is an own point of one tile. */
   ExactMoments moments;
+  /** \brief Fit to \ref moments. If these points span no plane: to all points of the
+   * first piece, with those in its halo. */
   PlaneFit fit;
   /** \brief Unit normal. To a viewer on the side that it points to, the plane lies to
    * the left of each edge. */
@@ -38,7 +40,7 @@ struct JoinedPlanes {
  * the same cells. Pairs of pieces that share three cells or more are tested, those that
  * share most cells first. Each piece is in a group of the pieces that it was joined
  * with before. The groups of a pair are joined if \ref mergePlanes merges their
- * moments.
+ * moments, by the noise instead of a threshold of distances.
  * \param[in] tiles in ascending order
  * \param[in] load returns the pieces of a tile; called several times for each, so that
  * the border voxels of two tiles at most are in memory */

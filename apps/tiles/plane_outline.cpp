@@ -163,7 +163,7 @@ struct SignedRing {
   static constexpr bool is_clockwise = false, is_closed = false;
   geometry::model::ring<Eigen::Vector2d, is_clockwise, is_closed> corners;
   geometry::model::box<Eigen::Vector2d> box;
-  /** \brief Below zero for a hole [m^2]. */
+  /** \brief Area inside the ring [m^2], below zero for a hole. */
   double area = 0.0;
 
   explicit SignedRing (const PlanarPoints& ring) : corners (ring.begin(), ring.end())

@@ -9,9 +9,9 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Returns the parts of a plane, each with its holes, by falling area. On
- * average the outermost points lie inside the real boundary of the plane by 0.3 of
- * their spacing. Corners are moved outwards by that distance.
+/** \brief Returns the parts of a plane, each with its holes, by falling area of their
+ * outer rings. On average the outermost points lie inside the real boundary of the
+ * plane by 0.3 of their spacing. Corners are moved outwards by that distance.
  * \param[in] edges of all tiles, between points of a lattice; opposite ones cancel
  * \param[in] frame of the plane, in which the plane is to the left of the edges
  * \param[in] unit spacing of that lattice (\ref outlineUnit) [m]

@@ -47,7 +47,8 @@ struct PartedExtent {
   Polygons other_parts;
 };
 
-/** \param[in] segment the plane with the normal of its frame */
+/** \param[in] segment its centroid and normal are those of the frame of the extent;
+ * edges of a plane with the opposite normal are reversed */
 PartedExtent
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {
@@ -111,7 +112,8 @@ kindIn (const Json& plane)
   return kindCalled (kind).value_or (PlaneKind::Other);
 }
 
-/** \brief Removes planes from a list. \return how many, and why */
+/** \brief Removes all planes but the chosen ones from a list, and adds to the list how
+ * many each option dropped. \return these numbers */
 Dropped
 choosePlanes (const PlaneChoice& choice, Json& list)
 {

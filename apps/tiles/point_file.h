@@ -72,7 +72,7 @@ struct PointFile {
 
   /** \brief Writes a copy of the file with a label for each point; in a .pcd also with
    * a color by label, in place of that of the file.
-   * \param[in] output a .las for a .las, else a .pcd
+   * \param[in] output a .las or .laz for such a file, else a .pcd
    * \param[in] label_of called for each point, in the order of the file
    * \throws WorkError if \p output cannot be written */
   void
@@ -87,9 +87,9 @@ struct PointFile {
   }
 
   std::string name;
-  /** \brief nullptr for other formats. */
+  /** \brief nullptr for formats other than .las and .laz. */
   std::shared_ptr<LasFile> las;
-  /** \brief Empty for a .las. */
+  /** \brief All points of a file of another format, else empty. */
   FileCloud cloud;
 };
 

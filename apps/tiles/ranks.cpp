@@ -18,6 +18,7 @@ namespace pcl_ops::apps {
 
 #ifdef PCL_OPS_WITH_MPI
 struct Ranks::State {
+  // false: an exception does not abort all ranks; main reports it, then calls endAll.
   boost::mpi::environment environment{boost::mpi::threading::funneled, false};
   boost::mpi::communicator world;
 };

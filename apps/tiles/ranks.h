@@ -30,8 +30,8 @@ private:
   std::shared_ptr<State> state_;
 };
 
-/** \brief Returns the positions of the parts that a rank works on, the largest part
- * first. All ranks have about the same amount of work.
+/** \brief Returns the positions of the parts (tiles or inputs) that a rank works on,
+ * the largest part first. All ranks have about the same amount of work.
  * \param[in] ranks number of all ranks
  * \param[in] work_of_part amount of work of each part */
 std::vector<std::size_t>

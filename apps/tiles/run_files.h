@@ -176,8 +176,9 @@ struct BinaryReader {
   Checksum sum;
 };
 
-/** \brief Which of the points that a tile sees: those in the tile or those in its halo.
- */
+/** \brief Which of the points that a tile sees: its own, which are in the tile, or
+ * those in its halo. 64 bits, so that \ref Block has no padding: undefined bytes would
+ * change its checksum. */
 enum class TilePart : std::int64_t { Own = 0, Halo = 1 };
 
 /** \brief The tile that sees the points of a block, and whether they are in the tile or
@@ -209,8 +210,9 @@ struct Block {
 };
 
 /** \brief Writes the points of one input, sorted into blocks. The file has the points
- * of all blocks, then the index: the offset of the index, the list of blocks and their
- * checksum. The last number of the file is the offset of the index. */
+ * of all blocks, then the index: the offset of the index in the file, the list of
+ * blocks and the checksum of both. Readers find the index by the last number of the
+ * file, which is that offset again. */
 class CellFileWriter {
 public:
   /** \param[in] file name that the file will have, for checksums */

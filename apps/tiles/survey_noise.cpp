@@ -31,7 +31,8 @@ tilesToMeasure (const std::vector<std::uint64_t>& points_of_tile)
   const std::uint64_t points =
       std::accumulate (points_of_tile.begin(), points_of_tile.end(), std::uint64_t (0));
   const std::uint64_t step = std::max<std::uint64_t> (1, points / points_to_measure);
-  // From the middle of the first step on; of fewer tiles than a step one is chosen.
+  // Every step-th tile, from the middle of the first step on. If there are fewer tiles
+  // than a step, the remainder chooses one.
   const std::size_t first = step / 2 % std::max<std::size_t> (1, tiles);
   std::vector<std::size_t> chosen;
   for (std::size_t tile = first; tile < tiles; tile += step)

@@ -14,7 +14,8 @@
 namespace pcl_ops::apps {
 
 /** \brief Chooses the tiles in which the noise of the survey is measured: evenly
- * spread, with 400,000 points together or more; all tiles of a small survey.
+ * spread, with 400,000 points together or more if all tiles have equally many; all
+ * tiles of a survey of less than 800,000 points.
  * \return their positions in the list
  * \param[in] points_of_tile number of points of each tile */
 std::vector<std::size_t>
@@ -26,7 +27,8 @@ using PointsOfTile = std::function<std::vector<Eigen::Vector3f> (const TileKey& 
 /** \brief Measures the noise of the survey, which detection in all tiles uses. A tile
  * of hills, searched with its own noise, has planes that the whole survey does not
  * have.
- * \param[in] tiles in which the noise is measured */
+ * \param[in] tiles in which the noise is measured
+ * \param[in] points_of called once for each of them */
 CloudNoise
 noiseOfSurvey (const Plan& plan,
                const std::vector<TileKey>& tiles,

@@ -11,7 +11,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Number of a cell along x, y and z, counted from zero of the inputs' frame. */
+/** \brief Number of a cell along x, y and z. Cell 0 begins at zero of the frame (the
+ * coordinate system) that all inputs share. */
 using CellKey = std::array<std::int64_t, 3>;
 
 /** \brief Number of a tile along x and y: its first cell is the number times \ref
@@ -21,14 +22,15 @@ using TileKey = std::array<std::int64_t, 2>;
 /** \brief A lattice of cubic cells from zero of the inputs' frame, and square tiles of
  * whole columns of cells. Intervals are half-open: a point is in one cell and one tile.
  * Around each tile is a halo: a border of cells of other tiles whose points the tile
- * sees, too. */
+ * sees, too. [m] stands for the unit of the inputs. */
 struct TileGrid {
   /** \brief Width of the voxels of the coarsest resolution of normals [cells]. */
   static constexpr std::int64_t cells_of_coarsest = 4;
-  /** \brief Width of the halo [cells]: three of the coarsest voxels, from which normals
-   * come. Planes grow and are joined voxel by voxel. */
+  /** \brief Width of the halo [cells]: three voxels of the coarsest resolution. Pieces
+   * of planes in two tiles are joined by the cells that both tiles see (joinPlanes). */
   static constexpr std::int64_t halo = 12;
-  /** \brief Largest distance from zero along each axis [cells]. */
+  /** \brief Largest distance from zero along each axis [cells]: numbers of cells fit
+   * into 32 bits (BorderVoxel::cell). */
   static constexpr std::int64_t max_cells = 1'000'000'000;
 
   /** \brief Edge of a cell [m]. */
@@ -61,6 +63,7 @@ struct TileGrid {
     return (point.array().abs() < reach()).all();
   }
 
+  /** \param[in] point within \ref reach, else its numbers may overflow */
   CellKey
   cellOf (const Eigen::Vector3d& point) const
   {

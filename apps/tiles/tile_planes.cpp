@@ -50,7 +50,8 @@ detectIn (const Plan& plan,
   return detectPlanes (view, parameters);
 }
 
-/** \brief Returns the inputs of a plane's own points, which are its first inliers. */
+/** \brief Returns the inputs of a plane's own points. Inliers are ascending indices, so
+ * own points come first, input by input. */
 std::vector<std::uint32_t>
 inputsOf (const PlaneSegment& plane, const TilePoints& points)
 {
@@ -96,6 +97,7 @@ pieceOf (const PlaneSegment& plane,
     outline[i].is_own = i < own_inliers;
     if (outline[i].is_own)
       piece.own_moments.add (origin + local);
+    // Zero of the tile's frame is a corner of a cell: the numbers of both add up.
     CellKey cell = grid.cellOf (local);
     BorderVoxel voxel{{}, position};
     for (int axis = 0; axis < 3; ++axis) {

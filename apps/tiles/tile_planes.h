@@ -33,7 +33,7 @@ struct TilePiece {
 /** \brief A cell of \ref TileGrid that another tile sees, too, with points on a piece.
  */
 struct BorderVoxel {
-  /** \brief Its \ref CellKey, in less memory. */
+  /** \brief Its \ref CellKey in less memory: \ref TileGrid::max_cells fits. */
   std::array<std::int32_t, 3> cell{};
   /** \brief Position in TilePlanes::pieces. */
   std::uint32_t piece = 0;
@@ -45,7 +45,8 @@ struct BorderVoxel {
   }
 };
 
-/** \brief The pieces of a tile that have own points. */
+/** \brief The pieces of planes in a tile; pieces with points in its halo alone are left
+ * out. */
 struct TilePlanes {
   /** \brief By falling number of points in the tile and its halo. */
   std::vector<TilePiece> pieces;
@@ -87,7 +88,8 @@ struct TileDetection {
 
 /** \brief Finds planes with the default of OPS. If Plan::is_on_voxels is set, its
  * voxels are the cells of the grid.
- * \param[in] noise of the survey; nothing for a single tile or on voxels */
+ * \param[in] noise of the survey; nothing for a single tile or on voxels
+ * \throws std::bad_alloc, also if an index cannot count the points */
 TileDetection
 detectInTile (const Plan& plan,
               const std::optional<CloudNoise>& noise,

@@ -43,7 +43,8 @@ r  view as at the start
 q  quit
 shift and click  say which plane this is)";
 
-/** \brief Changes a state by a key. Another method or preset finds other planes, and so
+/** \brief Changes a state by a key of \ref list_of_keys, if it is one of 1, 2, h, m and
+ * p; others are handled elsewhere. Another method or preset finds other planes, and so
  * clears the selection.
  * \return false if the key changes no state */
 inline bool
@@ -107,7 +108,8 @@ colorOfPoint (const FoundPlanes& found, const ViewState& state, std::size_t poin
              : colorOfLabel (label);
 }
 
-/** \brief Returns number, orientation, size, area and equation of the selected plane.
+/** \brief Returns number, orientation, size, area and equation of the selected plane,
+ * which there must be.
  * \param[in] shift origin of the frame of the planes in the frame of the file */
 inline std::string
 planeText (const FoundPlanes& found,

@@ -279,7 +279,8 @@ private:
   FoundPlanes found_;
   pcl::visualization::PCLVisualizer viewer_;
   vtkRenderWindow& window_;
-  /** \brief Whether the key that was pressed last is one of the viewer. */
+  /** \brief Whether the key that was pressed last is one of the viewer; noted at the
+   * first of the two events of a key, for the second. */
   bool is_own_key_ = false;
 };
 
@@ -295,6 +296,7 @@ savePage (const ViewOptions& options,
   std::vector<PlaneExtent> extents;
   std::vector<std::uint32_t> ids;
   for (PlaneSegment& plane : planes) {
+    // In the frame of the cloud; the plane and its extent are then in that of the file.
     const PlanarPoints points = pointsOnPlane (
         *shifted.cloud, plane, PlaneFrame (plane.centroid, plane.normal));
     plane.moveBy (shifted.shift);

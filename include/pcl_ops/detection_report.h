@@ -14,13 +14,18 @@ namespace pcl_ops {
 
 /** \brief Wall time of each stage of the last call [ms]. */
 struct StageDurations {
-  /** \brief Search of the neighbors of points, or division of the cloud into voxels. */
+  /** \brief Search of the neighbors of points, or division of the cloud into voxels.
+   * With Sampling::Neighborhoods also the fits of local planes. */
   double search = 0.0;
+  /** \brief Normals of points or voxels. With Sampling::Neighborhoods the noise, and
+   * the choice among the local planes. */
   double normals = 0.0;
   /** \brief Extraction of planes, or of the regions that become planes. */
   double extraction = 0.0;
   /** \brief Assignment of points to planes. */
   double assignment = 0.0;
+  /** \brief Merging of planes. With Sampling::Neighborhoods joins of regions, and the
+   * decision which of them are planes. */
   double merging = 0.0;
   /** \brief The whole detection, from the input cloud to the list of planes. */
   double detection = 0.0;
@@ -54,10 +59,12 @@ struct CloudNoise {
   /** \brief Number of neighboring points that share one independent error; 1 for white
    * noise. */
   double common_errors = 1.0;
-  /** \brief Median noise of the points of the whole cloud [m]. */
+  /** \brief Median noise of the points of the whole cloud whose neighborhood is flat,
+   * but not exact [m]; 0 if there are none. */
   double usual = 0.0;
-  /** \brief Median noise of the points in each octave of the point density [m]. The key
-   * is log2 of the density [1/m^2], rounded down. */
+  /** \brief Median noise of those points in each octave of the point density, with the
+   * adjacent octaves at half the weight, but at most 3 times \ref usual [m]. The key is
+   * log2 of the density [1/m^2], rounded down. */
   std::map<int, double> usual_of_octave;
 };
 

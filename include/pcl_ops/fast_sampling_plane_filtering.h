@@ -42,7 +42,7 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
      */
     double max_inliers_per_point = 2.0;
     /** \brief K_max, as a multiple of the number of points: sampling ends after this
-     * number of hypotheses. */
+     * number of spheres, also those that gave no hypothesis. */
     double max_hypotheses_per_point = 1.0;
     /** \brief Sampling also ends at this number of examined points in all spheres, plus
      * 100 for each sphere, as a multiple of the number of points. Not in the paper:
@@ -82,7 +82,8 @@ detect (const DetectorInput& input,
  * windows.
  *
  * Hundreds of small planes are merged first. Then each point is assigned to the largest
- * merged plane within theta_h.
+ * merged plane within theta_h. Last the planes are fitted to their points, and merged
+ * again if they have become coplanar.
  *
  * Without \c setSearchMethod the points of a sphere are found in a voxel grid, several
  * times faster than in a k-d tree. Their order is different, so that the random draws,

@@ -20,7 +20,7 @@ enum class Sampling {
    * voxels around it. Planes are bounded by their voxels. */
   Surfels,
   /** \brief All points. The normal of a point comes from its largest neighborhood whose
-   * scatter the noise of the cloud explains. There is no grid: the planes stay the same
+   * scatter the noise of the cloud explains. There is no grid: the planes hardly change
    * if the cloud is translated or rotated. */
   Neighborhoods,
   /** \brief Surfels if \ref OrientedPointSamplingParameters::Surfels::voxel_size is

@@ -33,7 +33,8 @@ struct PlaneDetectorParameters {
   /** \brief Largest angle of a horizontal plane to the horizontal, and of a vertical
    * plane to the vertical [rad]. */
   double angle_tolerance = paper_angle_tolerance;
-  /** \brief Seed of every random choice. */
+  /** \brief Seed of the random draws. Only FSPF and OPS with Sampling::Points draw at
+   * random. */
   std::uint32_t seed = 42;
   /** \brief Number of threads; 0: one for each processor. The result does not depend
    * on it. */

@@ -67,11 +67,12 @@ struct PlaneExtent {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   /** \brief Unit vector along the longer sides of the rectangle. */
   Eigen::Vector3d long_axis = Eigen::Vector3d::UnitX();
-  /** \brief Unit vector along its shorter sides: long_axis x short_axis = normal. */
+  /** \brief Unit vector along the shorter sides: long_axis x short_axis = normal. */
   Eigen::Vector3d short_axis = Eigen::Vector3d::UnitY();
-  /** \brief Length of its longer sides [m]; 0 for equal points. */
+  /** \brief Length of the longer sides of the rectangle [m]; 0 for equal points. */
   double length = 0.0;
-  /** \brief Length of its shorter sides [m]; 0 for points on one line. */
+  /** \brief Length of the shorter sides of the rectangle [m]; 0 for points on one line.
+   */
   double width = 0.0;
 
   /** \brief Returns \ref hull, then the \ref holes. */

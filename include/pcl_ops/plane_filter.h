@@ -22,9 +22,10 @@ namespace pcl_ops {
 
 /** \brief Conditions for planes to keep. By default all planes are kept. */
 struct PlaneFilter {
+  /** \brief Not given: any. */
   std::optional<Orientation> orientation;
   /** \brief Planes whose normals, of either sign, are parallel to this vector are kept.
-   * It has any length but 0, in the frame of the planes. Not given: any. */
+   * The vector has any length but 0, in the frame of the planes. Not given: any. */
   std::optional<Eigen::Vector3d> direction;
   /** \brief Largest angle between a normal and \ref direction [rad]; default 10
    * degrees. */

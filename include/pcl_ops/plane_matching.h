@@ -55,7 +55,8 @@ struct PlaneMatches {
  * and matched greedily. The best pair has the largest product of intersection over
  * union and the square root of the likelihood. The sign of normals does not matter. The
  * result does not depend on the order of the planes except for ties.
- * \param[in] previous planes of one frame; only their moments and normals are used
+ * \param[in] previous planes of one frame; only their centroids, moments and normals
+ * are used
  * \param[in] current planes of the other frame
  * \param[in] pose of the current frame in the previous frame: a point p of the current
  * frame is pose * p in the previous frame. Its rotation error is about the origin of

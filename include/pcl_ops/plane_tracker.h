@@ -42,10 +42,10 @@ class PCL_OPS_EXPORT PlaneTracker {
 public:
   /** \param[in] parameters of the matching; the pose errors are those of the motion
    * from one frame to the next
-   * \param[in] memory number of frames after which a plane that is not seen again is
-   * forgotten; not given: never
+   * \param[in] memory a plane is forgotten once it was not seen in more than this many
+   * frames in a row; not given: never
    * \param[in] max_distance planes with all parts farther than this from the sensor are
-   * forgotten [m]; not given: no limit
+   * forgotten [m]; above 0; not given: no limit
    * \throw std::invalid_argument if the parameters are wrong */
   explicit PlaneTracker (
       const PlaneMatchingParameters& parameters = PlaneMatchingParameters(),

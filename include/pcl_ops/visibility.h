@@ -18,8 +18,8 @@ namespace detail {
  * one surface occludes another: points are at clearly different ranges. It is about
  * 0.03, at edges of objects, if the cloud was taken from the viewpoint, and 0.1 to 0.3
  * if not: for example if the cloud is in a world frame but VIEWPOINT is 0 0 0.
- * \param[in] cloud a sample of some 60,000 finite points is used; the order of the
- * points does not matter
+ * \param[in] cloud a sample of up to some 60,000 finite points is used; the order of
+ * the points does not matter
  * \param[in] viewpoint in the frame of the cloud
  * \return 0 to 1; 0 if no direction has enough points or the viewpoint is not finite */
 PCL_OPS_EXPORT double

@@ -55,7 +55,7 @@ detectorsOn (const XyzCloud::ConstPtr& cloud,
   return measures;
 }
 
-/** Returns measures of the default and of the paper's preset of OPS. */
+/** Returns measures of the default and of the paper's preset of OPS, in this order. */
 std::vector<Measure>
 presetsOn (const XyzCloud::ConstPtr& cloud,
            const MeasureParameters& parameters,
@@ -66,11 +66,12 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
   settings.threads = threads;
   settings.sampling_rate = sampling_rate;
   auto measures = detectorsOn (cloud, "ops,ops-3-30", parameters.runs, settings);
+  // Measures come in the order of the names, as MeasureParameters::runs is above 0.
   measures[1].name = "ops paper";
   return measures;
 }
 
-/** Returns measures that no detector can be faster than: a copy and a search tree. */
+/** Returns measures to compare detectors with: a copy and a search tree. */
 std::vector<Measure>
 lowerBoundsOn (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 {

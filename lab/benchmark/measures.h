@@ -26,6 +26,7 @@ struct Measure {
   StageDurations shortest = {}; // of the fastest run [ms]
 };
 
+/** Is told what is measured next. */
 using Notify = std::function<void (const std::string& what)>;
 
 /** Runs each measure once, then each a second time, and so on, so that a slow phase of
@@ -43,8 +44,8 @@ struct MeasureParameters {
   evaluation::RunSettings settings = {};
 };
 
-/** Returns measures that have not run yet: a copy of the cloud into allocated memory
- * and the construction of pcl::KdTreeFLANN, as lower bounds; the default preset on two
+/** Returns measures that have not run yet: for comparison, a copy of the cloud into
+ * allocated memory and the construction of pcl::KdTreeFLANN; the default preset on two
  * threads; configurations of OPS, 3D-KHT and FSPF on one thread; the peer detectors. */
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters);
@@ -63,7 +64,7 @@ makeBoards (unsigned number);
 /** Returns a CSV of the times of OPS (default and paper preset) in four series. In each
  * series the quantity of its name grows, whose values are in the column x: points,
  * threads, sampling_rate [%] or planes. On one thread, all series but sampling_rate
- * also have 3D-KHT and the lower bounds of \ref measuresOf.
+ * also have 3D-KHT, the copy and the kd-tree of \ref measuresOf.
  * \param[in] clouds for the series threads; the first one also for sampling_rate, and
  * its number of points for the simulated boards of the series planes
  * \param[in] growing for the series points */

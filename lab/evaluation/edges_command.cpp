@@ -49,8 +49,9 @@ struct EdgeScore {
   std::vector<double> edge_errors, corner_errors;
 };
 
-/** Returns for each centimeter of an edge the distance to the nearest other edge of the
- * same direction; infinite if there is no such edge [m]. */
+/** Returns for each centimeter of an edge, up to 1 km, the distance to the nearest
+ * other edge of the same direction within 7 degrees; infinite if there is no such edge
+ * [m]. A longer edge has no more distances, at larger steps. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
@@ -77,7 +78,8 @@ distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
   return distances;
 }
 
-/** Pairs each true corner in turn with the nearest found corner that is still free. */
+/** Pairs each true corner in turn with the nearest found corner that is still free, if
+ * it is within \ref max_distance. */
 void
 addCorners (const std::vector<PlaneCorner>& truth,
             std::vector<PlaneCorner> found,

@@ -279,7 +279,9 @@ def colors_like(truth, labels):
 
 
 def corner_camera(points):
-    """The corner of a room below its ceiling, and the axes of a camera that looks across."""
+    """The position of a camera 0.6 m above a corner of a room's ceiling, and its axes
+    (right, down, forward) as columns. It looks across the room, at 0.4 m above the
+    middle of the floor."""
     low, high = np.quantile(points, (0.02, 0.98), axis=0)
     eye = np.array([low[0], high[1], high[2] + 0.6])  # [m]
     forward = np.append((low + high)[:2] / 2, low[2] + 0.4) - eye
@@ -299,7 +301,7 @@ class View(NamedTuple):
 
 
 def seen_by(points, eye, axes, nearest=0.0, reach=np.inf):
-    """The view of a camera.
+    """The view of a camera at eye. Columns of axes point to the right, down, forward.
 
     nearest: nearer points are not shown [m]
     reach: tangent of half the angle of view
@@ -322,7 +324,9 @@ def from_above(points, center):
 
 
 def view_of(points, origin, axes):
-    """What a depth camera saw as that camera, a room from its corner, other clouds from above."""
+    """The view of a cloud: from its sensor if all points are before it, as those of a
+    depth camera; else from a corner if the cloud is a room, less than 20 m wide; else
+    from above."""
     low, high = points.min(axis=0), points.max(axis=0)
     by_camera = seen_by(points, origin, axes, reach=2)
     if by_camera.shown.all():
@@ -337,7 +341,7 @@ def view_of(points, origin, axes):
 def drawn(columns, rows, depth, colors, width):
     """The image [pixels] of points as squares that close the gaps between them, the nearest in
     front. A square has an edge of 2 to 4 pixels, by the number of points in a cell of 8 x 8."""
-    scale = np.ptp(columns) / (width - 5)
+    scale = np.ptp(columns) / (width - 5)  # squares need room at the edge
     column = ((columns - columns.min()) / scale).astype(int)
     row = ((rows - rows.min()) / scale).astype(int)
     cell = row // 8 * width + column // 8
@@ -357,6 +361,7 @@ def picture_of(points, colors, origin, axes, width=424):
 
     colors: the number of a color for each point; 0: on no plane
     """
+    # Without grays, which would look like points on no plane.
     palette = np.array([color for name in ("tab20", "tab20b", "tab20c", "Set1", "Dark2")
                         for color in plt.get_cmap(name).colors if np.ptp(color) > 0.15])
     view = view_of(points, origin, axes)
@@ -366,7 +371,7 @@ def picture_of(points, colors, origin, axes, width=424):
 
 
 def own_names(folder):
-    """Names of the labels of one's own that were compared."""
+    """Names of the users' own detectors whose labels were compared."""
     file = folder / "comparison.csv"
     if not file.exists():
         return []

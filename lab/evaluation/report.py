@@ -151,7 +151,7 @@ def planes_table(name, means, has_paper):
 
 
 def other_tables(name, means):
-    """True planes that were found by their size, and times of the stages."""
+    """How many true planes of all clouds were found, by size; times of the stages."""
     report, stages = "", []
     for configuration, mean in means.items():
         stages.append([configuration] + [text(mean[stage + "_ms"] / 1e3, 4) for stage in STAGES] +
@@ -175,7 +175,7 @@ SUMMARY = ("classification_accuracy", "segmentation_accuracy", "f_score", "f_sco
 
 
 def is_own(mean):
-    """Whether the labels are of a detector of one's own, which tell no time."""
+    """Whether the labels are of a user's own detector: such labels tell no time."""
     return mean["clouds"] > 0 and math.isnan(mean["detection_ms"])
 
 
@@ -211,7 +211,8 @@ SMALLEST = (200, 500, 1000, 3000, 10000)  # bounds of size classes of true plane
 
 
 def true_planes_of(means):
-    """How many true planes a cloud has, and how many of at least SMALLEST points."""
+    """How many true planes a cloud has on average, and how many of at least each number
+    of points in SMALLEST. The first configuration is read: all have the same truth."""
     mean = next(iter(means.values()))
     counts = [mean[f"planes_by_points_below_{bound}"] for bound in SMALLEST]
     counts.append(mean[f"planes_by_points_from_{SMALLEST[-1]}"])

@@ -113,6 +113,7 @@ SimulatedCloud
 scanAirborne (const AirborneSite& site, std::size_t points, double noise, Seed seed)
 {
   std::vector<Plane> planes{planeThrough (Vector3d::Zero(), Vector3d::UnitZ())};
+  // A wood gets two planes without points, so that the numbers of roofs fit.
   for (const std::optional<House>& house : site.houses)
     for (const int side : {1, -1})
       planes.push_back (roofPlane (house.value_or (House{}), side));

@@ -35,7 +35,7 @@ AirborneSite
 makeAirborne (Seed seed);
 
 /** Scans the site from above with equal density, in random order. Sides of roofs and
- * flat ground are planes; points on hilly ground are ignored.
+ * flat ground are planes, leaves have label 0, points on hilly ground are ignored.
  * \param[in] noise factor on \ref airborne_sigma */
 SimulatedCloud
 scanAirborne (const AirborneSite& site, std::size_t points, double noise, Seed seed);

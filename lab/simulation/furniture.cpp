@@ -37,7 +37,9 @@ plateOnLegs (const Vector3d& size, double thickness, double leg_radius)
   return body;
 }
 
-/** Adds a row of books from \p start along x, until it is \p width wide. */
+/** Adds a row of books along x until it is at least \p width wide.
+ * \param[in] start where the row begins, at the foot of the books, in the middle of
+ * their depth */
 void
 addBooks (Body& body, const Vector3d& start, double width, Random& random)
 {
@@ -68,7 +70,7 @@ addMonitor (Body& desk, const Vector3d& foot, Random& random)
 {
   constexpr double stand_height = 0.2;
   constexpr double behind_screen = 0.05; // from the stand to the screen
-  constexpr double below_screen = 0.1;
+  constexpr double below_screen = 0.1;   // from the desk to the screen
   const Vector3d size (random.between (0.45, 0.7), 0.04, 0.36);
   desk.addPole (foot, stand_height, 0.03);
   desk.addPole (foot, 0.015, 0.12); // the base of the stand
@@ -250,6 +252,7 @@ boardsOnPosts (
   const double inset = overhang + 0.5 * width;
   for (const double side_x : {-1.0, 1.0})
     for (const double side_y : {-1.0, 1.0}) {
+      // Posts at +y stand farther in along x, those at +x farther in along y.
       const double x = 0.5 * size.x() - inset - (side_y > 0.0 ? step : 0.0);
       const double y = 0.5 * size.y() - inset - (side_x > 0.0 ? step : 0.0);
       piece.addBox (at ({side_x * x, side_y * y, 0.5 * height}),

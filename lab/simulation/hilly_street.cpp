@@ -15,7 +15,7 @@ constexpr double no_hit = std::numeric_limits<double>::infinity();
 
 /** Adds the front and one side of a house. They begin below the ground, so that a slope
  * leaves no gap.
- * \param[in] x of the end of the front [m]
+ * \param[in] x where the front begins and the side is; the front ends at a larger x [m]
  * \param[in] side of the street: 1 at y > 0, -1 at y < 0 */
 void
 addHouse (HillyStreet& street, double x, double side, Random& random)
@@ -47,7 +47,9 @@ drawBush (const HillyStreet& street, Random& random)
   return bush;
 }
 
-/** Returns the distance at which a ray from the origin first goes below the ground. */
+/** Returns the distance at which a ray from the origin goes below the ground, from the
+ * nearest reading on; infinity if it does not within the range of the lidar.
+ * \param[in] ray of length 1 */
 double
 distanceToGround (const HillyStreet& street, const Vector3d& ray)
 {
@@ -71,7 +73,8 @@ distanceToGround (const HillyStreet& street, const Vector3d& ray)
 }
 
 /** Returns a random distance inside the ball if the ray meets the ball and hits a leaf,
- * else infinity. */
+ * else infinity.
+ * \param[in] ray of length 1 */
 double
 distanceToBush (const Bush& bush, const Vector3d& ray, Random& random)
 {

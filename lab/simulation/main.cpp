@@ -103,7 +103,7 @@ declareScene (CommandLine& line, SimulationOptions& options)
       .help ("tiles of town, rounded up to a square number (4)");
   line.add ("frames N", options.frames, from (1).upTo (1000))
       .help ("clouds of walk and drive (50)");
-  // A larger error is no small motion [degree, cm].
+  // Errors of poses are small motions [degree, cm].
   const Range small_motion = from (0).upTo (30);
   line.add ("pose-error X", options.pose_errors.each, small_motion)
       .help ("degrees and cm each pose of these is off in poses.txt (0)");

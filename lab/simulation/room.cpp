@@ -113,7 +113,7 @@ struct Furnisher {
     });
   }
 
-  /** Leaves the piece out if some drawn poses are all on occupied floor. */
+  /** Draws poses until the piece stands on free floor. Leaves it out after 30 poses. */
   template <typename DrawPose>
   void
   place (const Body& piece, const DrawPose& drawPose)
@@ -166,17 +166,19 @@ upright (const Vector3d& eye, const Vector3d& level)
 /** The camera pose on a path at a share of its length, from 0 to 1. */
 using CameraPath = std::function<Isometry3d (double share)>;
 
-/** Draws the path of a person who walks around the middle of a room. */
+/** Draws the path of a person who walks around the middle of a room. The path refers to
+ * the room, which must outlive it. */
 CameraPath
 drawPathAround (const Site& room, Random& random)
 {
-  constexpr double steps = 16.0;
+  constexpr double steps = 16.0;            // of the person, on the whole path
   constexpr double rise = 0.03;             // amplitude over each step [m]
   constexpr double sway = 2.0 * pi / 180.0; // amplitude of the roll [rad]
   const double start = random.between (0.0, whole_turn);
   const double turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
-  const double radius = random.between (0.35, 0.6); // [distance to the walls]
-  const double height = random.between (1.4, 1.8);  // [m]
+  // As a share of the distance from the middle of the room to the walls.
+  const double radius = random.between (0.35, 0.6);
+  const double height = random.between (1.4, 1.8); // [m]
   const double pitch = random.angle (8, 18);
   return [=, &room] (double share) -> Isometry3d {
     const double angle = start + share * turn;

@@ -23,6 +23,7 @@ struct RayCast {
   {
     const Vector3d normal = rectangle.normal();
     const Vector3d to_center = rectangle.center - origin;
+    // Not finite for a ray along the plane: a comparison below is then false.
     const double distance = normal.dot (to_center) / normal.dot (direction);
     const Vector3d offset = distance * direction - to_center;
     const bool is_inside = std::abs (offset.dot (rectangle.u)) <= rectangle.half_u &&
@@ -30,8 +31,9 @@ struct RayCast {
     return is_inside ? distance : infinite;
   }
 
-  /** A cylinder is closed: it is the part of an infinite cylinder between two planes.
-   */
+  /** A cylinder is closed: it is the part of an infinite cylinder between two planes. A
+   * ray exactly along its axis hits nothing.
+   * \return where the ray enters; below 0 if it begins inside */
   double
   distanceToSphereOrCylinder (const Shape& shape) const
   {

@@ -91,11 +91,11 @@ constexpr auto turnX = turn<0>, turnY = turn<1>, turnZ = turn<2>;
 /** Transforms from the sensor's frame to the scene's frame, one per scan. */
 using Poses = std::vector<Isometry3d>;
 
-/** Number of a flat surface, from 1 on; rectangles of one surface have the same. */
+/** Number of a flat surface, from 1 on; all rectangles of a surface have its number. */
 using SurfaceId = std::uint32_t;
 
-/** Number of shapes that are on no true plane: round shapes and too narrow rectangles.
- */
+/** The \ref SurfaceId of shapes that are on no true plane: round shapes and too narrow
+ * rectangles. */
 constexpr SurfaceId no_surface = 0;
 
 /** A rectangle that is seen from both sides, or a round shape. A dome is the top of a
@@ -118,7 +118,8 @@ struct Shape {
   double half_u = 0.5, half_v = 0.5;
   SurfaceId surface = no_surface;
   /** A cylinder, cone or torus about an upright axis may exist only in part: over this
-   * share of a whole turn, centered on the direction +y from its axis. */
+   * share of a whole turn, centered on the direction +y from its axis. \ref castRay
+   * takes it for whole. */
   double share = 1.0;
 
   Vector3d
@@ -188,7 +189,9 @@ struct WallRange {
 /** Faces of a box that are left out because no sensor can see them. */
 enum class HiddenFace { None, Bottom, BottomAndTop };
 
-/** A piece of furniture or the shell of a room, with its surfaces numbered from 1. */
+/** Shapes that stay together, e.g. a piece of furniture, a house or the shell of a
+ * room. Surfaces are numbered from 1; in a \ref Scene the numbers go on from body to
+ * body. */
 struct Body {
   /** Extent on the floor along x and y, for furniture [m]. */
   Vector2d footprint = Vector2d::Zero();
@@ -242,7 +245,8 @@ struct Body {
           const Vector3d& size,
           HiddenFace hidden = HiddenFace::None);
 
-  /** Adds the wall around a hole as one surface, and the hole's back and sides. */
+  /** Adds the wall around a hole as one surface, and the hole's back and four sides.
+   * \param[in] depth from the front of the wall to the back of the hole [m] */
   void
   addWallAround (const WallRange& wall, const WallRange& hole, double depth);
 
@@ -250,7 +254,8 @@ struct Body {
   void
   addPart (const Body& part, const Isometry3d& pose);
 
-  /** Gives coplanar rectangles the surface number of the first one. */
+  /** Gives coplanar rectangles the surface number of the first one. The numbers of the
+   * others are then unused; surface_count still counts them. */
   void
   joinCoplanar ();
 };
@@ -263,13 +268,15 @@ struct Scene {
   add (const Body& body, const Isometry3d& pose)
   {
     Body& placed = bodies.emplace_back();
+    // addPart() numbers surfaces from this count on.
     placed.surface_count = surface_count;
     placed.addPart (body, pose);
     surface_count = placed.surface_count;
   }
 };
 
-/** \return the plane of surface i at index i - 1 */
+/** \return the plane of surface i at index i - 1; a default plane for an unused number
+ */
 std::vector<Plane>
 surfacePlanes (const Scene& scene);
 
@@ -285,6 +292,7 @@ using ShapeTree = Eigen::KdBVH<double, 3, Shape>;
 ShapeTree
 treeOf (const Scene& scene);
 
+/** \param[in] shapes rectangles, spheres and cylinders alone */
 Hit
 castRay (const ShapeTree& shapes, const Vector3d& origin, const Vector3d& direction);
 

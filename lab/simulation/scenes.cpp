@@ -133,7 +133,7 @@ simulateInCameraFrame (const Simulation& simulation)
   return image;
 }
 
-/** Scenes whose clouds \ref viewOf alone does not make. */
+/** Scenes for which \ref simulate calls a function of their own. */
 constexpr struct {
   const char* scene;
   SimulatedCloud (*simulate) (const Simulation&);

@@ -30,8 +30,8 @@ makeRoom (Seed seed);
 Site
 makeFurnishedCorner (Seed seed);
 
-/** Counts the surfaces in the view of a depth camera; 0 if a shape is less than 0.7 m
- * in front of it. */
+/** Counts the surfaces that have at least 5 of the 48 x 36 pixels of a depth camera; 0
+ * if a shape is less than 0.7 m in front of it. */
 int
 countVisibleSurfaces (const Scene& scene, const Isometry3d& pose);
 
@@ -41,8 +41,7 @@ Isometry3d
 drawCameraPose (const Site& room, Seed seed);
 
 /** Draws camera poses on three quarters of a turn around the middle of a room. The
- * camera looks across the middle. On the way each wall leaves the view, and the first
- * one comes back into it. */
+ * camera looks across the middle. Each wall is out of view for a part of the way. */
 Poses
 drawWalk (const Site& room, std::size_t frames, Seed seed);
 
@@ -103,8 +102,9 @@ struct SensorView {
   std::function<Scan (std::size_t frame)> scan; // scan from poses[frame]
 };
 
-/** Returns the view of a camera in a room or on a walk, or of a lidar in a street or on
- * a drive. */
+/** Returns the view of a camera in a room, a corner or on a walk, or of a lidar in a
+ * street or on a drive.
+ * \param[in] frames number of poses of a walk or a drive; other scenes have one pose */
 SensorView
 viewOf (const Simulation& simulation, std::size_t frames = 1);
 

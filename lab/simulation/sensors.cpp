@@ -153,7 +153,8 @@ castDepthImage (const Scene& scene,
                 const Jitter& jitter)
 {
   // Largest difference between the depths on the pixel's own and on the jittered ray,
-  // relative to the depth; in grazing views it is larger.
+  // relative to the depth. A larger one means a grazing view, which keeps the depth on
+  // the jittered ray.
   constexpr double max_change = 0.1;
   DepthImage image{Field (camera.height, camera.width), {}};
   const std::vector<Plane> planes = surfacePlanes (scene);

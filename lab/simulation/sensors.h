@@ -22,7 +22,8 @@ struct DepthCamera {
   Vector3d
   ray (double column, double row) const
   {
-    // Scaled with the width, so that the field of view is always a Kinect's [px].
+    // Scaled with the width: the columns of any image span a Kinect's field of view
+    // [px].
     const double focal_length = kinect_focal_length * width / kinect_columns;
     return {(column - 0.5 * (width - 1)) / focal_length,
             (row - 0.5 * (height - 1)) / focal_length,
@@ -40,7 +41,8 @@ struct DepthImage {
 
 /** Offsets in columns and in rows from a pixel to the ray that finds its surface [px];
  * empty: no offsets. They make depth edges ragged. The depth is still that of the found
- * surface on the pixel's own ray, except for \ref no_surface and grazing views. */
+ * surface on the pixel's own ray; for \ref no_surface and in grazing views it is that
+ * on the ray with the offset. */
 using Jitter = std::array<Field, 2>;
 
 DepthImage
@@ -95,7 +97,8 @@ struct Lidar {
   int beams, steps;       // number of beams cast at once, and of casts per scan
   double highest, lowest; // elevations of the outer beams or rosette edge [degree]
   double farthest;        // readings beyond are lost [m]
-  /** True: most beams are within 6 degrees of horizontal. False: equal spacing. */
+  /** True: the 64 elevations of a Hesai Pandar64, most of them within 6 degrees of
+   * horizontal. False: equal spacing from \ref highest to \ref lowest. */
   bool is_dense_at_level = false;
 
   bool
@@ -122,7 +125,8 @@ constexpr Lidar known_lidars[] = {
 Lidar
 lidarOf (const std::string& name);
 
-/** Returns the nearest hit of a ray from the sensor, given in the sensor's frame. */
+/** Returns the nearest hit of a ray from the sensor.
+ * \param[in] ray of length 1, in the sensor's frame */
 using CastRay = std::function<Hit (const Vector3d& ray)>;
 
 /** Simulates a scan; rays without a hit in range have NaN points.

@@ -163,7 +163,8 @@ drawPoint (const Shape& shape, Random& random)
   const SurfacePoint whole = drawOnWholeTurn (shape, random);
   if (!(shape.share < 1.0))
     return whole;
-  // The angle about the axis is scaled into the existing part of the shape.
+  // The angle about the axis, from +y on, is scaled into the part of the shape that
+  // exists.
   const Vector3d local = whole.position - shape.center;
   const double around = std::atan2 (-local.x(), local.y());
   const Eigen::AngleAxisd turn ((shape.share - 1.0) * around, Vector3d::UnitZ());

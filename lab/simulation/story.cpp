@@ -59,7 +59,8 @@ struct Face {
   }
 };
 
-/** Divides a box by walls in two parts, until all parts are as small as rooms. */
+/** Divides a box by walls in two parts, until all parts are as small as rooms, and
+ * appends them to \p rooms. */
 void
 divide (const AlignedBox2d& box, Random& random, std::vector<AlignedBox2d>& rooms)
 {
@@ -98,7 +99,8 @@ facesOf (const std::vector<AlignedBox2d>& rooms)
   return faces;
 }
 
-/** \return whether two faces are back to back, as the two sides of one wall */
+/** \return whether two faces are back to back, as the two sides of one wall; their
+ * ranges along the wall need not overlap */
 bool
 areSidesOfAWall (const Face& one, const Face& other)
 {
@@ -192,8 +194,8 @@ cutWindows (Random& random, std::vector<Face>& faces, Body& body)
     }
 }
 
-/** Returns the heights of the holes at a position along a wall, lowest first, and
- * behind them the height of the ceiling as an empty interval. */
+/** Returns the heights of the holes at a position along a wall, lowest first, and at
+ * the end of the list the height of the ceiling as an empty interval. */
 std::vector<Interval>
 openHeightsAt (double along, const std::vector<Hole>& holes)
 {
@@ -208,8 +210,9 @@ openHeightsAt (double along, const std::vector<Hole>& holes)
   return open;
 }
 
-/** Adds a face without its holes and without the part that gives no reading: in each
- * strip from one hole's edge to the next, rectangles between the holes. */
+/** Adds a face without its holes: in each strip from one upright edge of a hole to the
+ * next, the rectangles between the holes.
+ * \param[in] unread one more hole: the part without readings */
 void
 addFace (const Face& face, const Hole& unread, Body& body)
 {
@@ -272,7 +275,7 @@ addLevels (const std::vector<AlignedBox2d>& rooms,
 }
 
 /** Adds cupboards in front of a wall, but not of its openings, until they hide a share
- * of its length. */
+ * of its length or no more were placed in 20 attempts. */
 void
 furnish (const Face& face, double share, Random& random, Body& body)
 {

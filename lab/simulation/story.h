@@ -12,20 +12,22 @@ namespace pcl_ops::simulation {
 
 /** Properties of a scanned story that make its floor plan hard to find. */
 struct StoryHardship {
-  /** Share of each wall's length that is behind cupboards of 0.7 to 2 m height. */
+  /** Share of each wall's length that cupboards of 0.7 to 2 m height hide, where there
+   * is room for them. */
   double furnished = 0.0;
   /** Whether a long enough wall between two rooms has a glass pane instead of a door.
-   * It is 1.5 to 2.5 m wide, ends 0.1 m below the ceiling, and gives no reading. */
+   * It is 1.5 to 2.5 m wide and ends 0.1 m below the ceiling. Rays pass through it. */
   bool has_glass = false;
-  /** Share of each wall's length without readings, as of mirrors and black paint. */
+  /** Share of the length of each wall face that is left out, as if it were a mirror or
+   * black. Rays go on to what is behind it. */
   double missing = 0.0;
   /** Number of boxes and balls on the floor of each room. */
   int clutter = 0;
   bool has_ceiling = true;
   /** Standard deviation of each coordinate [m]. */
   double noise = 0.003;
-  /** Error of position that each step to the next scan position adds, as a share of the
-   * step's length. */
+  /** Error of position that the way to the next scan position adds, as a share of its
+   * length. */
   double drift = 0.0;
 };
 

@@ -12,8 +12,9 @@ namespace {
 
 // Lengths and heights are in meters. Their ranges are those of common houses and cars.
 
-/** Adds the side walls, whose part below z = 0 the ground hides, and often the roof
- * slope towards the street. That slope hides the other one. */
+/** Adds the side walls and often the roof slope towards the street, which hides the
+ * other slope. The ground rises behind the facade, so that it hides the foot of the
+ * side walls. */
 void
 addSidesAndRoof (Body& house, double width, double eaves, Random& random)
 {
@@ -39,7 +40,8 @@ struct Opening {
 };
 
 /** Draws a house whose facade looks to +y, with the middle of its foot at the origin.
- * Each story has the same number of bays, each with an opening. All windows are alike.
+ * Each story has the same number of bays. One bay of the ground floor has a door or
+ * a garage door; all others have windows, which are alike.
  * \param[in] width of the facade */
 Body
 drawTownHouse (double width, Random& random)
@@ -110,7 +112,8 @@ drawCar (Random& random)
         WallRange{rear, front, belt, roof}.rectangleAt (side * cabin_width));
   constexpr double radius = 0.31;
   constexpr double half_wheel = 0.1; // half the width of a tire
-  // So that the cap of a hub bulges out of the side.
+  // From the side of the car to the middle of the ball of a hub. The radius is larger,
+  // so that a cap of the ball bulges out.
   constexpr double hub_inside = 0.25;
   for (const double along : {-0.3, 0.3})
     for (const double side : {-1.0, 1.0}) {
@@ -130,7 +133,7 @@ addLeaves (
 {
   constexpr double smallest_leaf = 0.03;
   constexpr double largest_leaf = 0.08; // radii
-  // With this number about a quarter of the rays through the middle pass between the
+  // With this number about a fifth of the rays through the middle pass between the
   // leaves; half of the drawn positions are outside the ball and get no leaf.
   const double crown_in_leaves = crown / largest_leaf;
   const auto leaves = int (4.0 * crown_in_leaves * crown_in_leaves);
@@ -162,7 +165,7 @@ struct Roadside {
   double length;   // of the street
   double curb;     // height of the curb
   double sidewalk; // from the curb to the gardens
-  double slope;    // rise of the ground from the curb on, per length
+  double slope;    // rise of the ground away from the curb, per length
 
   Isometry3d
   poseOnGround (double x, double y) const

@@ -49,7 +49,7 @@ surveyedFacesOf (const Survey& survey)
     const auto corner = [&] (double x, double y, double z) -> Vector3d {
       return house.pose() * Vector3d (0.5 * x * house.length, 0.5 * y * house.width, z);
     };
-    // The corners are those at the foot, and the one above the left one.
+    // Adds the face with these corners: both at its foot, and the upper left one.
     const auto add = [&] (const Vector3d& left,
                           const Vector3d& right,
                           const Vector3d& top,
@@ -120,6 +120,7 @@ scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed)
   while (cloud.size() < points) {
     const double drawn = random.between (0.0, weight);
     const auto first = running_weights.begin();
+    // Without the last sum: what is above the others is the last face, the ground.
     const auto last = running_weights.end() - 1;
     const auto index = std::size_t (std::upper_bound (first, last, drawn) - first);
     Vector3d point = drawPoint (faces[index].rectangle, random).position;

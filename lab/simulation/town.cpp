@@ -18,14 +18,15 @@ constexpr double density = 30.0; // of points on a surface [1/m^2]
 /** Distances from terrace to terrace across and along the streets [m]. */
 constexpr double street_pitch = 44.0, terrace_pitch = 170.0;
 constexpr double width_of_house = 15.0; // [m]
-/** Largest distance of a terrace's points from its lattice cell: half the length of the
- * longest terrace, and the largest shift [m]. */
+/** No point of a terrace is farther from the corner of its \ref Cell [m]. Half of the
+ * longest terrace is 75 m; the rest is for its depth and its shift of up to 4 m. */
 constexpr double reach_of_terrace = 90.0;
 constexpr double edge_of_patch = 8.0; // [m]
 /** A number that is larger than the number of sides of any terrace. */
 constexpr std::uint32_t max_sides = 20;
 
-/** Column and row in the lattice of terraces or of ground patches. */
+/** Column and row of a cell in one of two grids: each cell of one has a terrace, each
+ * cell of the other a patch of the ground. */
 using Cell = Eigen::Vector2i;
 
 /** A rectangle, given by a corner and two edges at right angles [m]. */
@@ -40,6 +41,7 @@ constexpr std::uint32_t for_terrace = 0, for_ground = max_sides + 1;
 Random
 randomAt (Seed seed, const Cell& cell, std::uint32_t purpose)
 {
+  // Numbers below 0 wrap around; they seed as well as others.
   const auto x = std::uint32_t (cell.x());
   const auto y = std::uint32_t (cell.y());
   return Random (std::seed_seq{seed, std::uint32_t (Purpose::Town), x, y, purpose});
@@ -106,7 +108,9 @@ struct TileSurvey {
   double sigma;      // of each coordinate [m]
   std::vector<TownPoint> points = {};
 
-  /** \param[in,out] seeds of the patches of the side */
+  /** Adds the points of all patches of a side.
+   * \param[in,out] seeds gives each patch its seed, also patches outside the tile, so
+   * that a patch has the same one for any tile */
   void
   addSide (const Side& side, Random& seeds, std::uint32_t label)
   {
@@ -121,7 +125,8 @@ struct TileSurvey {
                   label);
   }
 
-  /** \param[in] u, v shares of the edges, from 0 to 1 */
+  /** Returns a position of a patch in the frame of the tiles [m].
+   * \param[in] u, v shares of the edges, from 0 to 1 */
   Vector3d
   positionOn (const Side& patch, double u, double v) const
   {
@@ -206,7 +211,7 @@ surveyTile (const Town& town, std::uint32_t column, std::uint32_t row, double no
   const AlignedBox2i cells = cellsAround (survey.tile, pitch, reach_of_terrace);
   forEachCell (cells, [&] (const Cell& cell) {
     const Cell from_first = cell - cells_of_town.min();
-    const int columns = cells_of_town.sizes().x() + 1;
+    const int columns = cells_of_town.sizes().x() + 1; // first and last one included
     const auto terrace = std::uint32_t (from_first.y() * columns + from_first.x());
     std::uint32_t side_number = 0;
     for (const Side& side : terraceAt (town.seed, cell)) {

@@ -18,8 +18,8 @@ struct Town {
 };
 
 struct TownPoint {
-  Vector3d position;
-  std::uint32_t label = 0; // surface; the ground is 1
+  Vector3d position;       // in map coordinates [m]
+  std::uint32_t label = 0; // number of the surface; the ground has 1
 };
 
 /** Makes a town whose area follows from the number of points.

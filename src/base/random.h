@@ -19,7 +19,7 @@ drawBelow (RandomGenerator& generator, std::uint32_t bound)
 {
   if (bound < 2)
     return 0;
-  const std::uint32_t rejected_below = (0u - bound) % bound;
+  const std::uint32_t rejected_below = (0u - bound) % bound; // 2^32 modulo bound
   std::uint64_t product = 0;
   do
     product = std::uint64_t (generator()) * bound;

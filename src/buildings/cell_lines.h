@@ -8,14 +8,16 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief A line that bounds cells, and the intervals of walls on it. */
+/** \brief A line that bounds cells (\ref PlanCell), and the intervals of walls on it.
+ */
 struct CellLine {
   PlanLine line;
   Intervals walls = {};
 };
 
 /** \brief Returns the lines that divide a plan: lines of walls, then lines across free
- * ends. The latter are left out if there would be more than max_walls lines. */
+ * ends, which are the outermost ends of walls that meet no other wall. The latter are
+ * left out if there would be more than max_walls lines. */
 std::vector<CellLine>
 cellLinesOf (const std::vector<WallFace>& faces, const std::vector<WallSpan>& spans);
 

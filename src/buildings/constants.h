@@ -58,10 +58,11 @@ struct BuildingConstants {
   double min_sight_of_level = 0.2;
 
   // Walls.
-  /** \brief Largest distance below the level of the ceiling: of lower parts of the
-   * ceiling, and of the tops of walls. */
+  /** \brief Largest distance of lower parts of a ceiling below its level, if they face
+   * down; other parts may be lower by same_level. */
   double max_drop_of_ceiling = 0.6;
-  /** \brief Largest gap between the top of a wall and its ceiling. */
+  /** \brief Largest gap between the top of a wall or of a sloping roof and the ceiling.
+   */
   double max_gap_above_wall = 0.3;
   /** \brief Smallest height of a part of a wall that reaches the ceiling. */
   double min_height_at_ceiling = 0.5;
@@ -79,15 +80,17 @@ struct BuildingConstants {
   int front_samples = 4;
   double sampled_share_of_front = 0.8;
   /** \brief A part of a wall: cosine of 10 degrees between their normals, and largest
-   * distance from the plane of the wall. */
+   * distance from the plane of the wall. In a plan, fronts of furniture and their walls
+   * have at most this angle, too. */
   double min_cosine_of_part = 0.985;
   double max_off_wall = 0.1;
 
   // Other kinds.
   /** \brief Smallest area of a part of a ceiling in a story with a ceiling level. */
   double min_area_of_ceiling_part = 0.3;
-  /** \brief Smallest area of a ceiling in a story without a ceiling level: lower than
-   * high_ceiling over the floor, up to where cupboards reach, and higher. */
+  /** \brief Smallest areas of a ceiling in a story without a ceiling level: of one
+   * lower than high_ceiling over the floor, which cupboards reach, and of a higher one.
+   */
   double min_area_of_low_ceiling = 1.0;
   double min_area_of_high_ceiling = 0.1;
   double high_ceiling = 2.3;
@@ -149,14 +152,16 @@ struct BuildingConstants {
   double half_band_of_wall = 0.05;
   double spacings_of_band = 3.0;
   /** \brief Largest height above the cut of furniture that hides a wall, and smallest
-   * share of the wall's points between the cut and this height. */
+   * share of the wall's points from half_band_of_cloud above the cut to this height. */
   double max_furniture_over_cut = 1.0;
   double min_share_over_furniture = 0.1;
 
   // Faces of walls.
   /** \brief Cosine of 4 degrees between parallel faces. */
   double min_cosine_of_parallel = 0.9976;
-  /** \brief Gaps up to this length or this multiple of the point spacing are closed. */
+  /** \brief Gaps of a face up to max_closed_gap or spacings_of_gap times its point
+   * spacing are closed, whichever is longer. The spacing is measured on a grid whose
+   * cells have edge_of_spacing_cell. */
   double max_closed_gap = 0.25;
   double spacings_of_gap = 6.0;
   double edge_of_spacing_cell = 0.25;
@@ -228,7 +233,8 @@ struct BuildingConstants {
   double step_to_room = 0.05;
   /** \brief The highest sill of a door. */
   double max_threshold = 0.25;
-  /** \brief Distance of the rim of a plan from the outermost walls. */
+  /** \brief Distance of the rim of a plan from the outermost walls. An end of a wall is
+   * free if no other wall passes through it or ends nearer to it than this. */
   double margin_of_plan = 0.5;
   /** \brief The number of cells grows with the square of the number of walls. */
   std::size_t max_walls = 1'000;

@@ -87,7 +87,8 @@ samplesAlong (const std::vector<Vector3d>& hull)
   return samples;
 }
 
-/** \brief Returns the height of a plane above or below a position [m]. */
+/** \brief Returns the height of a plane where it is above or below a position [m]. The
+ * height is that of the frame, not the distance from the position. */
 double
 heightAt (const PlaneFromAbove& plane, const Vector3d& position)
 {

@@ -118,6 +118,7 @@ private:
     return true;
   }
 
+  /** \brief Index of the square at a position; of the nearest one beyond the box. */
   std::size_t
   squareAt (const Eigen::Vector2d& position) const
   {

@@ -129,7 +129,8 @@ lowestFloor (const std::vector<PlanPlane>& planes)
   return lowest;
 }
 
-/** \brief Returns the height of the highest floor below the cut [m].
+/** \brief Returns the height of the highest floor below the cut [m]; \p lowest if that
+ * floor is less than a step above it.
  * \param[in] lowest height of the \ref lowestFloor */
 double
 floorBelow (const std::vector<PlanPlane>& planes, double cut_height, double lowest)
@@ -148,7 +149,8 @@ append (PlanPoints& points, const PlanPoints& others)
   points.insert (points.end(), others.begin(), others.end());
 }
 
-/** \brief Returns whether planes of a kind are level and neither floor nor ceiling. */
+/** \brief Returns whether planes of a kind show where rooms are, as floors do: tables,
+ * slabs and ramps. */
 bool
 isLevelSurface (PlaneKind kind)
 {
@@ -214,7 +216,7 @@ coverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
 
 /** \brief Returns the points that cover the rooms at a cut: of roofs if there is no
  * ceiling and a building stands under the roofs, because floors then are ground around
- * it; otherwise of floors, ceilings and other level planes. */
+ * it; otherwise of floors, ceilings, tables, slabs and ramps. */
 Cover
 coverAt (const std::vector<PlanPlane>& planes, double floor, double cut_height)
 {
@@ -270,7 +272,8 @@ turnToRooms (const RoomSides& rooms, std::vector<PlanPlane>& planes)
 }
 
 /** \brief Sets WallFace::ends_rooms: true for a wall that is seen over furniture at the
- * cut and at which floors and ceilings end. */
+ * cut and at which floors and ceilings end.
+ * \param[in,out] faces not yet joined: each has one plane */
 void
 findWhereRoomsEnd (const RoomSides& rooms,
                    const std::vector<PlanPlane>& planes,

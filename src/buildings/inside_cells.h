@@ -13,7 +13,8 @@ struct CellEvidence {
    */
   double covered = 0.0;
   double uncovered = 0.0;
-  /** \brief Length of the cell's border on the rim of the plan [m]; for a cell within a
+  /** \brief Length of the cell's border on the rim of the plan, the border of the box
+   * that holds all cells [m]; for a cell within a
    * wall the length of its whole border. */
   double rim = 0.0;
 };

@@ -22,7 +22,8 @@ struct PlanCell {
 /** \brief Marks sides on the rim of the plan. */
 constexpr std::size_t no_line = static_cast<std::size_t> (-1);
 
-/** \brief Divides a box into cells by all lines, each extended to the rim. */
+/** \brief Divides a box into cells by all lines. Each line is extended to the border of
+ * the box, the rim of the plan. */
 std::vector<PlanCell>
 cellsOf (const Eigen::AlignedBox2d& box, const std::vector<PlanLine>& lines);
 

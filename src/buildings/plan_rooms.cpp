@@ -214,16 +214,17 @@ borderLengthsOf (const PlanCell& cell, const DividedPlan& plan)
 }
 
 /** \brief Returns whether the width of an area of about the shape of a rectangle is
- * less than min_room_width: 2 area / length of the border < width. */
+ * less than min_room_width. As the width counts 2 area / length of the border, which is
+ * below the width of a rectangle and near it for a long one. */
 bool
 isNarrow (double area, double border)
 {
   return 2.0 * area < constants.min_room_width * border;
 }
 
-/** \brief Returns the evidence for and against a cell being in a room. A narrow cell
- * with walls on both sides is within a wall: all its area and border count against it.
- */
+/** \brief Returns the evidence for and against a cell being in a room. A narrow cell is
+ * within a wall if walls are on most of its border even without its most walled side.
+ * Then all its area and border count against it. */
 CellEvidence
 evidenceOfCell (const PlanCell& cell,
                 const DividedPlan& plan,
@@ -239,8 +240,8 @@ evidenceOfCell (const PlanCell& cell,
   return {share * area, (1.0 - share) * area, outline.rim};
 }
 
-/** \brief Returns whether a cell is as narrow as walls are thick, has two long sides on
- * lines of walls, and lies behind both lines. */
+/** \brief Returns whether a cell is as narrow as walls are thick, and has exactly two
+ * long sides, both on lines of walls with the cell behind them. */
 bool
 isWithinWall (const PlanCell& cell, const DividedPlan& plan)
 {
@@ -422,7 +423,7 @@ partsWithoutWall (const PlanarRings& rings,
 }
 
 /** \brief Returns the room of joined cells; without rings if it is smaller than
- * \p smallest [m^2] or too narrow, or too little of its outline is walls. */
+ * \p smallest_area [m^2] or too narrow, or too little of its outline is walls. */
 PlanRoom
 roomOf (const JoinedCells& joined, const DividedPlan& plan, double smallest_area)
 {

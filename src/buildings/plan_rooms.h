@@ -11,7 +11,7 @@ namespace pcl_ops::internal::buildings {
 /** \brief Points of the planes that cover rooms, in the frame of the plan. */
 struct Cover {
   /** \brief Points of all planes that cover rooms: either of roofs, or of floors,
-   * ceilings and other level planes. */
+   * ceilings, tables, slabs and ramps. */
   PlanPoints points;
   /** \brief Points of floors and of ceilings, for the heights of rooms. */
   PlanPoints floor, ceiling;

@@ -25,8 +25,10 @@ struct WallSpan {
   bool is_hidden = false;
 };
 
-/** \brief Returns the walls on each face. An end that is within
- * FloorPlanParameters::max_snap of the line of another face is moved to that line. */
+/** \brief Returns the walls on each face, face after face. An end that is within
+ * FloorPlanParameters::max_snap of the line of another face is moved to that line, if
+ * the other face has points within max_snap, too. Left out are walls no longer than
+ * max_snap, and walls that are hidden at the cut unless rooms end at their face. */
 std::vector<WallSpan>
 spansOf (const std::vector<WallFace>& faces, const FloorPlanParameters& parameters);
 

@@ -50,7 +50,8 @@ struct PlaneShape {
   }
 };
 
-/** \param[in] up unit vector
+/** \brief Returns how a sensor saw a plane; is_below is false without a sensor.
+ * \param[in] up unit vector
  * \param[in] meter length of a meter in the unit of the planes; also in all functions
  * below */
 Sight
@@ -224,7 +225,8 @@ isInRectangle (const PlaneShape& shape, const Vector3d& point)
 }
 
 /** \brief Returns whether most of a vertical plane stands close before a larger one
- * that is as high and faces the same way, as the front of a cupboard before a wall. */
+ * that reaches at least as high and faces the same way, as the front of a cupboard
+ * before a wall. */
 bool
 standsBefore (const PlaneShape& front, const PlaneShape& wall)
 {
@@ -283,6 +285,8 @@ isRoofAt (double height, const std::vector<PlaneShape>& shapes)
   });
 }
 
+/** \brief Returns whether a horizontal plane is a ceiling of its story or a part of it.
+ */
 bool
 isCeiling (const PlaneShape& shape, const Story& story)
 {
@@ -435,7 +439,7 @@ isGround (const PlaneShape& level,
           const std::vector<PlaneFromAbove>& all,
           const std::vector<PlaneShape>& shapes)
 {
-  // The smallest height of a platform over the floor, and that of a ceiling.
+  // The smallest height over the floor: of a platform for a slab, else of a ceiling.
   const double min_drop = kind == PlaneKind::Slab ? constants.step : constants.headroom;
   return isLowest (from_above, all, min_drop) && !hasWallsBelow (level, shapes);
 }

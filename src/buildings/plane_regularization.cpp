@@ -88,14 +88,14 @@ parallelGroups (const std::vector<PlaneSegment>& planes,
 /** \brief Cosines and sines of angles that count as exactly 90 or 0 degrees. */
 constexpr double exact = 1e-9;
 
-/** \brief Makes each direction orthogonal to directions of larger groups to which it is
- * orthogonal within \p max_angle. If there are two that are orthogonal to each other,
- * it becomes their cross product. */
+/** \brief Makes each direction orthogonal to that of a larger group: of the largest one
+ * to which it is orthogonal within \p max_angle. If a second such group is orthogonal
+ * to the first one, the direction becomes the cross product of both directions. */
 void
 makeOrthogonal (std::vector<DirectionGroup>& groups, double max_angle)
 {
   for (std::size_t i = 1; i < groups.size(); ++i) {
-    std::vector<Vector3d> across; // the larger directions, at most two
+    std::vector<Vector3d> across; // directions of larger groups, at most two
     for (std::size_t j = 0; j < i && across.size() < 2; ++j) {
       const Vector3d& larger = groups[j].direction;
       const double cosine = std::abs (groups[i].direction.dot (larger));
@@ -135,7 +135,7 @@ joinEqualDirections (std::vector<DirectionGroup>& groups)
 }
 
 /** \brief Returns how far a plane moves if it is turned about its centroid to \p normal
- * and then shifted along it by \p offset. */
+ * and then shifted along \p normal by \p offset [m]. */
 PlaneMove
 moveTo (const PlaneSegment& plane, const Vector3d& normal, double offset)
 {
@@ -193,7 +193,7 @@ public:
     for (const DirectionGroup& group : groups)
       alignGroup (group);
     for (std::size_t i = 0; i < planes_.size(); ++i)
-      if (!is_done_[i]) {
+      if (!is_done_[i]) { // it stays; displacement tells how far it would have moved
         found_.moves[i].angle = 0.0;
         found_.moves[i].offset = 0.0;
         found_.moves[i].direction = next_number_;

@@ -21,8 +21,9 @@ struct PlanSide {
   }
 };
 
-/** \brief Joins sides end to end; rings with fewer than 3 corners are left out. Corners
- * at which a ring does not turn are left out, too. */
+/** \brief Joins sides end to end to rings; ends up to 0.1 mm apart are one corner.
+ * Corners at which a ring does not turn are left out, then rings with fewer than 3
+ * corners. */
 PlanarRings
 ringsOf (const std::vector<PlanSide>& sides);
 

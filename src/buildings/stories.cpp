@@ -87,7 +87,7 @@ storiesOf (const std::vector<Level>& levels, double lowest)
     const Level& level = large[i];
     Story& story = stories.back();
     const double rise = level.height - story.floor;
-    // It is the ground even if the foot of a wall or a ditch is deeper.
+    // So large a level is the ground even if the foot of a wall or a ditch is deeper.
     const bool is_ground = level.area >= constants.min_ground_area;
     const double max_rise = is_ground ? constants.headroom : constants.step;
     const bool may_be_first_floor =

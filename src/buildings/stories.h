@@ -17,9 +17,9 @@ struct LevelPlane {
   bool is_below_sensor = false;
 };
 
-/** \brief Level planes within same_level of height: their mean height, weighted by
- * area, and total area. The flags are set if they are set for more than half of the
- * area. */
+/** \brief Level planes at most same_level above the lowest of them: their mean height,
+ * weighted by area, and total area. Each flag is set if it is set for planes with
+ * more than half of the area. */
 struct Level {
   double height, area;
   bool faces_down;
@@ -34,16 +34,17 @@ struct Story {
   double area = 0.0;
 };
 
-/** \brief Groups level planes within same_level of height; returns levels ascending. */
+/** \brief Groups level planes that are at most same_level above the lowest one of their
+ * group; returns levels ascending. */
 std::vector<Level>
 levelsOf (std::vector<LevelPlane> planes);
 
 /** \brief Returns the stories from the lowest up, at least one. Levels smaller than
- * min_level_area or min_level_share are ignored. The lowest other level is the first
- * floor if it was not seen from below and is less than a step above \p lowest. If it is
- * larger than furniture (min_ground_area), it may be up to headroom above \p lowest, or
- * higher if it is below the sensor. A level below the sensor is no ceiling. All names
- * are those of constants.h.
+ * min_level_area or min_level_share are ignored. The lowest remaining level is the
+ * first floor if it was not seen from below and is less than a step above \p lowest. If
+ * it is larger than furniture (min_ground_area), it may be up to headroom above
+ * \p lowest, or higher if it is below the sensor. A level below the sensor is no
+ * ceiling. All names are those of constants.h.
  * \param[in] levels ascending
  * \param[in] lowest height of the lowest plane [m]: the floor of the first story if no
  * floor was seen. Of level planes the height of their middle counts */

@@ -45,15 +45,15 @@ onLine (const PlanLine& line, const WallFace& face, const Intervals& intervals)
   return converted;
 }
 
-/** \brief Returns the longest gap of a face that is closed [m]. */
+/** \brief Returns the length up to which gaps of a face are closed [m]. */
 double
 maxClosedGap (const WallFace& face)
 {
   return std::max (constants.max_closed_gap, face.longest_spacing);
 }
 
-/** \brief Returns whether a face is parallel to another one and has both ends on its
- * line. */
+/** \brief Returns whether a part faces the same way as another face and has both its
+ * ends on the line of that face. */
 bool
 continues (const WallFace& part, const WallFace& face)
 {
@@ -83,7 +83,8 @@ addPart (WallFace& face, const WallFace& part)
 using FaceSquare = std::pair<long, long>;
 
 /** \brief Returns the squares that have points of a face.
- * \param[in] shift added to the positions of its points [m] */
+ * \param[in] shift added to the positions of its points [m]
+ * \param[in] edge of a square [m] */
 std::set<FaceSquare>
 squaresOf (const WallFace& face, double shift, double edge)
 {
@@ -166,8 +167,9 @@ topOf (const WallFace& face)
   return top;
 }
 
-/** \brief Returns whether a face stands before a wall that is seen above most of it. A
- * wall without points at the cut is of another story and does not count. */
+/** \brief Returns whether a front stands before a wall that is seen above most of the
+ * length of the front. A wall without points at the cut is of another story and does
+ * not count. */
 bool
 isFrontBefore (const WallFace& front, const WallFace& wall)
 {

@@ -12,7 +12,8 @@
 
 namespace pcl_ops::internal::buildings {
 
-/** \brief Points in the frame of a plan: x, y and height [m]. */
+/** \brief Points in the frame of a plan: x, y and height [m]. The plan is a horizontal
+ * cut through a building, FloorPlanParameters::cut_height above the lowest floor. */
 using PlanPoints = std::vector<Eigen::Vector3d>;
 
 /** \brief A directed line in a plan, along a unit vector; its front is to its left. */
@@ -60,7 +61,7 @@ struct WallFace {
   /** \brief Longest gap that may be mere distance between neighboring points [m]. */
   double longest_spacing = 0.0;
   /** \brief Whether rooms end at the face. Then it is a wall even if furniture hides it
-   * at the cut, and not a lintel over an open passage. */
+   * at the cut, and not a lintel over an open passage. \ref faceOf leaves it false. */
   bool ends_rooms = false;
   /** \brief Indices of its planes in the list of planes, ascending. */
   std::vector<std::size_t> planes;
@@ -68,7 +69,7 @@ struct WallFace {
 
 /** \brief Returns the face of one wall plane.
  * \param[in] normal of the plane, in the frame of the plan; points to the front
- * \param[in] points inliers of the plane, in the frame of the plan
+ * \param[in] points inliers of the plane, at least one, in the frame of the plan
  * \param[in] plane index in the list of planes
  * \param[in] cut_height height of the cut [m] */
 WallFace
@@ -84,7 +85,8 @@ std::vector<WallFace>
 joinFaces (std::vector<WallFace> faces);
 
 /** \brief Returns the faces without fronts of furniture. A face is such a front if it
- * stands before a wall that faces the same way and is seen above most of the front. */
+ * stands before a wall that faces the same way and is seen above most of the length of
+ * the front. */
 std::vector<WallFace>
 withoutFurniture (const std::vector<WallFace>& faces);
 

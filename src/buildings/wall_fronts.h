@@ -26,24 +26,25 @@ public:
   /** \param[in] level points of floors and ceilings */
   explicit RoomSides (const std::vector<const PlanPoints*>& level);
 
-  /** \brief Returns whether floors and ceilings lie behind a wall and hardly any in
-   * front of it, so that the wall faces the wrong way. */
+  /** \brief Returns whether floors and ceilings lie behind a wall, and less than half
+   * as much of them in front of it, so that the wall faces the wrong way. */
   bool
   areBehind (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
   /** \brief Returns whether floors or ceilings continue from one side to the other
-   * above the top of \p wall. Then it is furniture: a ceiling ends at a wall. */
+   * above the top of \p wall. Then \p wall is furniture: a ceiling ends at a real wall.
+   */
   bool
   goOnOver (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
   /** \brief Returns whether floors and ceilings end at a wall: hardly any lie behind
-   * it. */
+   * it, or at most half as much as in front of it. */
   bool
   endAt (const Eigen::Vector2d& front, const PlanPoints& wall) const;
 
 private:
   /** \brief Numbers of samples along a wall with points beside it: in front of the
-   * wall, and behind it. */
+   * wall, and behind it. There is a sample for each square with points of the wall. */
   struct SamplesBeside {
     std::size_t before = 0, behind = 0;
   };
@@ -53,7 +54,7 @@ private:
   countBeside (const Eigen::Vector2d& front, const PlanPoints& wall, double low) const;
 
   /** \brief Returns whether a point higher than \p low [m] lies within
-   * reach_beside_wall of a position. */
+   * reach_beside_wall of a position, measured horizontally. */
   bool
   hasPointAt (const Eigen::Vector2d& position, double low) const;
 

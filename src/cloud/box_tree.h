@@ -44,8 +44,8 @@ public:
 
   /** \param[in] points the finite points of \p cloud; only their indices are used
    * \param[in] cloud the cloud of these points. Queries and distances are in its frame,
-   * so that distances have no rounding error of the local frame. The tree keeps no
-   * reference to the cloud. */
+   * so that distances have no rounding error of the local frame (Points::origin). The
+   * tree keeps no reference to the cloud. */
   BoxTree (const Points& points, const CloudView& cloud);
 
   /** \brief Finds the nearest points within the radius. Of several points at the same

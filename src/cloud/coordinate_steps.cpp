@@ -18,7 +18,8 @@ struct LeastDistance {
   std::size_t times = 0; // that it occurs
 };
 
-// Coordinates far from zero are rounded again to single precision.
+// In units of the step: coordinates far from zero are rounded again to single
+// precision.
 constexpr double tolerance = 0.1;
 
 LeastDistance
@@ -54,7 +55,8 @@ coordinateSteps (const Coordinates& points)
       leastDistance (points.x), leastDistance (points.y), leastDistance (points.z)};
   Eigen::Vector3d steps = Eigen::Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis)
-    // A level floor has too few heights: the step is that of another axis.
+    // A level floor has too few heights to repeat its step so often. So the step counts
+    // if it agrees with that of any axis that does.
     for (const LeastDistance& other : least)
       if (other.times >= least_often &&
           std::abs (least[axis].length - other.length) <= tolerance * other.length)

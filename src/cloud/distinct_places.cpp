@@ -34,8 +34,8 @@ addPlacesOfCell (const Coordinates& points,
 }
 
 // Returns an edge of the cells of the curve [m] so large that no point is farther from
-// zero than key_limit cells; 1 if that edge or its inverse is out of the range of
-// single precision.
+// zero than half of key_limit cells; 1 if that edge or its inverse is out of the range
+// of single precision.
 double
 edgeOfCells (const Coordinates& points)
 {

@@ -163,12 +163,12 @@ struct ReadingStatistics {
 ReadingStatistics
 statisticsOf (const SortedByPlace& sorted)
 {
-  // A place has missing readings if it has far more points than others, which the
-  // places of a cloud that repeats all points have not, and so many that they alone
-  // raise the mean over points of the number of points at their place, by more than
-  // max_squared_count.
+  // The points of a place are missing readings if two conditions hold. They are more
+  // than max_times the mean number per place: no place of a cloud that repeats all its
+  // points alike has so many. And they alone add more than max_squared_count to the
+  // mean over all points of the number of points at their place.
   constexpr double max_times = 16.0;
-  constexpr double max_squared_count = 0.25;
+  constexpr double max_squared_count = 0.25; // in units of the number of all points
   const std::size_t size = sorted.keys.size();
   double places = 0.0;
   for (std::size_t begin = 0; begin < size; begin = sorted.endOfPlace (begin))

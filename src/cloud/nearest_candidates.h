@@ -26,6 +26,9 @@ public:
     return bits;
   }
 
+  /** \param[in] wanted number of points, 1 or more if any are added
+   * \param[in] squared_radius points at this squared distance are taken, too: the first
+   * limit is the lowest key beyond it */
   NearestCandidates (std::size_t wanted, float squared_radius)
   : wanted_ (wanted)
   , shrink_at_ (wanted + std::max (wanted / 2, min_excess))

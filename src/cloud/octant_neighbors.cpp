@@ -136,8 +136,8 @@ OctantTree::search (std::size_t node_index,
       offer (points_[order_[i]] - position, order_[i], nearest);
     return;
   }
-  // The child that contains the position comes first. Its points let most of the other
-  // child be skipped.
+  // The child on the side of the position comes first. The neighbors found there let
+  // most of the other child be skipped.
   const std::size_t first_child = node_index + 1;
   const std::size_t second_child = node.second_child;
   const bool is_in_second = (position.array() >= nodes_[second_child].low).all();

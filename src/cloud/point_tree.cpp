@@ -203,7 +203,7 @@ PointTree::leaves (std::size_t wanted) const
   constexpr float enlargement = 1.0F + 1e-5F;
   struct OpenNode {
     std::uint32_t node_index;
-    float reach; // of its parent
+    float reach; // of its parent: infinite for the root
   };
   std::vector<Leaf> leaves;
   std::vector<OpenNode> open;
@@ -213,6 +213,7 @@ PointTree::leaves (std::size_t wanted) const
     const OpenNode next = open.back();
     open.pop_back();
     const Node& node = nodes_[next.node_index];
+    // The diagonal of the smallest box around the leaf that has the wanted number.
     const bool has_wanted = node.end - node.begin >= wanted;
     const float reach =
         has_wanted ? std::sqrt (squaredDiagonal (node)) * enlargement : next.reach;

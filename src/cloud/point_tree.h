@@ -97,7 +97,7 @@ public:
   /** \brief Searches the nearest neighbors of one of the points.
    * \param[in] position of the query point in \ref order
    * \param[in,out] nearest after NearestPoints::start; receives the neighbors and the
-   * query point itself */
+   * query point itself, unless enough equal points have lower indices */
   void
   find (std::size_t position, NearestPoints& nearest) const;
 
@@ -109,8 +109,8 @@ public:
   }
 
   struct Node {
-    std::array<float, 3> low, high; // bounding box
-    std::uint32_t begin, end;       // its positions in \ref order
+    std::array<float, 3> low, high; // bounding box [m]
+    std::uint32_t begin, end;       // its positions in order(): begin to end - 1
     std::uint32_t second_child; // node index, 0: leaf; the first child is the next node
   };
 

@@ -105,8 +105,8 @@ computeHashes (const float* x,
   }
 }
 
-// Returns the indices of about as many of the finite points as wanted: those with the
-// smallest hashes.
+// Returns the indices of at most about as many of the finite points as wanted: those
+// with the smallest hashes.
 Indices
 indicesByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_bits)
 {
@@ -136,9 +136,9 @@ sampleByHash (const Coordinates& points, std::size_t wanted, std::uint32_t used_
   return selected (points, indicesByHash (points, wanted, used_bits));
 }
 
-// Returns the median along each axis, rounded to a multiple of many times the median
-// absolute deviation. So other points of the same surroundings nearly always give the
-// same result.
+// Returns the median along each axis, rounded to a multiple of a step. The step is a
+// power of two, 16 to 32 times the largest median absolute deviation of the three axes.
+// So other points of the same surroundings nearly always give the same result.
 Eigen::Vector3d
 roundedMedian (Coordinates points)
 {

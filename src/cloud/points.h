@@ -19,7 +19,7 @@ namespace pcl_ops::internal {
 // Names of the library that the public headers need, too, are in namespace detail.
 using namespace detail;
 
-/** \brief Positions in space as a structure of arrays, in single precision. */
+/** \brief Positions in space [m] as a structure of arrays, in single precision. */
 struct Coordinates {
   std::vector<float> x, y, z;
 
@@ -62,7 +62,8 @@ struct Copy {
 };
 
 /** \brief The finite points that a detector works on. Their coordinates are relative to
- * \ref origin, so that single precision suffices however far away the cloud is. */
+ * \ref origin, in the local frame: so single precision suffices however far away the
+ * cloud is. The axes of the local frame are those of the input cloud. */
 struct Points : Coordinates {
   /** \brief Origin of the local frame, in the frame of the input cloud. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -88,13 +89,15 @@ Coordinates
 selected (const Coordinates& points, const Indices& indices);
 
 /** \brief Returns up to about \p wanted of the finite points, or all if there are
- * fewer. It returns the same points for any order of the input, and mostly the same
- * ones if coordinates are rounded or multiplied by a power of two. */
+ * fewer than \p wanted points, finite or not. It returns the same points for any order
+ * of the input, and mostly the same ones if coordinates are rounded or multiplied by a
+ * power of two. */
 Coordinates
 samplePoints (const Coordinates& points, std::size_t wanted);
 
 /** \brief Returns the ascending indices of up to about \p wanted of the finite points,
- * or of all if there are fewer. It takes the same points for any order of the input. */
+ * as \ref samplePoints. It takes the same points for any order of the input, but others
+ * if coordinates are rounded. */
 Indices
 sampleIndices (const Coordinates& points, std::size_t wanted);
 
@@ -108,7 +111,8 @@ medianOf (std::vector<float>& values);
  * \param[in] indices of the points to use, in any order, repeated or not; null: all
  * \param[in] step [m]: each coordinate of the origin is a multiple of it, rounded to
  * single precision; 0: the function chooses the step
- * \return the finite points, each once; their origin is near most of them */
+ * \return the finite points, in the order of their indices, each index once; their
+ * origin is near most of them */
 Points
 finitePoints (const CloudView& cloud,
               unsigned threads,

@@ -81,7 +81,7 @@ Indices
 voxelsOfPoints (const VoxelGrid& grid);
 
 /** \brief Two grids of the same points. A coarse voxel has twice the edge of a finest
- * one and contains 2 x 2 x 2 of them. */
+ * one and contains up to 2 x 2 x 2 occupied ones. */
 struct VoxelLevels {
   VoxelGrid finest, coarse;
   /** \brief For each finest voxel the index of the coarse voxel that contains it. */

@@ -64,8 +64,8 @@ octantInParent (MortonCode code)
 }
 
 /** \brief First index: bit of the parent of a child in \ref VoxelNeighbors::occupied.
- * Second index: octant of the child. Value: cell of the child in \ref ChildrenAround.
- */
+ * Second index: octant of the child. Value: cell of the child in \ref ChildrenAround;
+ * the children of the parent in the middle are in cells 1 and 2 along each axis. */
 using CellsOfChildren =
     std::array<std::array<std::uint8_t, max_children>, bits_of_block>;
 

@@ -6,8 +6,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Rounds to the nearest of 1, 1.1, ... 2, 2.25, ... 5, 6, ... 10 times a power
- * of ten.
+/** \brief Rounds a size above 0 to the nearest of 1, 1.1, ... 2, 2.25, ... 5, 6, ... 10
+ * times a power of ten.
  *
  * An estimated size changes a little if the same cloud is given in other units or with
  * other rounding. Without this function the borders of voxels would move, too. */

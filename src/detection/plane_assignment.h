@@ -43,8 +43,9 @@ assignToUnboundedPlanes (const Coordinates& points,
                          AssignmentRule rule,
                          unsigned threads);
 
-/** \brief Replaces each label by the label that its plane was merged into. no_plane
- * stays. */
+/** \brief Replaces each label by the label of the plane that its plane was merged into.
+ * no_plane stays.
+ * \param[in] merged_into for each plane its new label, or no_plane if it was dropped */
 void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads);
 

@@ -18,7 +18,8 @@ std::optional<double>
 thresholdBetweenLayers (std::vector<double>& distances, double min_apart)
 {
   constexpr std::size_t min_distances = 50;
-  // Of the variance. A layer with normal noise has .64, an even one .75 (TwoGroups).
+  // Share of the variance. Two groups explain .64 of that of a single layer with normal
+  // noise, and .75 of that of an evenly thick one (TwoGroups).
   constexpr double min_explained = 0.88;
   if (distances.size() < min_distances)
     return std::nullopt;

@@ -12,7 +12,8 @@ namespace pcl_ops::internal {
 /** \brief Splits each plane that consists of two parallel layers. The two sides of a
  * thin wall are close neighbors, so that they are found as one plane. If two groups
  * explain most of the variance of the signed distances of the points to the plane
- * (\ref bestTwoGroups), the points of the upper group become a new plane.
+ * (\ref bestTwoGroups), the points of the upper group become a new plane. A plane of
+ * fewer than 50 points is never split.
  * \param[in] min_apart for each plane the least distance between two layers [m]
  * \param[in,out] labels of the points; new planes are numbered from \p is_kept.size()
  * \param[in,out] is_kept for each plane 1, or 0 to skip it; new planes add a 1 each

@@ -33,6 +33,7 @@ cellOf (const Vector3d& offset)
 {
   Eigen::Index axis = 0;
   const double depth = offset.cwiseAbs().maxCoeff (&axis);
+  // Other is one of the two axes after the depth axis, counted cyclically.
   const auto along = [&] (Eigen::Index other) {
     const double angle = std::atan2 (offset[other % 3], depth) + 0.5 * right_angle;
     // From 1 on: the free cells at borders keep cells of two faces apart.

@@ -90,7 +90,7 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
   Matrix3d scatter = Matrix3d::Zero();
   for (const auto& [block, sum] : blocks)
     scatter += sum * sum.transpose();
-  // (A^T A)^-1 of the documentation.
+  // (A^T A)^-1 of the description of planeCovariance.
   Matrix3d inverse = Matrix3d::Identity() / n;
   inverse.topLeftCorner<2, 2>() = spread.inverse() / n;
   // Measured on planes of depth images that were matched by exact poses.

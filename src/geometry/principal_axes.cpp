@@ -157,6 +157,7 @@ principalAxes (const Eigen::Matrix3d* matrices, std::size_t number, PrincipalAxe
     SymmetricMatrices batch;
     Axes found;
     for (std::size_t i = 0; i < lanes; ++i) {
+      // Lanes behind the last matrix repeat it.
       const Eigen::Matrix3d& matrix = matrices[std::min (begin + i, number - 1)];
       batch.xx[i] = matrix (0, 0);
       batch.xy[i] = matrix (0, 1);

@@ -98,8 +98,9 @@ struct Verdicts {
 };
 
 /** Marks a plane of \p wholes as split if at least two planes of the other side lie on
- * it and together cover it. A plane lies on another one if it has at least a share
- * \p threshold of its points there, and covered is at least this share of points. */
+ * it and together cover it. A plane lies on another one if at least a share \p
+ * threshold of its own points is there. A plane is covered if at least the same share
+ * of its points is on planes that lie on it. */
 void
 markSplits (const Confusion& confusion,
             double threshold,

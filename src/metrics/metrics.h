@@ -72,7 +72,8 @@ struct ClassParameters {
 };
 
 /** Fits a least squares plane to all points of each label. Normals point to the
- * sensor's side. If the points of a label span no plane, its class is Other.
+ * sensor's side. If the points of a label span no plane, its orientation is Other.
+ * \param[in] ids has one PlaneIds::of_point for each point of \p cloud
  * \param[in] cloud its points with a label must be finite */
 std::vector<PlaneSegment>
 planesOf (const XyzCloud& cloud, const PlaneIds& ids, const ClassParameters& classes);
@@ -112,7 +113,8 @@ using NamedValues = std::vector<std::pair<std::string, double>>;
 /** True planes of similar size, a number of points or a width [m], and how many of them
  * are matched at an intersection over union (IoU) of 0.5 and of 0.75. */
 struct SizeClass {
-  /** Sizes from this on and below that, which the largest class does not have. */
+  /** Sizes from \ref from on, and less than \ref below; the largest class has no upper
+   * limit. */
   double from = 0.0;
   std::optional<double> below = std::nullopt;
   std::size_t planes = 0, found_50 = 0, found_75 = 0;

@@ -10,8 +10,9 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Numbers of points that true planes have in common with parts of the result, of the
- * points on true planes. The last part of the result is on no found plane. */
+/** How many of the points on true planes each true plane has in common with each part
+ * of the result. The parts are the found planes and, last, the points on no found
+ * plane. */
 struct CommonPoints {
   std::vector<double> of_truth, of_result; // number of points of each part
   std::vector<Overlap> pairs;
@@ -63,8 +64,8 @@ pairsOf (double points)
 double
 randIndex (const CommonPoints& common)
 {
-  // Ordered pairs of points on one true plane and on one part of the result; the second
-  // is the sum of both.
+  // Ordered pairs of points: those on one true plane and in one part of the result, and
+  // those on one true plane plus those in one part, where the former count twice.
   double together_in_both = 0.0;
   double together_in_either = 0.0;
   for (const Overlap& pair : common.pairs)

@@ -14,7 +14,8 @@ struct PlaceConstants {
   // The neighborhoods of places.
   /** \brief A neighborhood has min_neighborhood * (points of the cloud /
    * points_of_min_neighborhood) ^ neighborhood_exponent points, its place included, but
-   * not fewer than min_neighborhood and not more than max_neighborhood. Small clouds
+   * not fewer than min_neighborhood and not more than max_neighborhood. Then the factor
+   * of \ref neighborhoodSize multiplies the number. Small clouds
    * have small planes and need small neighborhoods. Large clouds need large ones: the
    * beams of a lidar are farther apart than the points along a beam. */
   double min_neighborhood = 10.0;
@@ -47,9 +48,10 @@ struct PlaceConstants {
    * settled one; beyond, the surface bends. */
   double max_thickening = 1.25;
   double max_thickening_of_all = 1.35;
-  /** \brief The growth of the scatter up to settled supports is the growth_quantile
-   * over the places with a settled support. It counts in full if they are at least
-   * full_share_of_settled of all places; else it is closer to 1. */
+  /** \brief The growth of a level is the scatter of settled supports over that of
+   * supports of the level: the growth_quantile over the places whose settled support is
+   * not exact (\ref max_exact_thickness). It counts in full if these places are at
+   * least full_share_of_settled of all places; else it is closer to 1. */
   double full_share_of_settled = 0.1;
   double growth_quantile = 0.25;
   /** \brief Largest scatter over width of exact surfaces, such as CAD models. */
@@ -65,13 +67,14 @@ struct PlaceConstants {
   /** \brief Upper limit of the usual noise at a density, in units of the usual noise of
    * the cloud. */
   double max_usual_over_cloud = 3.0;
-  /** \brief The usual noise comes from the places whose smallest support is flat if
-   * they are at least this share of all places; else from those with a flat support on
-   * any level. If the latter were always used, woods and hills would count, too: in
-   * airborne surveys the share of points on thick planes rose from .04 to .15. */
+  /** \brief The usual noise comes from the places whose smallest support is flat, but
+   * not exact, if they are at least this share of all places; else from those whose
+   * smallest flat support, on any level, is not exact. If the latter places were always
+   * used, woods and hills would count, too: in airborne surveys the share of points on
+   * thick planes rose from .04 to .15. */
   double min_telling_share = 0.02;
-  /** \brief The chosen support of a place is its largest one with a scatter of at most
-   * this many times its noise. */
+  /** \brief The chosen support of a place is its largest one whose scatter, times the
+   * growth of its level, is at most this many times the noise of the place. */
   double max_noises_of_support = 1.8;
   /** \brief Nearest points are in two layers if the variance within the layers is
    * below this share of the total variance. The best division leaves .36 of the
@@ -80,7 +83,8 @@ struct PlaceConstants {
 
   // Regions.
   /** \brief Largest distance of a place to the plane of a region that grows, in units
-   * of the noise of the place or the rms of the region, whichever is larger. */
+   * of the noise of the place or the rms of the region, whichever is larger. The term
+   * of bend_of_width is added. */
   double noises_of_region = 2.5;
   /** \brief The rms of a region counts as at most this many times the noise. */
   double max_rms_over_noise = 2.0;
@@ -91,20 +95,22 @@ struct PlaceConstants {
    * width of the region. */
   double bend_of_width = 0.003;
   double max_angle = 25.0 * (M_PI / 180.0); // from place normal to region normal
-  double refit_growth = 1.05; // points at a refit over points at the fit before
+  double refit_growth = 1.05; // least points at a refit over those at the try before
 
   // Joins.
   /** \brief Largest rms distance of a region to the plane of another one, in units of
-   * the noise; for joins over gaps, too. */
+   * the noise. The term of bend_of_width is added. For joins over gaps it is the
+   * default of MergingParameters::noise_factor. */
   double noises_of_join = 2.0;
-  /** \brief Two regions are also joined if they bend little: the rms of their common
-   * plane is at most join_bend_of_width times its width, and noises_of_bend times the
-   * noise. So the road of lidar64_semkitti_00 has .54 of its points in its largest
-   * plane, and .12 if no bend is allowed. Without the second limit hills become one
-   * region, and so no plane. The score over all data sets is the same. */
+  /** \brief Two regions that touch are also joined if they bend little: the rms of
+   * their common plane is at most join_bend_of_width times its width, and
+   * noises_of_bend times the noise. So the road of lidar64_semkitti_00 has .54 of its
+   * points in its largest plane, and .12 if no bend is allowed. Without the second
+   * limit the score over all data sets is the same, but hills become one region, and so
+   * no plane. */
   double join_bend_of_width = 0.01;
   double noises_of_bend = 8.0;
-  double join_angle = 5.0 * (M_PI / 180.0);
+  double join_angle = 5.0 * (M_PI / 180.0); // of the planes of regions that touch
   /** \brief Least share of all border places of a region that touch the region it joins
    * and lie on that region's plane. */
   double min_share_of_border = 0.1;
@@ -132,12 +138,13 @@ struct PlaceConstants {
   double common_error_exponent = 0.25;
 
   // Labels.
-  /** \brief Largest distance of a point to its plane, in units of the noise. */
+  /** \brief Largest distance of a point to its plane, in units of the noise. The term
+   * of bend_of_width is added. */
   double noises_of_point = 3.0;
-  /** \brief A joined region is a part, and not a scrap, if it has more than this share
-   * of the points of the region that takes it. Parts may tilt against each other: if a
-   * region has parts, the larger of its noise and its rms counts as its noise, but at
-   * most max_rms_over_noise times its noise. */
+  /** \brief A joined region is a part, not a mere addition, if it has more than this
+   * share of the points of the region that takes it. Parts may tilt against each other:
+   * if a region has parts, the larger of its noise and its rms counts as its noise, but
+   * at most max_rms_over_noise times its noise. */
   double min_share_of_part = 0.1;
 };
 
@@ -150,8 +157,8 @@ inline constexpr double squared_width_of_variance = 12.0;
  * n - 3 independent distances to it. */
 inline constexpr double parameters_of_plane = 3.0;
 
-/** \brief Added to the noise or scatter of places [m]: keeps logarithms of it, and
- * quotients by it, finite for exact points. */
+/** \brief Added to a noise or scatter [m], so that its logarithm, or a quotient by it,
+ * is finite for exact points. */
 inline constexpr float least_noise = 1e-12F;
 
 } // namespace pcl_ops::internal

@@ -128,11 +128,12 @@ flattestPatches (const Coordinates& points, const PointTree& tree)
 }
 
 // Returns the mean direction of the largest group of similar normals, up to the sign;
-// zero if fewer than 80 % are in it, as for the faces of CAD models.
+// zero if fewer than 80 % are in it, as for the faces of CAD models. A group has all
+// normals near one of them, its center.
 Eigen::Vector3d
 commonDirection (const std::vector<FlatPatch>& patches)
 {
-  constexpr std::size_t tried_centers = 100; // normals tried as the center of a group
+  constexpr std::size_t tried_centers = 100; // up to twice as many are tried
   constexpr double min_share = 0.8;
   // From the center of a group to its other normals: 3 degrees at most.
   const double min_cosine = std::cos (3.0 * M_PI / 180.0);

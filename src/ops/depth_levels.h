@@ -14,9 +14,9 @@ namespace pcl_ops::internal {
 struct DepthLevels {
   /** \brief The common unit normal of the levels; zero if the cloud has no levels. */
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  /** \brief For each point the distance between its level and adjacent ones [m]; empty
-   * if the cloud has no levels. The true depth may be anywhere within this step:
-   * quantization has a variance of step^2 / 12 along the direction. */
+  /** \brief For each point the median distance between adjacent levels around its own
+   * [m]; empty if the cloud has no levels. The true depth may be anywhere within this
+   * step: quantization has a variance of step^2 / 12 along the direction. */
   std::vector<float> step;
 };
 

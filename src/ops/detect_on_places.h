@@ -8,10 +8,11 @@
 namespace pcl_ops::internal {
 
 /** \brief Detects planes from the neighborhoods of places (distinct points); this is
- * the default. No voxel grid divides space: the planes stay the same if the cloud is
- * moved or rotated, and nearly the same if points are missing.
+ * the default. No voxel grid divides space: the planes hardly change if the cloud is
+ * moved or rotated, or if some points are missing.
  * OrientedPointSamplingParameters::on_stage gets the results of all stages except
- * Stage::Labels, with a value for each of \p points. */
+ * Stage::Labels, with a value for each of \p points.
+ * \param[in,out] times the durations of the stages are added to it */
 LabelledPlanes
 detectOnPlaces (const Points& points,
                 const OrientedPointSamplingParameters& parameters,

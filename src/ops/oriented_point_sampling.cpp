@@ -57,7 +57,7 @@ detail::detect (const DetectorInput& input,
       [&] (const Points& points, StageDurations& durations) {
         return detectBySampling (input, parameters, points, durations);
       },
-      coarsestVoxel (parameters.surfels)); // step of the origin of the local frame
+      coarsestVoxel (parameters.surfels)); // so voxels begin at multiples of their edge
   if (usedSampling (parameters) == Sampling::Neighborhoods)
     reportLabels (parameters.on_stage, found.planes, input.cloud.size);
   return found;

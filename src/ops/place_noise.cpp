@@ -51,9 +51,9 @@ settledLevelOf (const Places& places, std::size_t place)
 }
 
 // Returns for each level the growth, the scatter of a settled support over that of a
-// support of the level: the lower quartile over the places with settled supports. The
-// growths of places from one sensor are alike. On hills and in woods they differ, and
-// most flat places there have a growth of 1.
+// support of the level: the lower quartile over the places whose largest settled
+// support is not exact. The growths of places from one sensor are alike. On hills and
+// in woods they differ, and most flat places there have a growth of 1.
 std::vector<double>
 growthsOf (const Places& places, const std::vector<int>& settled_level)
 {
@@ -86,11 +86,12 @@ growthsOf (const Places& places, const std::vector<int>& settled_level)
 // Returns nu, how many neighboring points err as one. The variance of n points of a
 // flat surface about the plane fit to them is s = 1 - 3 nu / n times that of the
 // surface, as the fit has three parameters. The growth of a level is 1 / sqrt (s): so
-// nu = (1 - s) n / 3. The smallest supports with s above least_share give nu.
+// nu = (1 - s) n / 3. The smallest supports with s above least_share give nu. This
+// neglects that Support::scatter is already corrected for nu = 1.
 double
 commonErrorsOf (const Places& places, const std::vector<double>& growth)
 {
-  constexpr double least_share = 0.3; // below, nearly all points err as one
+  constexpr double least_share = 0.3; // of s: below, nearly all points err as one
   for (std::size_t level = 0; level < growth.size(); ++level) {
     const double share = 1.0 / (growth[level] * growth[level]);
     if (share > least_share)
@@ -127,7 +128,7 @@ leastNoise (const Places& places,
 std::vector<float>
 smoothed (const Places& places, const std::vector<float>& noise, unsigned threads)
 {
-  constexpr std::size_t others = 8;
+  constexpr std::size_t others = 8; // evenly spread from the nearest neighbor on
   std::vector<float> logarithm (noise.size());
   forEach (threads, noise.size(), [&] (std::size_t i) {
     logarithm[i] = std::log (noise[i] + least_noise);

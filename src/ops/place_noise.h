@@ -17,7 +17,8 @@ namespace pcl_ops::internal {
  * the noise. The scatter grows from level to level until a support holds many
  * independent errors. From that level on supports are settled. */
 struct PlaceNoise {
-  /** \brief Noise of each place: the scatter expected in settled supports [m]. */
+  /** \brief Noise of each place [m]: the scatter expected in settled supports, averaged
+   * over nearby places and limited by the usual noise. */
   std::vector<float> of_place;
   /** \brief The noise statistics of all places. */
   CloudNoise cloud;
@@ -49,7 +50,7 @@ struct ChosenSupports {
 };
 
 /** \brief Chooses for each place the largest support whose scatter its noise explains.
- * If the noise explains none of them, chooses the smallest one, or, if the nearest
+ * If the noise explains none of them, chooses the smallest one; but if the nearest
  * points are in two layers, as the sides of a thin wall, the flattest one. */
 ChosenSupports
 chooseSupports (const Places& places, const PlaceNoise& noise, unsigned threads);

@@ -177,7 +177,7 @@ positionsOf (const Coordinates& points,
 }
 
 // Returns the index among the arms of the one farthest from (x, y, z), the lowest index
-// in case of a tie.
+// in case of a tie: never that of a repeated arm.
 std::size_t
 farthestOf (const ArmPositions& arms, float x, float y, float z)
 {

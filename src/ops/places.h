@@ -27,7 +27,7 @@ struct Support {
  * of cells of a grid or a tree could move, and a cell could then hold entirely
  * different points. */
 struct Places {
-  /** \brief [m] in the local frame. */
+  /** \brief [m] in the local frame, whose zero is Points::origin. */
   std::vector<Eigen::Vector3d> position;
   /** \brief The nearest places of each place, without itself, nearest first: \ref
    * neighbors entries for place 0, then as many for place 1, and so on. */
@@ -66,11 +66,12 @@ neighborhoodSize (double points, double factor);
  * around it.
  *
  * The smallest support of a place is its neighborhood. The support of the next level
- * adds up the supports of the place and of its arms, eight places around it (fewer in
- * small neighborhoods). From level to level arms are about twice as far away. So all
- * levels cost the same, however many points their supports have.
- * \param[in] points least_places or more, all different, in an order that depends only
- * on their coordinates
+ * adds up the supports of the place and of its arms: eight places around it (fewer in
+ * small neighborhoods), at first the farthest places of its neighborhood. From level to
+ * level arms are about twice as far away. So all levels cost the same, however many
+ * points their supports have.
+ * \param[in] points six (least_places) or more, all different, in an order that depends
+ * only on their coordinates: so the result does not depend on the order of the cloud
  * \param[in] neighborhood_size points of a neighborhood, its place included; at most as
  * many as \p points */
 Places

@@ -38,10 +38,11 @@ hasTwin (const Places& places,
   });
 }
 
-// Returns for each region the step of rounded coordinates along its normal [m]: they
-// put a surface into layers that far apart. The step is 0 where nearly all places have
-// a twin: those of the two sides of a body on an exact grid do, those of a surface that
-// was rounded do not.
+// Returns for each region the step of rounded coordinates along its normal [m]:
+// rounding puts a surface into layers that far apart. The step is 0 if coordinates were
+// not rounded. It is also 0 if nearly all places of the region have a twin: the places
+// of the two sides of a body on an exact grid do, those of a surface that was rounded
+// do not.
 std::vector<double>
 roundingSteps (const Coordinates& points, const Places& places, const Regions& regions)
 {

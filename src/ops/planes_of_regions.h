@@ -16,7 +16,8 @@ namespace pcl_ops::internal {
 /** \brief Turns regions into labelled planes. Assigns each point to a plane or to
  * no_plane. Splits planes that are the two sides of a thin wall. Drops planes that are
  * much thicker than their noise, unless the user gave a distance threshold. Merges
- * planes if the user gave a merging distance. Sets the noise of each plane.
+ * planes if the user gave a merging distance. Sets the noise of each plane, and the
+ * distance threshold of LabelledPlanes::used.
  * \param[in] points all points of the cloud
  * \param[in] distinct the coordinates of the places, and the place of each point
  * \param[in] places,noise,regions results of the earlier stages

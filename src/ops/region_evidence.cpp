@@ -171,6 +171,7 @@ planesAmong (const Places& places,
   const double min_points = min_points_factor * place_constants.min_independent_points *
                             noise.cloud.common_errors;
   std::vector<double> bend (members.size());
+  // Each piece of the loops is one region, so that its begin is the index.
   parallelFor (threads, members.size(), 1, [&] (std::size_t region, std::size_t) {
     bend[region] = bendOf (places, regions.list[region], members[region]);
   });

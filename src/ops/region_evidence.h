@@ -13,11 +13,12 @@ struct RegionEvidence {
   /** \brief Base 10 logarithm of the ratio of its points to the square root of the
    * number of points of the cloud; smaller if neighboring points err alike. */
   double size = 0.0;
-  /** \brief Rms height of the quadratic surface fitted to the region over the rms of
-   * the residuals; 0 if the region is flat. */
+  /** \brief Rms height of the quadratic surface fitted to the region, over the plane of
+   * the region, divided by the rms of the residuals; 0 if the region is flat or has
+   * fewer than 6 places. At most PlaceConstants::max_bend. */
   double bend = 0.0;
-  /** \brief Share of its border where an adjacent region continues it smoothly, times
-   * the bend of that region: high for the facets of a round surface. */
+  /** \brief Sum over adjacent regions that continue it smoothly: their share of its
+   * border, times their bend. High for the facets of a round surface. */
   double smooth_border = 0.0;
   /** \brief Share of its border beyond which there is no region, or only a scrap (a
    * region with few places). */

@@ -71,7 +71,7 @@ struct Contact {
   std::int32_t other;
   /** \brief Number of places of region own with a neighbor in region other. */
   int places;
-  /** \brief How many of these places lie on the plane of the other region, too. */
+  /** \brief How many of these places lie on the plane of region other. */
   int fitting_places;
 };
 
@@ -101,8 +101,8 @@ addContacts (const Places& places,
     if (other == no_plane || other == own || isCounted (other))
       continue;
     const Region& region = regions.list[other];
-    // Twice the distance that liesOn allows: the halves of a cambered road bend, so
-    // that their borders lie off each other's planes.
+    // Twice as many noises as liesOn allows, but the same bend: the halves of a
+    // cambered road bend, so that their borders lie off each other's planes.
     const double reach = 2.0 * place_constants.noises_of_join * thicknessOf (region) +
                          place_constants.bend_of_width * region.width();
     const double distance = region.fit.plane.distance (places.position[place]);
@@ -175,7 +175,8 @@ bordersOf (const Places& places,
   return borders;
 }
 
-// Whether the points of region own lie on the plane of another region.
+// Whether the points of region own lie on the plane of another region, by their rms
+// distance.
 bool
 liesOn (const Region& own, const Region& other)
 {
@@ -232,8 +233,8 @@ fromBothSides (const Contact& contact, const std::vector<Contact>& sorted)
 }
 
 // Picks for each region a larger one that it touches and whose plane it is a piece of:
-// the one with which it shares most fitting_places border places; no_plane if there is
-// none.
+// the one with most Contact::fitting_places, counted from both sides; no_plane if there
+// is none.
 Labels
 pickTouching (const Borders& borders, const Regions& regions)
 {

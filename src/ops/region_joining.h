@@ -9,18 +9,20 @@ namespace pcl_ops::internal {
 
 /** \brief Joins regions that touch each other and are pieces of one plane.
  *
- * In each round each region picks a larger neighbor: the one with which it shares most
- * border places that lie on each other's planes. Then each region that picked no other
- * takes all regions that picked it. So the result does not depend on an order. If only
- * the best pair were joined at a time, one point less could change which pair that is,
- * and so all later pairs. */
+ * In each round each region picks a larger neighbor whose plane it is a piece of: the
+ * one with which it shares most border places that lie on the plane of the other
+ * region. Then each region that picked no other takes all regions that picked it.
+ * So the result does not depend on an order. If only the best pair were joined at a
+ * time, one point less could change which pair is best, and so all later pairs. Rounds
+ * end when no region picks another one. */
 void
 joinTouching (const Places& places, unsigned threads, Regions& regions);
 
 /** \brief Joins regions that are pieces of one plane but do not touch each other, such
  * as the pieces of a wall behind a cupboard. Works in rounds as \ref joinTouching.
- * \param[in] merging its angle_threshold is the largest angle between the normals, its
- * noise_factor the largest distance in units of the noise */
+ * \param[in] merging its angle_threshold is the largest angle between normals [rad].
+ * Its noise_factor is the largest distance in units of the noise, by default
+ * PlaceConstants::noises_of_join. Other members are not used */
 void
 joinOverGaps (const MergingParameters& merging, Regions& regions);
 

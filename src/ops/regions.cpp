@@ -108,8 +108,8 @@ private:
            place_constants.bend_of_width * width_;
   }
 
-  // Adds a place, and refits the plane if the region has grown enough since the last
-  // fit.
+  // Adds a place. Tries to refit the plane if the region has grown enough since the
+  // last try.
   void
   take (std::uint32_t place)
   {
@@ -153,15 +153,16 @@ private:
     constexpr double half = 0.5;
     region_.noise = meanNoise();
     region_.scatter = quantileOf (scatter_of_members_, half);
-    // A region with too few points for a fit has the width of its seed, and length 0.
+    // Kept if refit() finds too few points: the width of the seed, and length 0. So
+    // these variances do not ascend.
     region_.fit.centroid = region_.moments.centroid();
     region_.fit.variances = {0.0, width_ * width_ / squared_width_of_variance, 0.0};
     region_.refit();
     return region_;
   }
 
-  // Least number of points for refits while the region grows: fewer have a plane that
-  // tilts with their noise.
+  // Fewer points have a plane that tilts with their noise. The count of the last try
+  // starts here, so that refit_growth allows the first refit at 13 points.
   static constexpr double min_points_of_refit = 12.0;
   const double min_cosine_ = std::cos (place_constants.max_angle);
   const Places& places_;

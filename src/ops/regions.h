@@ -21,8 +21,8 @@ struct Region {
   /** \brief Geometric mean of the noise of its places [m]. A join averages the noise of
    * both regions, weighted by points. */
   double noise = 0.0;
-  /** \brief Whether it took another region that is a part, which may tilt against it,
-   * and not only scraps: PlaceConstants::min_share_of_part. */
+  /** \brief Whether it took a region with more than PlaceConstants::min_share_of_part
+   * of its own points: a part, which may tilt against it. */
   bool has_parts = false;
 
   /** \brief Extent along the shorter axis in the plane [m]. */
@@ -45,6 +45,7 @@ struct Region {
 };
 
 struct Regions {
+  /** \brief A region that another one took stays in the list, without points. */
   std::vector<Region> list;
   /** \brief For each place the index of its region in \ref list, or no_plane. */
   Labels of_place;
@@ -52,8 +53,8 @@ struct Regions {
 
 /** \brief Grows regions over neighboring places, one region after the other. Seeds are
  * the flat places, the flattest first. A place goes into the first region it fits.
- * \param[in] distance_threshold largest distance of a place to its plane [m]; if not
- * given, it follows the noise */
+ * \param[in] distance_threshold largest distance of a place to the plane of its region
+ * [m]; if not given, it follows the noise */
 Regions
 growRegions (const Places& places,
              const PlaceNoise& noise,

@@ -40,9 +40,10 @@ private:
   const Indices& place_of_point_;
 };
 
-/** \brief Returns an observer of results for \p points. It converts them to results for
- * all points of the input cloud and passes them to \p observer. It is empty if
- * \p observer is, and keeps references to \p observer and \p points. */
+/** \brief Returns an observer of results for \p points. It converts these to results
+ * for all points of the input cloud and passes them to \p observer. The returned
+ * observer is empty if \p observer is, and keeps references to \p observer and \p
+ * points. */
 StageObserver
 observerOfPoints (const StageObserver& observer,
                   const Points& points,

@@ -16,7 +16,8 @@ quantileOf (std::vector<float>& values, double share);
 
 /** \brief Sets CloudNoise::usual to the median noise, and usual_of_octave to that of
  * each octave of the density: octave n has the densities from 2^n to 2^(n + 1).
- * Adjacent octaves count, too, with half the weight.
+ * Adjacent octaves count, too, with half the weight. The median of an octave is at most
+ * PlaceConstants::max_usual_over_cloud times that of the cloud.
  * \param[in] density of each place whose noise is known [1/m^2]
  * \param[in] noise of the same places [m] */
 void
@@ -24,9 +25,10 @@ setUsualNoise (const std::vector<float>& density,
                const std::vector<float>& noise,
                CloudNoise& cloud);
 
-/** \brief Returns the median noise of places of a density [1/m^2], in meters; 0 if no
- * noise is known. It interpolates between the middles of octaves: a small change of the
- * density changes the noise little. */
+/** \brief Returns the median noise [m] of places of a density [1/m^2]. It interpolates
+ * between the middles of octaves, so that a small change of the density changes the
+ * noise little. Where both octaves are unknown it returns that of the cloud; 0 if no
+ * noise is known. */
 double
 usualNoise (const CloudNoise& cloud, double density);
 

@@ -124,7 +124,9 @@ struct BallDirections {
     return patchOfRow (phi_num - row, patch + half_turn);
   }
 
-  /** \brief The four neighbors of a patch: north, south, west, east. */
+  /** \brief The directions north, south, west and east of a direction. Beyond a pole,
+   * north or south is on the other side of the ball; west and east of a pole are the
+   * pole itself. */
   std::array<std::uint32_t, 4>
   beside (std::uint32_t direction) const
   {

@@ -15,7 +15,7 @@ extractPlanes (const Points& points,
                const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters)
 {
-  // A plane has more samples than min_samples, theta_N: three or more.
+  // A plane has more samples than min_samples (theta_N), so that 2 stands for three.
   constexpr unsigned smallest_min_samples = 2;
   RansacParameters ransac = parameters;
   ransac.min_samples = std::max (smallest_min_samples, parameters.min_samples);

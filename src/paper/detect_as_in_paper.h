@@ -11,8 +11,9 @@
 namespace pcl_ops::internal {
 
 /** \brief Finds planes in oriented samples by one-point RANSAC, one after the other
- * (the paper's Algorithm 1). Strategy 2 searches horizontal, vertical and other samples
- * apart.
+ * (the paper's Algorithm 1). Strategy 2 (DivideThenDetect) searches horizontal,
+ * vertical and other samples apart.
+ * \param[in] parameters distance_threshold is set
  * \param[in] points all finite points; only Verification::AllPoints uses them
  * \return the planes in the order they were found */
 std::vector<Plane>
@@ -21,8 +22,10 @@ extractPlanes (const Points& points,
                const OrientedPointSamplingParameters& parameters);
 
 /** \brief The detector of Sampling::Points: draws points at random, estimates their
- * normals from the nearest neighbors, and assigns all points to unbounded planes.
+ * normals from the nearest neighbors, extracts planes by \ref extractPlanes, assigns
+ * all points to these unbounded planes, and merges the planes.
  * \param[in] input the cloud, and the user's neighbor search if one is set
+ * \param[in] parameters distance_threshold is set
  * \param[in,out] durations the wall time of each stage is added [ms] */
 LabelledPlanes
 detectAsInPaper (const DetectorInput& input,

@@ -50,8 +50,8 @@ freeClustersNear (const Plane& plane,
   return near;
 }
 
-/** A plane and the weight of its clusters when it was last computed: an upper bound of
- * the present weight, as planes only lose free clusters. */
+/** A plane and the weight of its free clusters when this weight was last computed: an
+ * upper bound of the present weight, as planes only lose free clusters. */
 struct RankedPlane {
   double weight = 0.0;
   std::size_t index = 0;
@@ -78,7 +78,10 @@ rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& octree)
   return ranks;
 }
 
-/** Fits a plane to free clusters, then to the free clusters near it, and takes these.
+/** Fits a plane to free clusters, then fits_per_plane times to the free clusters near
+ * it, and takes those of the last fit.
+ * \param[in] clusters to begin with, all free
+ * \param[in] largest_rms of a cluster near the plane [m]
  * \param[in,out] is_free false for clusters that a plane has taken
  * \return the plane and its clusters; nothing if they span no plane or have fewer than
  * min_count points */

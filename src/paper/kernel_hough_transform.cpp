@@ -17,7 +17,7 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-// Number of voxels that a cloud is divided into; they tell where a plane ends.
+// About so many voxels a cloud is divided into; they tell where a plane ends.
 constexpr double wanted_voxels = 9000.0;
 
 /** Bounds planes by the voxels of their clusters. Each voxel goes to the plane of the
@@ -46,7 +46,7 @@ boundedByClusters (const std::vector<HoughPlane>& planes,
 }
 
 /** Removes voxels from their plane if the rms distance of their points to the plane
- * exceeds max_voxel_rms_in_noises times its noise. */
+ * exceeds max_voxel_rms_in_noises times the noise of the plane. */
 void
 releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
 {
@@ -73,7 +73,8 @@ growAndMergeOnVoxels (const VoxelGrid& grid,
 }
 
 /** Replaces each least squares plane by the plane its points were assigned to; where
- * planes were merged, by the first of them. The centroid is moved onto that plane. */
+ * planes were merged, by the first of them: the loop runs backwards, so that the first
+ * one is written last. The centroid is moved onto that plane. */
 void
 restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
 {
@@ -199,8 +200,8 @@ detail::detect (const DetectorInput& input,
 
 KernelHoughTransformParameters::KernelHoughTransformParameters()
 {
-  // Clusters has the published values, 5 and 25, which paper() restores: they lose the
-  // surfaces of noisy clouds.
+  // Clusters has the published values, 5 and 25, which lose the surfaces of noisy
+  // clouds. paper() restores them.
   clusters.first_level = 3;
   clusters.s_alpha = 15.0;
 }
@@ -223,8 +224,8 @@ validate (const KernelHoughTransformParameters& parameters)
 {
   constexpr int max_phi = 1000;
   constexpr int max_rho = 10000;
-  // Limits the depth of recursive calls; nodes of far lower levels are smaller than any
-  // noise.
+  // Limits the depth of recursive calls. Nodes of deeper levels would be smaller than
+  // any noise.
   constexpr int max_levels = 60;
   const KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
   if (parameters.phi_num < 2 || parameters.phi_num > max_phi)

@@ -12,10 +12,11 @@ namespace {
 // Votes end at two standard deviations; squared Mahalanobis distance.
 constexpr double largest_squared_deviation = 4.0;
 
-// Votes go no farther than this from the likeliest direction [rows or patches] and from
-// the likeliest rho [bins]. In clouds with hardly any noise, kernels of a plane through
-// the center reach all directions, and votes for all directions are of no use. With
-// these limits slightly more planes are found, too.
+// Votes go no farther than this from the row of the mean [rows], from the likeliest
+// azimuth of a row [patches] and from the likeliest rho of a direction [bins]. In
+// clouds with hardly any noise, kernels of a plane through the center reach all
+// directions, and votes for all directions are of no use. With these limits slightly
+// more planes are found, too.
 constexpr double max_directions = 8.0;
 constexpr double max_bins = 32.0;
 
@@ -74,7 +75,8 @@ public:
     return std::isfinite (peak) && peak > 0.0;
   }
 
-  /** Squared Mahalanobis distance from the mean of a direction at its likeliest rho. */
+  /** Squared Mahalanobis distance of a direction, at its likeliest rho, from the mean
+   * of the kernel. */
   double
   squaredDeviation (const Offset& offset) const
   {
@@ -181,6 +183,7 @@ private:
     const double reach = std::min ({density_.thetaReach (squared_deviation_left) / step,
                                     0.5 * patches,
                                     max_directions});
+    // At most all patches of the row, each once.
     const int first =
         clampedToInt (std::ceil (middle_patch - reach), -max_patches, max_patches);
     const int last = std::min (
@@ -215,6 +218,8 @@ private:
     const double step = space_.rho_step;
     const double reach = std::min (
         std::sqrt (squared_deviation_left * density_.rho_variance), max_bins * step);
+    // Bins below 0 are those of the opposite direction. The limits of first and last
+    // differ, so that a range wholly beyond the bins is empty.
     const int bins = space_.rho_num;
     const int first =
         clampedToInt (std::ceil ((rho - reach) / step - 0.5), -bins, bins);

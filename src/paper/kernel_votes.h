@@ -24,7 +24,8 @@ struct PlaneKernel {
  * of rho.
  * \param[in] fit the plane of the points; the sign of its normal has no effect
  * \param[in] covariance Sigma_xyz, the points' population covariance
- * \param[in] center of the ball, in the frame of \p fit */
+ * \param[in] center of the ball, in the frame of \p fit
+ * \param[in] weight see \ref PlaneKernel::weight */
 PlaneKernel
 planeKernel (const PlaneFit& fit,
              const Eigen::Matrix3d& covariance,
@@ -49,8 +50,9 @@ struct KernelVotes {
 
 /** \brief Computes the votes of a kernel for the bins whose center lies in its
  * ellipsoid of two standard deviations, on which the density is g_min = exp (-2) times
- * its peak. Votes also end 8 directions and 32 bins of rho from the mean, so that a
- * kernel has at most some 20,000 votes.
+ * its peak. Votes also end 8 rows from the mean, 8 patches from the likeliest azimuth
+ * of a row and 32 bins from the likeliest rho of a direction, so that a kernel has at
+ * most some 20,000 votes: 17 rows of 17 patches with 65 bins each.
  *
  * A vote is weight times the density at the bin's center. The bin that contains the
  * mean gets at least weight times g_min, so that a kernel between bin centers is not

@@ -187,6 +187,7 @@ drawHypothesis (const Coordinates& points,
   // Three points count as a line if the sine of their angle at p_r0 is at most this.
   constexpr double smallest_sine = 1e-3;
   const Eigen::Vector3d p0 = points[origin];
+  // From p_r0 to p_r1; 0 until p_r1 is drawn.
   Eigen::Vector3d first_edge = Eigen::Vector3d::Zero();
   for (int draw = 0; draw < max_draws; ++draw) {
     const Eigen::Vector3d edge = points[drawFrom (sphere, generator)] - p0;
@@ -211,8 +212,9 @@ sampleLocalPlanes (const Coordinates& points,
   const double max_inliers = parameters.max_inliers_per_point * size;       // N_max
   const double max_hypotheses = parameters.max_hypotheses_per_point * size; // K_max
   const double max_visits = parameters.max_visits_per_point * size;
-  // On a surface a search examines three times as many points as the sphere holds, in
-  // noise more. An empty sphere takes time, too.
+  // On a surface a search examines three times as many points as the sphere holds: nine
+  // voxels of edge r2 have the area 9 r2^2, the sphere cuts out pi r2^2. In noise it
+  // examines more. An empty sphere takes time, too.
   constexpr double examined_per_point_in_sphere = 3.0;
   constexpr double visits_per_sphere = 100.0;
   double inliers_of_all = 0.0; // n

@@ -29,8 +29,8 @@ struct Spheres {
 };
 
 /** \brief Spheres of radius r2, found by the user's search if one is set, else in a
- * grid of voxels, several times faster. \p input and \p points must outlive the
- * spheres. */
+ * grid of voxels, which takes less time to build than a k-d tree. Both
+ * \p input and \p points must outlive the spheres. */
 Spheres
 spheresAround (const DetectorInput& input,
                const Points& points,

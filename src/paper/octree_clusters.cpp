@@ -17,8 +17,8 @@
 namespace pcl_ops::internal {
 namespace {
 
-// A root cube with a smaller edge counts as a single point, because single precision
-// cannot number its leaves [m].
+// A root cube with an edge [m] below this counts as a single point, because single
+// precision cannot number its leaves.
 constexpr double smallest_edge = 1e-30;
 
 // Points farther from a node's plane than this share of its edge are dropped.
@@ -28,8 +28,8 @@ constexpr double dropped_distance_share = 0.1;
 // nodes fit into 16 bits, their counters into the second level cache.
 constexpr int sorted_level = 5;
 
-// The threads share the nodes of this level, or of s_level if that is nearer to the
-// root.
+// The threads share the nodes of this level, or of s_level (first_level) if that is
+// nearer to the root.
 constexpr int max_start_level = 2;
 
 struct Range {

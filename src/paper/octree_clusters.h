@@ -19,7 +19,7 @@ struct RootCube {
   /** \brief Centroid of the points that are not outliers. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   /** \brief Twice the largest |coordinate - center| of the points that are not outliers
-   * [m]; 0 if these points are all equal. */
+   * [m]; 0 if these points are all equal, or if it would be below 1e-30. */
   double edge = 0.0;
   /** \brief Largest distance of a point in the cube from the center [m]. */
   double radius = 0.0;
@@ -31,10 +31,11 @@ struct RootCube {
   }
 };
 
-/** \brief The cube around the centroid that holds all points but outliers. Each
- * coordinate has a range, which holds the middle 96 percent of its values. A point is
- * an outlier if it lies farther outside one of the three ranges than the widest of them
- * is wide. If outliers were in the cube, one stray return would make all nodes coarse.
+/** \brief The smallest cube around the centroid that holds all points but outliers.
+ * Each coordinate has a range, which holds the middle 96 percent of its values. A point
+ * is an outlier if it lies farther outside one of the three ranges than the widest of
+ * them is wide. If outliers were in the cube, one stray return would make all nodes
+ * coarse.
  * \return edge 0 for no points */
 RootCube
 rootCubeOf (const Coordinates& points);
@@ -81,9 +82,10 @@ struct OctreeClusters {
 
 /** \brief Builds an octree over the root cube and collects its coplanar nodes. Nodes
  * are split until their points lie near a plane or are too few, down to max_level. From
- * first_level on, a node whose variances pass the test of s_alpha and s_beta becomes a
- * cluster, without the points farther than a tenth of its edge from its plane. The
- * result does not depend on the number of threads.
+ * first_level on, a node whose variances pass the test of s_alpha and s_beta is not
+ * split any more. It becomes a cluster, without the points farther than a tenth of its
+ * edge from its plane; it makes no cluster if the others span no plane. The result does
+ * not depend on the number of threads.
  * \return the clusters in Morton order; no clusters for an empty cloud or one whose
  * points are all equal */
 OctreeClusters

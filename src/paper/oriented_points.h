@@ -47,8 +47,9 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads);
  * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbors (paper, equation of section
  * III-A). Neighbors at distance 0 are skipped.
  * \param[in] sigma of the weight [m]; not given: the distance to the farthest neighbor
- * \return position and normal of each sample, in order. A sample with fewer than two
- * neighbors, or with all neighbors on one line, has no normal and is left out */
+ * \return position and normal of each sample, in order. A sample without two
+ * neighbors at other places, or with all neighbors on one line through it, has no
+ * normal and is left out */
 OrientedSamples
 orientSamples (const CloudView& cloud,
                const Points& points,

@@ -52,7 +52,8 @@ struct ExtractedPlane {
 
 /** \brief The best plane of RANSAC among the candidates, fitted to its inlier samples.
  * With local optimization the inliers are selected again and the plane is refitted
- * while the number of inliers grows (LO-RANSAC, Chum, Matas & Kittler 2003).
+ * while the number of inliers grows (LO-RANSAC, Chum, Matas & Kittler 2003). Without it
+ * the inliers remain those of the hypothesis.
  * \return nothing if RANSAC finds no plane */
 std::optional<ExtractedPlane>
 largestPlane (const Candidates& candidates,
@@ -61,7 +62,8 @@ largestPlane (const Candidates& candidates,
 
 /** \brief Finds the largest plane, removes its inliers and repeats until no plane is
  * found (paper, "Detection of Multiple Planes").
- * \param[in,out] candidates the inliers of the planes are removed
+ * \param[in,out] candidates the inliers of the planes are removed, and from points_left
+ * the points nearer to a plane than theta_h
  * \return the planes in the order they were found; their inliers are disjoint */
 std::vector<ExtractedPlane>
 extractAll (Candidates& candidates,

@@ -169,12 +169,12 @@ struct SphericalAccumulator {
   }
 
   /** \brief The peaks, highest first. Votes are smoothed: 0.2 times the bin's own plus
-   * 0.1333 times those of each of its six neighbors. Then, in principle, bins are
-   * visited from the highest down and the 3 x 3 x 3 bins around each are marked; a bin
-   * is a peak if no bin around it was marked before. Such a bin is the highest of all
-   * bins whose neighborhood overlaps its own: \ref PeakTest tests this without sorting
-   * the bins. Of equally high bins, the lower direction, then the lower bin counts as
-   * higher. */
+   * 0.1333 times those of each of its six neighbors; bins without votes stay 0. Then,
+   * in principle, bins are visited from the highest down and the 3 x 3 x 3 bins around
+   * each are marked; a bin is a peak if no bin around it was marked before. Such a bin
+   * is the highest of all bins whose neighborhood overlaps its own: \ref PeakTest tests
+   * this without sorting the bins. Of equally high bins, the lower direction, then the
+   * lower bin counts as higher. */
   std::vector<HoughPeak>
   peaks () const
   {
@@ -221,7 +221,8 @@ private:
         const float sum = own_weight * own[bin] + neighbor_weight * neighbors;
         result[bin] = own[bin] > 0.0f ? sum : 0.0f;
       }
-      // At the center bin 0 of the opposite direction is a neighbor of bin 0.
+      // At the center bin 0 of the opposite direction is a neighbor of bin 0. The votes
+      // are not mirrored: own[-1] is 0.
       if (own[0] > 0.0f)
         result[0] += neighbor_weight * votes[directions.opposite (direction)][0];
     }

@@ -19,7 +19,7 @@ struct Patch {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   /** \brief Columns: unit vectors along the rectangle, across it, and its normal. */
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  /** \brief Half the length (along) and half_sides the width (across) [m]. */
+  /** \brief Half the length (along) and half the width (across) [m]. */
   Eigen::Vector2d half_sides = Eigen::Vector2d::Zero();
   /** \brief Mean squared distance of the points to the plane [m^2]. */
   double mean_squared_distance = 0.0;
@@ -103,7 +103,7 @@ cornersOf (const Patch& patch)
           patch.center + along - across};
 }
 
-/** \brief Clips a convex polygon to the half_sides plane sign * point[axis] <= bound
+/** \brief Clips a convex polygon to the half-plane sign * point[axis] <= bound
  * (Sutherland & Hodgman, "Reentrant polygon clipping", 1974). */
 inline std::vector<Eigen::Vector2d>
 clipped (const std::vector<Eigen::Vector2d>& polygon,

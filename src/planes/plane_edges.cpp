@@ -88,8 +88,9 @@ bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift
   return body;
 }
 
-/** \brief How near to their line two planes need points [m]: noise gives points within
- * three deviations of both planes to either, so that one plane may have none there. */
+/** \brief How near to their line two planes need points [m]. Points within three
+ * standard deviations of both planes may be inliers of either, so that one of the
+ * planes may have no points nearer to the line. */
 double
 reachOf (const Body& first, const Body& second, double sine)
 {
@@ -218,8 +219,8 @@ meetingPoint (const PlaneSegment& first,
   return middle - normals.inverse() * distances;
 }
 
-/** \brief Whether an edge of a meeting holds a point of its line, or ends within the
- * bridged gap of it. */
+/** \brief Whether an interval of a meeting holds a point of its line, or ends within
+ * Meeting::max_gap of the point. */
 bool
 comesTo (const Meeting& meeting, const Vector3d& point)
 {
@@ -232,8 +233,8 @@ comesTo (const Meeting& meeting, const Vector3d& point)
   return false;
 }
 
-/** \brief The intersection points of three planes, if the edges of each two of them
- * hold the point or end within the bridged gap of it; in ascending order of the planes.
+/** \brief The intersection points of three planes each, if the meetings of each two of
+ * them come to the point (\ref comesTo); in ascending order of the planes.
  * \param[in] meetings sorted by their first plane, then by their second */
 std::vector<PlaneCorner>
 cornersOf (const std::vector<Meeting>& meetings,
@@ -263,8 +264,8 @@ cornersOf (const std::vector<Meeting>& meetings,
   return corners;
 }
 
-/** \brief The corner of a meeting that is nearest to an end, if it is no farther than
- * the bridged gap; else the end itself. */
+/** \brief The corner of both planes of a meeting that is nearest to an end, if it is no
+ * farther from the end than Meeting::max_gap; else the end itself. */
 Vector3d
 movedToCorner (const Vector3d& end,
                const Meeting& meeting,

@@ -112,7 +112,8 @@ innerHull (const PlanarPoints& points)
 
 /** \brief Removes the outermost points: the corners of the hull around all, and the
  * points nearest to its border.
- * \param[in] min_removed how many points to remove at least
+ * \param[in] min_removed how many points to remove at least, if there are as many; 1 or
+ * more
  * \return how many points were removed */
 std::size_t
 takeOffLayer (PlanarPoints& points, const PlanarPoints& hull, std::size_t min_removed)

@@ -70,6 +70,7 @@ failureOf (const PlaneSegment& plane,
 {
   if (filter.orientation && plane.orientation != *filter.orientation)
     return &DroppedPlanes::by_orientation;
+  // A plane across the direction is horizontal if the direction counts as up.
   if (filter.direction &&
       orientationOf (plane.normal, *filter.direction, filter.direction_tolerance) !=
           Orientation::Horizontal)

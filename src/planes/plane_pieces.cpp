@@ -113,8 +113,10 @@ private:
 };
 
 /** \brief The second shortest of four distances, one for each pair of opposite octants:
- * to the nearer neighbor of both. Along a line of places only one is short; at a corner
- * of an area two or more are. At its border a neighbor on one side is enough. */
+ * to the nearer neighbor of both. The shortest if no other is finite. Along a line of
+ * places only one is short; at a corner of an area two or more are. At the border of an
+ * area a neighbor on one side is enough.
+ * \param[in] lengths by octant; squares of lengths give the square of the result */
 double
 secondShortest (const std::array<double, octants>& lengths)
 {

@@ -10,8 +10,8 @@
 namespace pcl_ops {
 namespace {
 
-/** \brief Factor of the old moments in each new frame: the weights of frames sum up to
- * those of 1 / (1 - 0.7), about three frames. */
+/** \brief Factor of the old moments in each new frame: the weights of all frames sum up
+ * to at most 1 / (1 - 0.7), the weight of about three new frames. */
 constexpr double kept_share = 0.7;
 
 /** \brief Normalizes the rotation of a motion: rounding would add up over frames. */

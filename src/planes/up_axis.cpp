@@ -54,6 +54,7 @@ facesOf (const std::vector<PlaneSegment>& planes)
     const double count = plane.moments.count;
     const double weight = std::sqrt (count);
     const Matrix3d covariance = plane.moments.covariance();
+    // The last two become shares below, once the sums are known.
     faces.each.push_back ({plane.normal, plane.centroid, covariance, count, weight});
     points += count;
     weights += weight;
@@ -233,14 +234,16 @@ evidenceFor (const Vector3d& up,
 }
 
 /** \brief Whether a scan in all directions has seen floor and ceiling. Then furniture
- * decides which of both has more planes, so that their number does not tell up. */
+ * decides whether more planes face up or down, so that their number does not tell up.
+ */
 bool
 seesFloorAndCeiling (const Vector3d& up,
                      const Faces& faces,
                      const Vector3d& viewpoint,
                      double tolerance)
 {
-  // Share of squared_gaze in the sum below: images of cameras have 0.6 and more.
+  // A scan looks in all directions if squared_gaze is less than this share of its sum
+  // with the variance of the points: images of cameras have 0.6 and more.
   constexpr double min_directedness = 0.3;
   constexpr double min_share = 0.05;
   const double squared_gaze = (faces.mean - viewpoint).squaredNorm();

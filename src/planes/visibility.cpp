@@ -35,8 +35,9 @@ struct Sighting {
   }
 };
 
-/** \brief Returns by how much directions and ranges to a scene differ less than if its
- * center were four times its radius away; 1 for closer ones. */
+/** \brief Returns the distance to the center of a scene in units of four times the
+ * radius of the scene, but at least 1. The farther the scene, the less directions and
+ * relative ranges to its points differ: by this factor. */
 double
 magnificationFrom (const Eigen::Vector3d& position, const Coordinates& scene)
 {
@@ -60,6 +61,7 @@ cellOf (const Eigen::Vector3d& offset, double magnification)
       static_cast<std::uint64_t> (right_angle * cells_per_radian) + 1u;
   Eigen::Index axis = 0;
   const double depth = offset.cwiseAbs().maxCoeff (&axis);
+  // Other is one of the two axes after the depth axis, counted cyclically.
   const auto along = [&] (Eigen::Index other) {
     const double angle = std::atan2 (offset[other % 3], depth) + 0.5 * right_angle;
     return static_cast<std::uint64_t> (angle * cells_per_radian);

@@ -77,8 +77,8 @@ segmentOf (const Eigen::Vector3d& centroid,
       centroid, normal, orientation, moments, {inliers.begin(), inliers.end()}, noise};
 }
 
-/** \brief Defines the class Segment, base of Python's Plane. Made from a segment, it
- * moves the contents out of that one. */
+/** \brief Defines the class Segment, base of Python's Plane. A Segment made from
+ * another one takes the contents out of that one. */
 void
 defineSegment (py::module_& module)
 {
@@ -191,7 +191,8 @@ concaveExtent (const PointRows& inliers,
   return std::make_pair (found.rings(), found.area);
 }
 
-/** \return merged planes, and the position among them of each plane's merged one */
+/** \return merged planes, and for each input plane the position of its merged plane, or
+ * no_plane */
 std::pair<PlaneSegments, Labels>
 merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
 {
@@ -335,7 +336,8 @@ upAxis (const PlaneSegments& planes,
                : py::none();
 }
 
-/** \return (planes, start, end, angle) of edges, (planes, position) of corners */
+/** \return (planes, start, end, angle) of edges, (planes, position) of corners
+ * \param[in] points relative to \p origin; the planes are in the frame of the array */
 std::pair<py::list, py::list>
 edges (const PointRows& points,
        const Eigen::Vector3d& origin,
@@ -351,7 +353,7 @@ edges (const PointRows& points,
   return edges_and_corners;
 }
 
-/** \brief The kind of a name of \ref kinds. */
+/** \brief The kind with a name that \ref kinds returns; Other for any other name. */
 PlaneKind
 kindCalled (const std::string& name)
 {
@@ -369,7 +371,9 @@ kindCalled (const std::string& name)
 
 /** \return walls (start, end, thickness, openings, planes), with openings (start, end,
  * sill, head, rooms, is_door); rooms (rings, area, enclosed, floor, ceiling, middle,
- * unseen, doors_to); and the heights of the floor and of the cut */
+ * unseen, doors_to); and the heights of the floor and of the cut
+ * \param[in] points relative to \p origin; the planes are in the frame of the array
+ * \param[in] names of the kinds of the planes, by \ref kinds */
 py::tuple
 plan (const PointRows& points,
       const Eigen::Vector3d& origin,
@@ -444,6 +448,7 @@ defineContext (py::module_& module)
                 std::size_t walls,
                 std::size_t wall_planes,
                 bool has_floor) {
+              // No filter drops any of these planes: as many are kept as found.
               context.plan = PlanCounts{walls, wall_planes, wall_planes, has_floor};
             });
 }
@@ -507,7 +512,8 @@ defineTracker (py::module_& module)
 using PlaneNumbers = py::array_t<std::uint32_t, py::array::c_style>;
 
 /** \brief All metrics by name.
- * \param[in] truth, result number of each point's plane from 1 on; 0 for no plane */
+ * \param[in] truth, result number of each point's plane from 1 on; 0 for no plane
+ * \param[in] named_by up axis and tolerance that tell horizontal and vertical planes */
 py::dict
 evaluate (const PlaneNumbers& truth,
           const PlaneNumbers& result,

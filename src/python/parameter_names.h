@@ -77,7 +77,9 @@ inline const auto visit_shared = [] (PlaneDetectorParameters& p, const auto& vis
 };
 
 /** \brief Calls visit (name in Python, member) for each parameter of a struct. Names of
- * members of a nested struct mostly begin with the name of that struct. */
+ * members of a nested struct mostly begin with the name of that struct. The overload
+ * for PlaneDetectorParameters itself is visit_orientations, as evaluate uses no others.
+ */
 inline const Overloaded visit_parameters = {
     visit_orientations,
     [] (MergePlanesParameters& p, const auto& visit) {

@@ -90,7 +90,8 @@ pythonValueOf (const T& member)
     return py::cast (member);
 }
 
-/** \brief Defines a struct of parameters, which Python copies, reads and sets. */
+/** \brief Defines a struct of parameters, which Python copies, reads and sets. "set"
+ * does nothing for an unknown name. */
 template <typename P>
 py::class_<P>
 defineParameters (py::module_& module, const char* name_of_struct)

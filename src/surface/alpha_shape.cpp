@@ -28,7 +28,7 @@ using Side = std::pair<std::size_t, std::size_t>;
  * rounding. */
 struct IntegerPoints {
   std::vector<Site> sites;
-  /** \brief Integer steps per meter [1/m]. */
+  /** \brief Integer steps per unit of the points. */
   double scale = 1.0;
 };
 

@@ -11,7 +11,7 @@ namespace pcl_ops::internal {
 /** \brief The rings of the alpha shape: the border of the triangles of the Delaunay
  * triangulation whose circumscribed circle has a radius of at most alpha.
  * \param[in] points finite points, in any order
- * \param[in] alpha above 0 [m]
+ * \param[in] alpha above 0, in the unit of the points
  * \return outer rings and rings around holes, in any order; no ring passes a point
  * twice */
 std::vector<PlanarPoints>

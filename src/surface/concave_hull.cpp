@@ -129,8 +129,9 @@ withHoles (const std::vector<Ring>& rings, double min_hole_area, double toleranc
   return outline;
 }
 
-/** \brief Number of different points, of which equal ones follow each other. Repeated
- * points, as of rounded coordinates, say nothing about the spacing. */
+/** \brief Number of different points. Repeated points, as of rounded coordinates, say
+ * nothing about the spacing.
+ * \param[in] points sorted, so that equal ones follow each other */
 std::size_t
 countDistinctPoints (PlanarPoints points)
 {
@@ -181,7 +182,7 @@ outlineAround (const PlanarPoints& points, double alpha)
   const double spacing =
       std::sqrt (areaOf (convex) / static_cast<double> (countDistinctPoints (inside)));
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
-  // Cells of any radius that is given have to have 64-bit numbers.
+  // The least edge keeps the numbers of cells within 64 bits for any given radius.
   const WeightedPoints thinned =
       thinInside (inside, std::max (radius / cells_per_alpha, min_edge_of_cell));
   const auto holds_enough = [&] (const Ring& ring) {

@@ -58,7 +58,7 @@ struct PatchAxes {
 PatchAxes
 axesOf (const Moments& moments, const Plane& plane)
 {
-  // Above 0, as heights are divided by half extents.
+  // Above 0, as positions along u and v are divided by half extents.
   constexpr double smallest_variance = 1e-300;
   // Eigenvalues ascend: along the normal, along v, along u.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (moments.covariance());

@@ -12,7 +12,8 @@ struct Bending {
   /** \brief Adjusted R^2 of the second-order terms: the share of the residual variance
    * of a flat fit that they explain, at most 1. */
   double explained = 0.0;
-  /** \brief Largest second-order height on the ellipse of half extents [m]. */
+  /** \brief Largest height that the second-order terms have on the ellipse whose half
+   * axes are half the length and half the width of the patch [m]. */
   double amplitude = 0.0;
   /** \brief Half the extent of the patch in the direction of its largest bend [m]. */
   double half_extent = 0.0;
@@ -21,6 +22,8 @@ struct Bending {
 /** \brief Fits 1, u, v, u^2, u v and v^2, with u and v along the plane, to the mean
  * heights of voxels over it by least squares. A voxel weighs as much as its points.
  * \param[in] voxels indices of the voxels of the patch
+ * \param[in] fit plane and centroid from which heights, u and v are measured; it may be
+ * the fit of a part of these voxels
  * \return all zero for fewer than eight voxels */
 Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit);

@@ -35,8 +35,8 @@ struct Assignment {
       addOnce (planes.plane_of_voxel[neighbor], around);
   }
 
-  /** \brief Whether the points of a voxel are so near to a plane on average that noise
-   * explains it, and that no single point has to be tested. */
+  /** \brief Whether a voxel goes to a plane as a whole: noise explains the rms distance
+   * of its points to the plane, and no threshold asks to test each point. */
   bool
   isWhollyOn (std::int32_t plane, std::size_t voxel) const
   {

@@ -38,7 +38,9 @@ void
 refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes);
 
 /** \brief Replaces planes by the planes they were merged into, and sets the noise of
- * all planes to 0: it has to be measured again. */
+ * all planes to 0: it has to be measured again.
+ * \param[in] merged the result of merging \p planes, or a longer list that begins with
+ * \p planes; afterwards \p planes has all merged planes of the list */
 void
 renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes);
 
@@ -56,7 +58,8 @@ smallestNoise (const VoxelGrid& grid)
 
 /** \brief Measures the noise of each plane: the median over its voxels of the rms
  * distance of the voxel's points to the plane, at least \ref smallestNoise. A plane
- * without voxels in this grid keeps its noise. */
+ * without voxels in this grid keeps its noise; if it has none, it gets
+ * \ref smallestNoise. */
 void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);
 

@@ -145,7 +145,8 @@ struct Tally {
   UsedLengths used;
 };
 
-// The median over all planes of the largest distance that their points may have [m].
+// The median over all planes of the largest distance that their points may have [m];
+// nothing without planes.
 std::optional<double>
 usualDistanceLimit (const BoundedPlanes& planes,
                     const Refinement& finer,
@@ -226,8 +227,8 @@ labelSparsePoints (const Points& points,
                 assigned);
 }
 
-// The stages of OPS on voxels, one after the other. P, P_s, n_i, Pi and theta_h are the
-// symbols of the paper, which "section" refers to, too.
+// The stages of OPS on voxels, one after the other. P, P_s, n_i, Pi and theta_h are
+// symbols of the paper; sections are those of the paper, too.
 AssignedPoints
 labelPoints (const Points& points,
              const Parameters& parameters,

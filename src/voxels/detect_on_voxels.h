@@ -10,8 +10,9 @@ namespace pcl_ops::internal {
 using SurfelParameters = OrientedPointSamplingParameters::Surfels;
 
 /** \brief Edge of the voxels of the coarsest resolution [m] if the voxel size is given;
- * else 0. Voxels of a given size begin at whole multiples of their edge in the frame of
- * the input cloud, so that parts of a cloud have the voxels of the whole. */
+ * else 0. The origin of Points has to be a multiple of this edge. Then voxels of a
+ * given size begin at whole multiples of their edge in the frame of the input cloud, so
+ * that parts of a cloud have the voxels of the whole. */
 double
 coarsestVoxel (const SurfelParameters& surfels);
 

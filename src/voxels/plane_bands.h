@@ -14,8 +14,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane with the noise of its points, and how far they may be from it: the
- * points that it can take lie in a band of space. */
+/** \brief A plane, the noise of its points, and the distance below which it takes
+ * points: these lie in a band of space around it. */
 struct PlaneBand {
   FloatPlane surface;
   /** \brief Distance below which the plane takes points [m]; 0: it takes no point. */
@@ -27,7 +27,8 @@ struct PlaneBand {
 
   PlaneBand() = default;
 
-  /** \param[in] noise sigma [m], above 0 */
+  /** \param[in] noise sigma [m], above 0
+   * \param[in] largest_distance see \ref half_width [m] */
   PlaneBand (const Plane& plane, double noise, double largest_distance)
   : surface (plane)
   , half_width (static_cast<float> (largest_distance))
@@ -36,10 +37,10 @@ struct PlaneBand {
   {}
 };
 
-/** \brief The plane that a point most likely belongs to; no_plane if it lies in no
- * band. Among the planes in whose band it lies it is the one with the least
- * d^2 / sigma^2 + 2 ln sigma, d its distance. With d / sigma alone a noisy plane would
- * take points of a clean plane that it meets.
+/** \brief The plane that a point most likely belongs to: of the planes in whose bands
+ * the point lies, the one with the least d^2 / sigma^2 + 2 ln sigma, where d is the
+ * distance of the point; no_plane if the point lies in no band. With d / sigma alone a
+ * noisy plane would take points of a clean plane that it meets.
  * \param[in] planes the candidates, as positions in \p bands
  * \param[in] point index of the point in \p points */
 inline std::int32_t

@@ -52,7 +52,7 @@ planesInLarger (const LargerVoxels& larger, const VoxelGrid& grid, const Labels&
   return planes;
 }
 
-// The same from the planes in the smaller voxels.
+// For each larger voxel the planes in the smaller voxels that it contains.
 std::vector<Labels>
 planesInLarger (const LargerVoxels& larger, const std::vector<Labels>& planes)
 {

@@ -16,7 +16,10 @@ namespace pcl_ops::internal {
  * no plane goes to the likeliest plane (\ref likeliestOf) in larger voxels around it,
  * first in those of twice the edge. Planes narrower than these voxels are not extended.
  * \param[in] open points on no plane in sparse voxels, voxel after voxel
- * \param[in] doublings how many times the edge is doubled
+ * \param[in] grid with neighbors and larger voxels, by \ref connect
+ * \param[in] doublings how many times the edge is doubled, at most up to the root
+ * \param[in] distance_threshold theta_h: largest distance of a point to its plane [m],
+ * if given; like_noise times the plane's noise limits the distance in any case
  * \param[in,out] assigned labels of all points, and moments of each plane; points that
  * get a plane are added to both */
 void

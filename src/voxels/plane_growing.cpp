@@ -12,8 +12,8 @@ namespace pcl_ops::internal {
 namespace {
 
 // The plane of a neighbor that the points of a voxel are nearest to: the least ratio of
-// their rms distance to the largest one [m] that the plane allows. no_plane if all
-// ratios are above 1.
+// their rms distance to the largest one [m] that the plane allows. no_plane if no ratio
+// is below 1.
 std::int32_t
 nearestPlaneAround (const VoxelGrid& grid,
                     const BoundedPlanes& planes,
@@ -40,6 +40,7 @@ nearestPlaneAround (const VoxelGrid& grid,
   return nearest;
 }
 
+// The voxels without a plane.
 Indices
 openVoxels (const Labels& plane_of_voxel)
 {

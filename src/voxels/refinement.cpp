@@ -55,8 +55,9 @@ partOf (const VoxelGrid& grid, const Indices& voxels)
   return part;
 }
 
-// For each voxel of the grid finer the plane of its coarse voxel, if its points lie on
-// that plane. The grid has the finest voxels of the given indices.
+// For each voxel of the grid \p finer the plane of its coarse voxel, if the points of
+// the finer voxel lie on that plane.
+// \param[in] finest_voxels for each voxel of finer its index among all finest voxels
 Labels
 inheritedPlanes (const BoundedPlanes& planes,
                  const Indices& coarse_of_finest,

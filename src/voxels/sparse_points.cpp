@@ -16,7 +16,7 @@ namespace {
 // Sparse points are left alone if they are fewer than one in this many of all points.
 constexpr std::size_t least_one_in = 100;
 
-// Number of points in a voxel and its neighbors.
+// Number of points in a voxel and around it: the neighbors include the voxel itself.
 double
 pointsAround (const VoxelGrid& grid, std::size_t voxel)
 {
@@ -26,8 +26,9 @@ pointsAround (const VoxelGrid& grid, std::size_t voxel)
   return points;
 }
 
-// Whether the points of a plane may be a mist: their rms distance to it is far above
-// the noise of the other planes, and above a quarter of their spacing.
+// Whether the points of a plane may be a mist: their rms distance to it is above
+// other_noise times the noise of the other planes, and above a quarter of the spacing
+// of the points.
 bool
 isMist (const Moments& moments, double squared_noise)
 {
@@ -43,7 +44,8 @@ isMist (const Moments& moments, double squared_noise)
   return fit->variances[0] > squared_limit;
 }
 
-// Mean squared distance of points to their planes [m^2]; infinite without planes.
+// Mean squared distance of points to their planes [m^2]; infinite without planes, so
+// that nothing is a mist.
 double
 squaredNoise (const std::vector<Moments>& planes)
 {

@@ -31,13 +31,14 @@ openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels);
  * \param[in] open points on no plane in the \ref sparseVoxels
  * \param[in] cloud_size number of points of the cloud
  * \return indices, ascending; empty for less than a hundredth of all points, and for
- * more than half, as the voxel size already suits them */
+ * more than half: the voxel size, chosen for the whole cloud, already suits so many */
 Indices
 sparsePoints (const std::vector<OpenPoint>& open, std::size_t cloud_size);
 
 /** \brief Rejects planes of sparse points whose points scatter far more than those of
  * dense planes, and more than a quarter of their spacing. Such points are a mist
  * without a surface, which makes a plane in voxels as large as sparse points need.
+ * \param[in] dense moments of the other planes; no plane is rejected if there are none
  * \param[in,out] sparse a rejected plane gets empty moments, its points get no_plane */
 void
 rejectMist (const std::vector<Moments>& dense,

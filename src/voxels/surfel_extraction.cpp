@@ -14,7 +14,7 @@ namespace {
 
 using Surfels = std::vector<std::optional<Surfel>>;
 
-/** \brief Connected voxels on one plane, in the order in which it reached them. */
+/** \brief Connected voxels on one plane, in the order in which growth reached them. */
 struct SurfelPatch {
   Indices voxels;
   Moments moments;
@@ -48,7 +48,8 @@ struct SurfelSpread {
   /** \brief Noise of each voxel of a patch [m], as it was limited by \ref take. */
   std::vector<double> noise_of_taken = std::vector<double> (grid.size(), 0.0);
 
-  /** \brief Grows a patch from a seed; refits its plane when it has grown by half. */
+  /** \brief Grows a patch from a seed. Its plane is the seed's until it has four
+   * voxels, and is refitted each time the patch has grown by half. */
   SurfelPatch
   growFrom (std::uint32_t seed)
   {
@@ -118,7 +119,8 @@ struct CurvedSurfaces {
   }
 
 private:
-  // Voxels in the list are marked as not curved meanwhile, so that it has each once.
+  // The voxels of a patch, then the curved voxels next to it with similar normals. The
+  // latter are marked as not curved while the list grows, so that it has each once.
   Indices
   withCurvedNeighbors (Indices patch, const Plane& plane)
   {

@@ -17,8 +17,9 @@ namespace pcl_ops::internal {
  * whose points lie on it, and is refitted on the way. Only neighbors are tested, so
  * that the cost does not depend on the number of planes. Curved patches are no planes.
  * \param[in] max_thickness surfels thicker than this support no plane
+ * \param[in] parameters min_samples is the fewest voxels of a plane
  * \param[in,out] planes found before, whose voxels are left out; new planes are
- * appended, those of the flattest seeds first */
+ * appended, those of the flattest seeds first, without their noise */
 void
 extractSurfelPlanes (const VoxelGrid& grid,
                      const std::vector<std::optional<Surfel>>& surfels,

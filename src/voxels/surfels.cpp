@@ -25,7 +25,8 @@ surfelOfNeighborhood (const Moments& surroundings, const PrincipalAxes& axes)
           std::sqrt (axes.values[0] / axes.values[1])};
 }
 
-// Thickness below which a neighborhood is flat: no other one is searched.
+// Thickness below which a neighborhood is flat: if its plane fits a voxel, no other one
+// is searched.
 constexpr double flat_thickness = 0.2;
 
 // The voxels of one resolution, and the planes of their neighborhoods.
@@ -38,10 +39,12 @@ struct GridLevel {
   std::size_t size;
   std::vector<std::optional<Surfel>> surfels =
       std::vector<std::optional<Surfel>> (size);
-  /** \brief Thickness of each of \ref surfels, 1 where there is none. In a list of its
-   * own, as of most surfels only the thickness is read. */
+  /** \brief Thickness of each of \ref surfels; 1 where there is none, so that it never
+   * counts as flatter. In a list of its own, as of most surfels only the thickness is
+   * read. */
   std::vector<double> thickness = std::vector<double> (size, 1.0);
-  /** \brief For each voxel the thinnest among its neighbors and itself. */
+  /** \brief For each voxel the index of the voxel with the thinnest surfel among its
+   * neighbors and itself. */
   Indices flattest_around = Indices (size);
 
   std::size_t

@@ -23,11 +23,13 @@ struct Surfel {
 
 /** \brief The oriented samples of a grid: a surfel for each voxel, or nothing.
  *
- * A neighborhood is 3 x 3 x 3 voxels, at the finest of several resolutions where they
- * are flat and hold enough points. So where noise grows with distance, neighborhoods
- * grow as well. Next to an edge, where the neighborhood of a voxel is not flat, the
- * voxel gets the flattest neighborhood of an adjacent voxel whose plane fits its points
- * (the idea of Kuwahara's edge-preserving filter).
+ * A neighborhood is 3 x 3 x 3 voxels, at the finest of several resolutions where it is
+ * flat and holds enough points; if none is flat, the flattest counts. So where noise
+ * grows with distance, neighborhoods grow as well. Next to an edge, where the
+ * neighborhood of a voxel is not flat, the voxel gets the flattest neighborhood of an
+ * adjacent voxel whose plane fits its points (the idea of Kuwahara's edge-preserving
+ * filter). A voxel gets no surfel if no plane around fits its points, or if its
+ * surroundings are far noisier than its own points.
  * \param[in] resolutions number of grids, each of twice the voxel size before
  * \param[in] min_points fewest points of a neighborhood
  * \param[in] plane_of_voxel voxels on planes get no surfel; empty: none is on a plane

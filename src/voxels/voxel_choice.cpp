@@ -16,8 +16,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Lower quartile of the rms distances of the points of a voxel to their plane [m], over
-// voxels that have any noise: the steps of a quantized depth have none.
+// Lower quartile over voxels of the rms distance of a voxel's points to their plane
+// [m]. Voxels with too few points are left out, and voxels without any noise: the steps
+// of a quantized depth have none. 0 if no voxel is left.
 double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
@@ -60,10 +61,10 @@ meanPointsAroundPoints (const VoxelGrid& grid)
 double
 voxelSizeByNoise (const VoxelGrid& grid)
 {
-  // Mean number of points in a voxel of the result, at least.
+  // Fewest points in a voxel of the result, on average over points.
   constexpr double enough_points = 12.0;
-  // Voxels with fewer points on average stay; in a cloud of uneven density those with
-  // fewer than enough_points.
+  // A grid with fewer points in a voxel, on average over points, keeps its voxel size;
+  // in a cloud of uneven density one with fewer than enough_points.
   constexpr double many_points = 128.0;
   // Smallest ratio of the means over points and over voxels in a cloud of uneven
   // density.

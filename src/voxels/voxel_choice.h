@@ -11,7 +11,8 @@ namespace pcl_ops::internal {
  * noise does not shrink with the voxels: so their number grows with the cube root of
  * the number of points, as measured in rooms of 50 thousand to 3 million points.
  * \param[in] sampling_rate alpha_s, which the number of voxels grows with
- * \param[in] min_points_per_voxel an upper bound: so many points a voxel on average */
+ * \param[in] min_points_per_voxel fewest points of a voxel on average: this limits the
+ * number of voxels */
 double
 wantedVoxels (std::size_t points, double sampling_rate, double min_points_per_voxel);
 

@@ -40,7 +40,9 @@ struct LabelledSample {
   }
 };
 
-/** \param[in] shift zero of the cloud's frame, in the frame of the planes
+/** \brief Samples a cloud, and labels each sampled point with the plane that has it as
+ * an inlier.
+ * \param[in] shift zero of the cloud's frame, in the frame of the planes
  * \throw std::invalid_argument if an inlier is no point of the cloud */
 LabelledSample
 sampleWithLabels (const CloudView& cloud,

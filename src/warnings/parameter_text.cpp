@@ -12,7 +12,8 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief Name of the parameter of Python's segment that is a command line option. */
+/** \brief The name in Python's segment of the parameter that a command line option
+ * sets. */
 std::string
 pythonNameOf (std::string option)
 {

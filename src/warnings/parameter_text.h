@@ -17,7 +17,8 @@ numberText (double number);
 std::string
 roundedLength (double length);
 
-/** \brief The next number above a length that has one significant digit, as text. */
+/** \brief The next larger number of one significant digit, as text: 0.2 for 0.18, and
+ * 0.4 for 0.3. Lengths below 1e-6 count as 1e-6. */
 std::string
 roundedUpLength (double length);
 

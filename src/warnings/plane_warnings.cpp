@@ -88,8 +88,8 @@ distanceBetween (const PlaneSpread& one, const PlaneSpread& other)
                    std::abs (other.plane.distance (one.centroid)));
 }
 
-/** \param[in] sampled_share share of the plane's points that the cloud has: with all
- * points the spacing is smaller, by its square root */
+/** \param[in] sampled_share share of the survey's points that the sample has: the
+ * spacing of all points is that of the sample times the root of this share */
 bool
 isThick (const PlaneSpread& spread,
          const std::optional<double>& noise,
@@ -100,8 +100,9 @@ isThick (const PlaneSpread& spread,
                           spread.spacing();
 }
 
-/** \brief The parameter that makes planes thinner than thick_noises times their noise.
- */
+/** \brief The parameter for thinner planes: half the voxel size for a survey in tiles,
+ * else a threshold of thick_noises times the noise.
+ * \param[in] noise of the largest thick plane [m] */
 std::string
 fixOfThickPlanes (double noise,
                   const std::optional<TiledSearch>& tiles,
@@ -146,7 +147,7 @@ stepToNextLevel (const PlaneSpread& plane, const std::vector<PlaneSpread>& exact
   return step;
 }
 
-/** \brief Two planes by their positions, the smaller one first. */
+/** \brief Two planes by their positions in the list, the lower position first. */
 using PlanePair = std::pair<std::int32_t, std::int32_t>;
 
 /** \brief Numbers of neighbors of points on planes. */

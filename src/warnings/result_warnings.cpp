@@ -26,6 +26,7 @@ resultWarnings (const CloudView& cloud,
   const std::optional<ResultWarning> unit_warning = warnOfUnit (sample, context, text);
   const std::optional<ResultWarning> plan_warning =
       warnOfEmptyPlan (context, unit_warning, text);
+  // The warning of an empty plan contains that of the unit.
   add (plan_warning ? plan_warning : unit_warning);
   add (warnOfPrecision (sample, context));
   add (warnOfPoses (context, text));

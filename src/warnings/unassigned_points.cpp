@@ -42,7 +42,8 @@ searchesWithDefaults (const OpsParameters& given, const ParameterText& text)
   return searches;
 }
 
-/** \brief Share of the points on planes with at least min_plane_share of all points.
+/** \brief Share of all points that are on large planes: on planes that each have at
+ * least min_plane_share of all points.
  * \param[in] points number of finite points of the cloud */
 double
 shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
@@ -55,8 +56,10 @@ shareOnPlanes (const std::vector<PlaneSegment>& planes, std::size_t points)
   return on_planes / all;
 }
 
-/** \brief x, y, z of the points on no plane that are nearest to one of them.
- * \param[in] unassigned indices of the points on no plane */
+/** \brief x, y, z of the points_of_part points on no plane that are nearest to one of
+ * them, or of all if there are fewer.
+ * \param[in] unassigned indices of the points on no plane
+ * \param[in] center index of that one point in \p points */
 std::vector<float>
 surroundings (const Points& points, const Indices& unassigned, std::uint32_t center)
 {

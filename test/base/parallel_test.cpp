@@ -57,7 +57,7 @@ TEST (ParallelFor, CoversEveryItemOnce)
 
 TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
 {
-  constexpr unsigned threads = 6; // more than the test above has started
+  constexpr unsigned threads = 6; // more than the tests above start
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds (30);
   std::atomic<unsigned> arrived{0}, threads_that_met_all{0};
   parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {

@@ -21,7 +21,7 @@ struct Opening {
 };
 
 constexpr double grid_spacing = 5_cm;
-constexpr double half_spacing = 0.025; // [m]
+constexpr double half_spacing = 0.025; // from the rim to the first points [m]
 
 /** \brief Horizontal and vertical rectangles. Each is a grid of points 5 cm apart and
  * a plane with a kind. */
@@ -30,7 +30,7 @@ struct Building {
   std::vector<PlaneSegment> planes = {};
   std::vector<PlaneKind> kinds = {};
 
-  /** \brief Adds a plane of these points. */
+  /** \brief Adds points, and a plane that all of them are on. */
   Building&
   add (PlaneKind kind, const Vector3d& normal, const std::vector<Vector3d>& points)
   {

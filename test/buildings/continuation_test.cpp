@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** \brief A rectangle with its lowest corner at (x, y, z) that is level along x.
+/** \brief A rectangle that is level along x; its corner of least x and y is (x, y, z).
  * \param[in] depth extent along y, seen from above [m]
  * \param[in] rise difference of the heights of its ends along y [m] */
 PlaneFromAbove
@@ -59,7 +59,7 @@ TEST (Continuation, IsWhereThatPlaneHasNearlyTheSlope)
 {
   const auto isContinuedBySlope = [] (double degrees) {
     const double rise = 8.0 * std::tan (degrees * M_PI / 180.0);
-    // The rectangle begins at the end of the square's y axis, at the same height.
+    // The rectangle begins at the side y = 10 m of the square, at the same height.
     return isSquareContinued ({rectangle (0, 10, 5, 10, 8, rise)});
   };
   EXPECT_TRUE (isContinuedBySlope (19.0));

@@ -192,7 +192,7 @@ TEST (FloorPlan, HasNoOpeningWhereAnotherPlaneFillsTheGap)
 
 TEST (FloorPlan, HasNoRoomBetweenTheTwoSidesOfAWall)
 {
-  // The wall is 7 m long, and floors end at it to the centimeter.
+  // The wall is 7 m long, and the floors end exactly at its sides.
   for (const double thickness : {0.15, 0.3}) {
     Building flat;
     for (const double y : {0.0, 3.0 + thickness}) {
@@ -219,7 +219,7 @@ TEST (FloorPlan, DrawsEndsOfWallsToTheCornersBetween)
 {
   Building room;
   room.level (PlaneKind::Floor, 0.0, {0, 0}, {4, 3});
-  // Furniture hides the last 20 cm of each.
+  // Furniture hides 20 cm at both ends of each wall.
   room.wall ({0.2, 0}, {3.8, 0}).wall ({4, 0.2}, {4, 2.8});
   room.wall ({3.8, 3}, {0.2, 3}).wall ({0, 2.8}, {0, 0.2});
   const FloorPlan plan = room.plan();
@@ -282,7 +282,7 @@ TEST (FloorPlan, IsTheSameWhicheverWayTheNormalsOfWallsPoint)
 {
   Building flat = twoRooms();
   const FloorPlan before = flat.plan();
-  // As if all planes had been seen from far away to the left and below.
+  // As if all planes had been seen from far away, where x and y are below 0.
   for (PlaneSegment& plane : flat.planes)
     if (plane.normal.dot (Vector3d (1.0, 0.5, 0.0)) > 0.0)
       plane.normal = -plane.normal;
@@ -325,7 +325,7 @@ TEST (FloorPlan, DividesTwoRoomsByAWallThatWasSeenFromOneSide)
 
 TEST (FloorPlan, HasARoomUnderARoofOfFewPoints)
 {
-  // Six on a square meter, as a survey from the air has them.
+  // Six points on a square meter, as in a survey from the air.
   Building house;
   std::vector<Vector3d> roof;
   for (double x = 0.2; x < 8.0; x += 40_cm)
@@ -387,8 +387,8 @@ TEST (FloorPlan, HasARoomUpToAWallBehindAFloorThatWasNotSeen)
 
 TEST (FloorPlan, HasNoRoomBetweenTheSidesOfAWall)
 {
-  // The cell between the sides, 0.3 m wide, goes on to the next wall. It is left out as
-  // a whole, though less than half of one side was seen.
+  // The part of the plan between the sides, 0.3 m wide, goes on to the next wall. All
+  // of it is left out, also where only 1.4 m of the 3 m of one side were seen.
   for (const double seen_length : {2.0, 1.4}) {
     Building room;
     room.level (PlaneKind::Floor, 0.0, {0, 0}, {8, 3});

@@ -13,15 +13,15 @@ using CellsInside = std::vector<char>;
 /** \brief A cell of 20 m^2 that is all covered. */
 const CellEvidence covered_room{20.0, 0.0, 0.0};
 
-/** \brief A strip of 4 m that was not seen.
- * \param[in] rim length of its border where nothing is [m] */
+/** \brief A cell 4 m long that was not seen.
+ * \param[in] rim length of its border on the rim of the plan [m] */
 CellEvidence
 unseenStrip (double width, double rim = 0.0)
 {
   return {0.0, 4.0 * width, rim};
 }
 
-/** \brief Two cells in the list with a common side of 4 m without a wall. */
+/** \brief A common side of 4 m without a wall, of two cells by their indices. */
 CellBorder
 openBorder (std::size_t first, std::size_t second)
 {

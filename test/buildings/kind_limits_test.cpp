@@ -233,7 +233,8 @@ TEST (KindLimits, OfWalls)
   const auto kindOfUpright = [] (double width, double height) {
     return floor4By3().add ({0, 3, 0}, {width, 0, 0}, {0, 0, height}).lastKind();
   };
-  // The kind of a front before a wall, turned away from it.
+  // The kind of a front before a wall, turned out of its direction. Furniture turns by
+  // acos (0.9) = 25.8 degrees at most.
   const auto kindOfFront = [] (double before, double degrees) {
     const double angle = degrees * M_PI / 180.0;
     const Vector3d along (std::cos (angle), std::sin (angle), 0.0);
@@ -276,7 +277,8 @@ TEST (KindLimits, OfWalls)
 
 TEST (KindLimits, OfPartsOfWalls)
 {
-  // The kind of a small plane behind a wall, turned away from it.
+  // The kind of a small plane behind a wall, turned out of its direction. Parts of
+  // walls turn by acos (0.985) = 9.94 degrees at most.
   const auto kindOfPart = [] (double behind, double degrees) {
     const double angle = degrees * M_PI / 180.0;
     const Vector3d along (0.3 * std::sin (angle), 0.3 * std::cos (angle), 0.0);
@@ -333,7 +335,7 @@ TEST (KindLimits, OfRamps)
 TEST (KindLimits, OfRoofs)
 {
   // The kind of a slope 4 m wide, with its middle at this height. It rises by 3 m on 4
-  // m: a depth of 0.8 of its length.
+  // m, so that seen from above it is 0.8 times as deep as it is long.
   const auto kindOfSlope = [] (double middle, double area) {
     const double depth = 0.8 * area / 4.0;
     return survey()

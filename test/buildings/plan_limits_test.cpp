@@ -103,7 +103,7 @@ TEST (PlanLimits, OfWallsThatMeet)
 TEST (PlanLimits, OfWallsThatAreSeenAtTheCut)
 {
   const auto wallsSeenFor = [] (double meters) {
-    Building hidden; // the floor goes on: it may be a lintel
+    Building hidden; // the floor goes on below the wall, which may be a lintel
     hidden.level (PlaneKind::Floor, 0.0, {0, -2}, {4, 2});
     hidden.wall ({0, 0}, {4, 0}, {{meters, 4.0, 0.5, 2.0}});
     return hidden.plan().walls.size();
@@ -154,8 +154,8 @@ TEST (PlanLimits, OfWhatHidesADoor)
 
 TEST (PlanLimits, OfTheLowestFloor)
 {
-  // A pit of some square meters beside a floor of 12: the cut is 1.2 m over it or over
-  // the floor.
+  // A pit of some square meters beside a floor of 12: the cut is 1.2 m over the pit or
+  // over the floor.
   const auto cutsInPit = [] (double width) {
     Building hall = roomOf4By3();
     hall.level (PlaneKind::Floor, -1.0, {10, 0}, {12, width});

@@ -59,7 +59,7 @@ TEST (PlaneKinds, AreTheSameInReverseOrderOfPlanes)
   house.level (0.0, 60_m, 40_m, -20.0, -20.0).add ({0, 0, 0}, {10, 0, 0}, {0, 0, 5});
   house.level (5.0, 6_m, 6_m, 20.0, 0.0).add ({0, 0, 5}, {10, 0, 0}, {0, 4, 3});
   Rectangles cellar = shell();
-  cellar.add ({1, 1, -1}, {0.2, 0, 0}, {0, 0, 0.2}); // a scrap below the floor
+  cellar.add ({1, 1, -1}, {0.2, 0, 0}, {0, 0, 0.2}); // a small plane below the floor
   for (Rectangles scene : {room, house, cellar}) {
     Names expected = scene.kinds();
     std::reverse (expected.begin(), expected.end());
@@ -89,8 +89,8 @@ TEST (PlaneKinds, OfTheFrontOfACupboardIsNoWall)
 
 TEST (PlaneKinds, OfAWallBesideTheEndOfALargerOneIsAWall)
 {
-  // 40 cm nearer to the room than the larger wall, which goes from x = 0 to 4 m, and
-  // lower.
+  // The kind of a lower wall, 40 cm nearer to the room than the larger one, which goes
+  // from x = 0 to 4 m.
   const auto kindAt = [] (double x) {
     Rectangles room;
     room.level (0.0, 8_m, 3_m).add ({0, 3, 0}, {4, 0, 0}, {0, 0, 2.4});
@@ -217,7 +217,7 @@ TEST (PlaneKinds, OfARoofWithoutItsGroundIsARoof)
 
 TEST (PlaneKinds, OfALevelFieldOnAHillIsOther)
 {
-  Rectangles terraces; // steps of a field, each lower by half a meter
+  Rectangles terraces; // steps of a field, each half a meter above the one before
   terraces.sensor = far_above;
   for (const double step : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
     terraces.level (0.5 * step, 30_m, 10_m, 0.0, 10.0 * step);

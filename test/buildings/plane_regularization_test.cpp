@@ -19,7 +19,7 @@ struct Squares {
   std::vector<PlaneSegment> planes = {};
   RandomGenerator generator = RandomGenerator (seedOfTest());
 
-  /** \brief Adds a square of steps x steps points. */
+  /** \brief Adds a square of steps x steps points, with the fitted plane. */
   Squares&
   add (const Vector3d& normal, const Vector3d& center, int steps = 40)
   {
@@ -160,7 +160,8 @@ TEST (PlaneRegularization, SaysThatAPlaneAloneStaysWhereItIs)
 TEST (PlaneRegularization, LeavesPlanesThatWouldMoveFartherThanTheirNoise)
 {
   Squares scene = box();
-  scene.add ({1, std::tan (2.5_deg), 0}, {5, 0, 1}); // a wall that is not square
+  // A wall that is 2.5 degrees off the right angle to another wall.
+  scene.add ({1, std::tan (2.5_deg), 0}, {5, 0, 1});
   const RegularizedPlanes found = scene.regularized();
   EXPECT_FALSE (found.moves[4].is_moved);
   EXPECT_EQ (found.moves[4].angle, 0.0);

@@ -46,7 +46,8 @@ struct Rectangles {
     return *this;
   }
 
-  /** \brief Adds a level rectangle with its lowest corner at (x, y, height). */
+  /** \brief Adds a level rectangle whose corner of least x and y is (x, y, height).
+   * \param[in] width,depth extents along x and along y [m] */
   Rectangles&
   level (double height, double width, double depth, double x = 0.0, double y = 0.0)
   {
@@ -66,7 +67,7 @@ struct Rectangles {
     return names;
   }
 
-  /** \brief Plane kinds that planeKinds finds when it knows the sensor's position. */
+  /** \brief The same where planeKinds knows the position of the sensor. */
   std::vector<std::string>
   kindsFromSensor (const Vector3d& up = Vector3d::UnitZ()) const
   {

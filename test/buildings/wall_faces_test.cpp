@@ -17,7 +17,9 @@ faceAlongX (const PlanPoints& points, std::size_t plane)
   return faceOf ({0, 1, 0}, points, plane, cut_height);
 }
 
-/** \brief Adds a grid of points on an upright plane 2 m high, from one x to another. */
+/** \brief Adds a grid of points on an upright rectangle 2 m high, from one x to
+ * another.
+ */
 void
 addUpright (double y, double from, double to, PlanPoints& points)
 {
@@ -34,7 +36,7 @@ TEST (WallFaces, KeepTheirEndsThoughALeafIsSeenBeyondTheGap)
   addUpright (0.0, 0.0, 1_m, points);
   addUpright (0.0, 2_m, 4_m, points);
   const WallFace wall = faceAlongX (points, 0);
-  PlanPoints of_leaf; // set back by 10 cm, and a centimeter wider than the gap
+  PlanPoints of_leaf; // set back by 10 cm, and a centimeter beyond the gap at both ends
   addUpright (-0.1, 0.99, 2.01, of_leaf);
   const WallFace leaf = faceAlongX (of_leaf, 1);
   const std::vector<WallFace> walls = withoutRecesses ({wall, leaf}, {});
@@ -67,8 +69,8 @@ TEST (WallFaces, HaveAGapWhereALeafIsSeenThoughFurnitureTouchesThem)
 
 TEST (WallFaces, OfFurnitureStandBeforeAWallThatIsSeenAboveThem)
 {
-  // The number of faces that are kept of a front 2 m high, at a distance before a wall
-  // from low to top. side: 1 if both face the same way, else -1.
+  // How many are kept of two faces: of a wall with heights from low to top, and of a
+  // front 2 m high at a distance before it. side: 1 if both face the same way, else -1.
   const auto facesKept =
       [] (double distance, double top, double side, double low = 0.0) {
         PlanPoints of_front;

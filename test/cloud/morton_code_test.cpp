@@ -10,7 +10,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief The voxel key of a coordinate [m]. */
+/** \brief The voxel key of a coordinate [m]: the number of its voxel along the axis. */
 std::int32_t
 keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 {

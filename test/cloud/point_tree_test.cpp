@@ -42,7 +42,7 @@ nearestByBruteForce (const Coordinates& points, std::uint32_t query, std::size_t
   return nearest;
 }
 
-/** \brief The same by the tree.
+/** \brief The same points as \ref nearestByBruteForce, found by the tree.
  * \param[in] position of the point in PointTree::order */
 std::vector<std::uint32_t>
 nearestOf (const PointTree& tree, std::size_t position, std::size_t wanted)

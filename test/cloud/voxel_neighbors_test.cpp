@@ -19,8 +19,8 @@ isNeighbor (const VoxelKey& a, const VoxelKey& b)
 
 TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 {
-  // In small voxels hardly any has an occupied neighbor, in large ones nearly all
-  // have 26.
+  // Of the small voxels hardly any has an occupied neighbor, of the large ones nearly
+  // all have several.
   for (const double edge : {0.2, 0.5, 1.5}) {
     const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, one_thread);
     const VoxelNeighbors neighbors = connected (grid.codes, one_thread).neighbors;

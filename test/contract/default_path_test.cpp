@@ -10,8 +10,8 @@ using pcl_ops::PlaneSegment;
 
 namespace {
 
-/** \brief Points that \p make makes of positions drawn uniformly in the cube from -1
- * to 1. */
+/** \brief A cloud of the points that \p make returns for positions drawn uniformly in
+ * the cube from -1 to 1 along each axis. */
 template <typename Make>
 Cloud::Ptr
 cloudFrom (std::size_t number, Make&& make)
@@ -54,8 +54,8 @@ hasSurfaceOf (const LabelledScene& scene,
   });
 }
 
-/** \brief Fails unless both surfaces are found in a cloud of both scenes: that of the
- * noisy scene within 3 cm, that of the clean one within 1 cm. */
+/** \brief Fails unless both surfaces are found in a cloud of both scenes: the noisy one
+ * at most 3 cm off, the clean one at most 1 cm. */
 void
 expectFindsBoth (const LabelledScene& noisy, const LabelledScene& clean)
 {
@@ -92,7 +92,7 @@ TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
 
 TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)
 {
-  // A chair leg ends at the floor's height, a meter beyond the floor.
+  // A chair leg crosses the height of the floor, a meter beyond the floor's edge.
   const auto scene =
       Scene().floor (2, 2).surface ({3, 0, -0.4}, {0.04, 0, 0}, {0, 0, 0.8}).build();
   Ops ops = opsOn (scene.cloud);
@@ -148,7 +148,8 @@ TEST (DefaultPath, FindsHardlyAnyPlaneOnCurvedSurfacesAndWires)
 
 TEST (DefaultPath, FindsNoPlaneOnMostOfANoisyBall)
 {
-  // Radius 1 m with a noise of up to 1 cm, which hides how little a small patch bends.
+  // A radius of 1 m; points are up to 1 cm off the sphere, which hides how little a
+  // small patch bends.
   const auto nearSphere = [] (const Eigen::Vector3d& p) {
     return ((1.0 + 1_cm * (p.norm() - 1.0)) * p.normalized()).eval();
   };
@@ -163,7 +164,7 @@ TEST (DefaultPath, FindsNoPlaneOnMostOfANoisyBall)
 
 TEST (DefaultPath, FindsASparseGroundBesideADenseBoard)
 {
-  // Ten points a square meter beside a hundred thousand.
+  // Ten points per square meter beside a hundred thousand per square meter.
   const Surface board = {{-2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   expectFindsBoth (sampled (ground, 1.0 / std::sqrt (10.0), 1_cm),
                    sampled (board, 1.0 / std::sqrt (1e5), 1_mm));
@@ -171,7 +172,7 @@ TEST (DefaultPath, FindsASparseGroundBesideADenseBoard)
 
 TEST (DefaultPath, LetsAGroundGoOnInTheRingsOfALidar)
 {
-  // Two lines of points, too few for a plane of their own.
+  // Beside a floor are two lines of points, too few for a plane of their own.
   auto scene = Scene().floor (2, 2).spacing (2_cm).noise (2_mm).build();
   const std::size_t on_floor = scene.cloud->size();
   for (const float x : {2.1f, 2.2f})

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Fails if a shared library exports a name of ours that no public header declares.
+# Fails if a shared library exports a name in pcl_ops that no public header declares: each part of
+# the name has to be a word of some header.
 # cmake -DNM=nm -DLIBRARY=libpcl_ops.so -DHEADERS=include/pcl_ops -P exported_symbols.cmake
 cmake_minimum_required(VERSION 3.16)
 

@@ -28,7 +28,8 @@ randomCloud (std::size_t size, const std::function<PointXYZ (RandomGenerator&)>&
   return cloud;
 }
 
-/** A point drawn uniformly in a cube centered at zero. */
+/** A point drawn uniformly in a cube centered at zero.
+ * \param[in] edge of the cube [m] */
 PointXYZ
 drawInCube (RandomGenerator& generator, double edge)
 {
@@ -51,7 +52,7 @@ onePoint ()
   return randomCloud (1, [] (auto&) { return PointXYZ (1, 2, 3); });
 }
 
-/** Clouds that are hard on a search in one way or another. */
+/** Clouds by name, most of which are hard to search. */
 std::map<std::string, Cloud::Ptr>
 clouds ()
 {
@@ -109,7 +110,7 @@ squaredDistance (const PointXYZ& first, const PointXYZ& second)
   return dx * dx + dy * dy + dz * dz;
 }
 
-/** What nearestKSearch finds; what was in its outputs before has to be replaced. */
+/** What nearestKSearch finds; it has to replace what its outputs hold before. */
 Neighbors
 nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int k)
 {
@@ -123,7 +124,9 @@ nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int
 
 constexpr unsigned no_limit = 0;
 
-/** What radiusSearch finds; what was in its outputs before has to be replaced. */
+/** What radiusSearch finds; it has to replace what its outputs hold before.
+ * \param[in] radius [m]
+ * \param[in] max_neighbors 0: no limit */
 Neighbors
 within (const pcl::search::Search<PointXYZ>& search,
         const PointXYZ& query,

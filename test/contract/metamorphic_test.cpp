@@ -18,10 +18,10 @@ using Fspf = pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>;
 using Kht = pcl_ops::KernelHoughTransform<pcl::PointXYZ>;
 using Planes = std::vector<pcl_ops::PlaneSegment>;
 
-/** \brief Of points that were added to a cloud. */
+/** \brief Index of points that were added to a cloud and have no original. */
 constexpr pcl::index_t no_original = -1;
 
-/** \brief A cloud written down in another way. */
+/** \brief A cloud and what is known of how it was changed; unchanged at first. */
 struct Variant {
   explicit Variant (const Cloud& of)
   : cloud (pcl::make_shared<Cloud> (of)), original (upTo<pcl::Indices> (of.size()))
@@ -42,7 +42,7 @@ move (Variant& variant, const Eigen::Affine3d& motion, double unit = 1.0)
   variant.unit = unit;
 }
 
-/** \brief A turn by 40 degrees. */
+/** \brief A turn by 0.7 rad, some 40 degrees, about an axis through zero. */
 Eigen::Affine3d
 turnAbout (const Eigen::Vector3d& axis)
 {
@@ -50,7 +50,8 @@ turnAbout (const Eigen::Vector3d& axis)
   return Eigen::Affine3d (Eigen::AngleAxisd (angle, axis.normalized()));
 }
 
-/** \brief Replaces the points by those with the indices in \p order. */
+/** \brief Replaces the points by those with the indices in \p order. The variant must
+ * be unchanged before. */
 void
 reorder (Variant& variant, const pcl::Indices& order)
 {
@@ -62,7 +63,8 @@ reorder (Variant& variant, const pcl::Indices& order)
   variant.original = order;
 }
 
-/** \brief Adds 1 % more points, drawn in a cube with this half edge [m]. */
+/** \brief Adds 1 % more points, drawn in a cube centered at zero.
+ * \param[in] half_edge half the edge of the cube [m] */
 void
 addOutliers (Variant& variant, double half_edge)
 {
@@ -73,7 +75,8 @@ addOutliers (Variant& variant, double half_edge)
   variant.original.resize (variant.cloud->size(), no_original);
 }
 
-/** \brief Adds missing readings at zero; their number is a share of the points. */
+/** \brief Puts missing readings, written as zeros, before all points.
+ * \param[in] share number of missing readings over number of points */
 void
 addMissing (Variant& variant, double share)
 {
@@ -137,9 +140,9 @@ const std::map<std::string, void (*) (Variant&)> changes = {
        v.cloud->sensor_origin_ = Eigen::Vector4f (-30.0f, 50.0f, -20.0f, 0.0f);
      }}};
 
-// Changes after which OPS keeps every point on its plane. Filters and several scans
-// change the order of points. Very many points at one place are missing readings and no
-// points, few are one point.
+// Changes after which OPS, by default and on voxels, keeps every point on its plane.
+// Equal points count as one point. Far more points at one place than at others are
+// missing readings, and do not count.
 const std::set<std::string> exact_changes = {"permuted",
                                              "every_point_twice",
                                              "every_point_thirty_times",
@@ -179,8 +182,8 @@ const Method methods[] = {
     {"fspf", [] (const auto& v) { return planesBy (Fspf(), v); }, 99_percent},
     {"kht", [] (const auto& v) { return planesBy (Kht(), v); }, 98_percent}};
 
-/** \brief Share of the points on planes that stay together: for each plane, the plane
- * of the variant with most of its points counts. */
+/** \brief Share of the points on \p planes that stay together: of each plane those
+ * points count that are on the one plane of the variant with most of them. */
 double
 agreement (const Planes& planes, const Planes& of_variant, const Variant& variant)
 {

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Fails if the core calls a function of PCL's libraries, or the Python module, if there is
-# one, loads more than the language needs.
+# Fails if the core calls a function of PCL's libraries, or if the Python module (if there is one)
+# loads other libraries than those of C and C++.
 # cmake -DNM=nm -DCORE=libpcl_ops_core.a [-DMODULE=_pcl_ops.so] -P needs_no_pcl.cmake
 cmake_minimum_required(VERSION 3.16)
 

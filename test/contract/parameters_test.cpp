@@ -25,7 +25,7 @@ struct Row {
   std::vector<double> wrong, right;
 };
 
-/** \brief Rows of parameters.tsv whose first column is one of these. */
+/** \brief Rows of parameters.tsv whose first column is one of \p owners. */
 std::vector<Row>
 rowsOf (const std::set<std::string>& owners)
 {
@@ -43,8 +43,8 @@ rowsOf (const std::set<std::string>& owners)
   return rows;
 }
 
-/** \brief Sets a parameter to a value; of an interval the larger end, of a size the
- * tolerance, of a direction its length. */
+/** \brief Sets a parameter to a value. The value is the larger end of an interval (two
+ * numbers), the tolerance of a size (three), or the length of a direction. */
 template <typename T>
 void
 setTo (double value, T& member)
@@ -93,7 +93,8 @@ expectRanges (const std::vector<Row>& rows, const Parameters& good)
   }
 }
 
-/** \brief Prints a value readably: an angle in degrees, an enumerator as its word. */
+/** \brief Prints a value as parameters.tsv has it: an angle in degrees, an enumerator
+ * as its word, an optional without a value as "none". */
 template <typename T>
 void
 print (const std::string& name, const T& value, std::ostream& out)
@@ -128,8 +129,9 @@ valuesOf (Parameters parameters)
   return values;
 }
 
-/** \brief Fails unless the table has each parameter of a detector, with its default,
- * its value in the paper, and its right and wrong values. */
+/** \brief Fails unless the table has each parameter of a detector, with its default and
+ * its value in the paper, and validate takes the table's right values and no wrong one.
+ * \param[in] name of the detector in the first column of the table */
 template <typename Parameters>
 void
 expectDetector (const std::string& name)

@@ -18,8 +18,8 @@
 #include <stdexcept>
 #include <thread>
 
-// What holds for all three detectors by default, and for OPS on voxels and as in the
-// paper.
+// What holds for all three detectors by default, and for OPS on voxels and with the
+// parameters of the paper.
 
 using pcl_ops::PlaneSegment;
 
@@ -53,8 +53,8 @@ cloudsWithoutAPlane ()
           {"a line", cloudOf (5000, line)}};
 }
 
-/** \brief Fails unless the largest planes are those of the scene; there may be small
- * ones of clutter. */
+/** \brief Fails unless the largest planes are those of the scene. Smaller planes, of
+ * clutter, are no failure. */
 void
 expectHasEverySurface (std::vector<PlaneSegment> planes, const LabelledScene& scene)
 {
@@ -80,8 +80,8 @@ coefficientsOf (const PlaneSegment& plane)
   return coefficients.cast<float>();
 }
 
-/** \brief Fails unless every overload refuses misuse: it returns false and empties its
- * outputs. The first one has to say \p message on the standard error. */
+/** \brief Fails unless every overload of a misused detector returns false and empties
+ * its outputs. The first call has to say \p message on the standard error. */
 template <typename Detector>
 void
 expectRefused (Detector& detector, const std::string& message)
@@ -117,7 +117,8 @@ expectRefused (Detector& detector, const std::string& message)
 
 } // namespace
 
-/** \brief A detector whose input is a room; each detector finds all surfaces of it. */
+/** \brief A detector whose input is a dense room. Each detector finds all of the room's
+ * surfaces. */
 template <typename Detector>
 class PlaneDetector : public ::testing::Test {
 protected:
@@ -540,8 +541,8 @@ TEST (OpsOf, ASamplingRateThatDrawsNoPointFindsNone)
 
 TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 {
-  // A third of the points is farther away than the threshold, their standard deviation.
-  // The final fit moves a plane a little.
+  // The threshold is the noise, one standard deviation: a third of the points is
+  // farther away. The final fit moves a plane a little.
   const auto cloud = room().noise (1_cm).spacing (2_cm).build().cloud;
   for (Ops ops : {opsOn (cloud), voxelsOn (cloud)}) {
     ops.setDistanceThreshold (1_cm);
@@ -558,9 +559,9 @@ TEST (OpsOf, NoisySurfacesHasNoInlierFartherAwayThanTheThreshold)
 
 TEST (OpsOf, CoordinatesOfAThousandKilometersFindsWhatIsThere)
 {
-  // Single precision has steps of 6 cm there, which a hall tolerates. In a room the
-  // paper's parameters find all surfaces. Other parameters may find fewer planes, but
-  // each plane found is a true surface.
+  // A thousand kilometers from zero, single precision has steps of 6 cm. In a hall all
+  // parameters find all surfaces. In a room only the paper's parameters have to; the
+  // others may find fewer planes, but each plane found is a true surface.
   const Eigen::Vector3d shift (1e6, -1e6, 1e6);
   const auto hall = Scene()
                         .floor (40_m, 30_m)

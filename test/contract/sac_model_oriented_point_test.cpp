@@ -14,8 +14,9 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
 using Model = pcl_ops::SampleConsensusModelOrientedPoint<pcl::PointNormal>;
 
-/** \brief A cloud whose first points, a share of all, are on a level plane at z = 1 m.
- * The other points are above it, each at a height of its own. All normals point up. */
+/** \brief A cloud whose first points are on a level plane at z = 1 m. The other points
+ * are above it, each at another height. All normals point up.
+ * \param[in] share of all points that are on the plane */
 Cloud::Ptr
 planeWithShare (double share, std::size_t size = 1000)
 {
@@ -40,8 +41,8 @@ struct CountingRansac : pcl::RandomSampleConsensus<pcl::PointNormal> {
 constexpr double probability = 0.99;
 constexpr std::uint32_t seeds = 21;
 
-/** \brief Iterations of RANSAC with each seed, ascending. The plane has a share of the
- * points. */
+/** \brief Numbers of iterations of RANSAC, one for each seed, ascending.
+ * \param[in] share of all points that are on the plane */
 std::vector<int>
 sortedIterations (double share)
 {
@@ -102,8 +103,9 @@ TYPED_TEST (OrientedPointModelIn, PclsEstimatorFindsThePlane)
 
 TEST (OrientedPointModel, MakesPclsRansacIterateAsOftenAsThePaperSays)
 {
-  // A run ends after N_iter = log (1 - p) / log (1 - w) draws if one of them is on the
-  // plane, as it is with probability p.
+  // A run ends after N_iter = log (1 - p) / log (1 - w) draws if one of the drawn
+  // points is on the plane, which has a share w of the points. That happens with
+  // probability p.
   for (const double w : {0.1, 0.2, 0.5, 0.7}) {
     const std::vector<int> iterations = sortedIterations (w);
     const int n_iter =

@@ -14,7 +14,9 @@ constexpr double max_distance = 5_cm;
 /** \brief The parameters of the paper: no noise factor. */
 constexpr MergingParameters as_in_paper{true, max_angle, max_distance, {}};
 
-/** \brief A square of 1 m x 1 m about a center, tilted about the y axis. */
+/** \brief A square about a center.
+ * \param[in] tilt about the y axis [rad]
+ * \param[in] edge [m] */
 Surface
 square (const Eigen::Vector3d& center, double tilt = 0.0, double edge = 1_m)
 {
@@ -24,8 +26,7 @@ square (const Eigen::Vector3d& center, double tilt = 0.0, double edge = 1_m)
 }
 
 /** \brief Moments of 10 x 10 points of a square.
- * \param[in] noise points lie by turns this far in front of the square and behind it [m]
- */
+ * \param[in] noise how far points lie, by turns, before the square and behind it [m] */
 Moments
 noisySquare (const Eigen::Vector3d& center,
              double noise,

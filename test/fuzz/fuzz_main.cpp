@@ -4,7 +4,8 @@
 
 #include "fuzz_targets.h"
 
-// Entry points of libFuzzer. PCL_OPS_FUZZ_TARGET is the name of the fuzzed target.
+// The entry points that libFuzzer calls. PCL_OPS_FUZZ_TARGET, which CMake defines, is
+// the name of the target in allTargets.
 
 extern "C" int
 LLVMFuzzerInitialize (int*, char***)

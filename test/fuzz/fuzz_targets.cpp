@@ -73,12 +73,12 @@ private:
   std::size_t next_ = 0;
 };
 
-/** \brief The values that a numeric parameter may be set to, by parameter name. */
+/** \brief By the name of a numeric parameter, the values that \ref vary may give it. */
 const std::map<std::string, std::vector<double>>&
 otherValues ()
 {
   static const auto values = [] {
-    // Columns of parameters.tsv; the last ones may be empty and are then left out.
+    // Columns of parameters.tsv, from 0. The last columns of a row may be missing.
     constexpr std::size_t name_column = 1;
     constexpr std::size_t values_column = 7;
     std::map<std::string, std::vector<double>> values_of_name;
@@ -92,15 +92,16 @@ otherValues ()
   return values;
 }
 
-/** Changes parameters: a byte below 128 keeps a parameter, a larger one chooses another
- * value. Three parameters never change. */
+/** Sets parameters by one byte each. A byte below 128 keeps the value of a parameter;
+ * 128 and above chooses a word, a flag, or one of \ref otherValues (of a direction, its
+ * x). Three parameters take no byte and stay as they are. */
 template <typename Parameters>
 void
 vary (ByteReader& bytes, Parameters& parameters)
 {
   python::visit_parameters (parameters, [&] (const std::string& name, auto& value) {
     using Value = std::decay_t<decltype (value)>;
-    // A byte for a parameter newer than the corpus would shift all bytes after it.
+    // Inputs of the corpus have no bytes for these: such bytes would shift all others.
     if (name == "threads" || name == "sampling" || name == "min_points")
       return;
     const auto chosen = bytes.take<std::uint8_t>();
@@ -118,7 +119,8 @@ vary (ByteReader& bytes, Parameters& parameters)
   });
 }
 
-/** A kind of points with a position, a size and a number, and a seed for the rest. */
+/** Some points of a kind: their number, position, size and rotation, and a generator
+ * with a seed of its own for all else. */
 struct Shape {
   enum Kind {
     Plane,
@@ -193,7 +195,7 @@ addShape (ByteReader& bytes, Cloud& cloud)
 {
   Shape shape (bytes);
   if (shape.kind == Shape::FarPoint)
-    // Up to about the largest number of single precision, 10^38.
+    // Up to 6.4 * 10^38, above the largest number of single precision, 3.4 * 10^38.
     cloud.push_back (
         toPoint (std::pow (10.0, 38.0 * shape.size / 5.12) * shape.center));
   else if (shape.kind == Shape::NotFinite)
@@ -214,10 +216,9 @@ addShape (ByteReader& bytes, Cloud& cloud)
           toPoint (shape.center + shape.frame * shape.pointInItsFrame (i)));
 }
 
-/** Returns no indices for twelve of sixteen kinds; else a third of the points (12), all
- * points (13), points at random (14), or these and an index that may be out of range
- * (15).
- */
+/** Returns no indices for kinds 0 to 11; else those of every third point (12), of all
+ * points (13), as many drawn at random (14), or those of 14 and one more that may be
+ * out of range (15). */
 pcl::IndicesPtr
 indicesFrom (ByteReader& bytes, std::size_t points)
 {
@@ -234,9 +235,10 @@ indicesFrom (ByteReader& bytes, std::size_t points)
   return indices;
 }
 
-/** \brief Makes shapes from bytes, then scales and shifts the cloud. Points read from
- * bytes directly would hardly ever lie on a plane.
- * \return also indices, perhaps out of range, repeated or unsorted; or no indices */
+/** \brief Makes a cloud of shapes from bytes, then scales and shifts it. If bytes were
+ * the points themselves, hardly any points would lie on a plane.
+ * \return the cloud, and indices into it, which may be null; they may be out of range,
+ * repeated and unsorted */
 std::pair<Cloud::Ptr, pcl::IndicesPtr>
 cloudFrom (ByteReader& bytes)
 {
@@ -247,7 +249,8 @@ cloudFrom (ByteReader& bytes)
   const double shift = bytes.take<std::uint8_t>() < 192
                            ? 0.0
                            : std::pow (10.0, bytes.take<std::uint8_t>() % 12);
-  // The bytes of the indices come before those of the shapes.
+  // The four bytes of the indices come before those of the shapes, which take all the
+  // rest. They are read at the end, as indices depend on the number of points.
   ByteReader bytes_of_indices = bytes;
   bytes.take<std::uint32_t>();
   const auto cloud = pcl::make_shared<Cloud>();
@@ -261,8 +264,9 @@ cloudFrom (ByteReader& bytes)
   return {cloud, indicesFrom (bytes_of_indices, cloud->size())};
 }
 
-/** Checks that planes have finite unit normals and come in descending order of size.
- * Inliers must be ascending indices of finite points; no planes may share a point. */
+/** Checks that planes have points, unit normals and finite centroids, and come in
+ * descending order of size. Inliers must be ascending indices of finite points. No two
+ * planes may share a point. */
 void
 promiseOrderedPlanes (const Planes& planes, const Cloud& cloud)
 {
@@ -308,7 +312,8 @@ promiseGivenPoints (const Planes& planes, const pcl::Indices& given)
       promise (allowed.count (index) == 1, "only points it was given are on planes");
 }
 
-/** \brief Varies parameters, makes a cloud, and checks the planes of two calls. */
+/** \brief Varies parameters, makes a cloud, and checks the planes that one thread
+ * finds. Three threads must find the same. */
 template <typename Detector>
 void
 detect (const Bytes& bytes, typename Detector::Parameters parameters)
@@ -334,8 +339,8 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
   promiseEqual (planes, again);
 }
 
-/** \brief Returns the file for all inputs with an extension. It is made once, as making
- * a file takes longer than reading it. */
+/** \brief Returns the temporary file for all inputs with an extension. It is made once
+ * and filled anew for each input, as making a file takes longer than reading it. */
 const apps::TemporaryFile&
 fileOfInputs (const std::string& extension)
 {
@@ -343,7 +348,8 @@ fileOfInputs (const std::string& extension)
   return files.try_emplace (extension, extension, "fuzz").first->second;
 }
 
-/** \brief Loads bytes as a file with an extension, and uses the cloud if it is one. */
+/** \brief Loads bytes as a file with an extension. Calls use (cloud) if they are a
+ * valid file of a cloud. */
 template <typename Use>
 void
 load (const Bytes& bytes, const std::string& extension, Use&& use)
@@ -370,11 +376,12 @@ load (const Bytes& bytes, const std::string& extension, Use&& use)
   }
 }
 
-/** \brief Checks that a cloud is the same once it was saved and loaded. */
+/** \brief Checks that a cloud that is saved as .pcd and loaded has the same data. */
 void
 promiseSaved (const apps::FileCloud& cloud)
 {
-  // A named string: newer compilers warn of a dangling reference to a temporary.
+  // Not passed as a literal: newer compilers would warn that the reference from
+  // fileOfInputs dangles once the temporary string is gone.
   const std::string extension = ".pcd";
   const apps::TemporaryFile& copy = fileOfInputs (extension);
   apps::saveCloud (copy.name(), cloud);
@@ -422,8 +429,8 @@ loadLas (const Bytes& bytes)
   });
 }
 
-/** Detects planes in a corner of a floor and a wall. Each line of the bytes is one
- * command line argument. */
+/** Reads each line of the bytes as one command line argument, and detects planes with
+ * these options in a floor and a wall that meet. */
 void
 detectWithOptions (const Bytes& bytes)
 {

@@ -10,7 +10,7 @@
 
 namespace pcl_ops::fuzz {
 
-/** \brief An input that a fuzzer generates. */
+/** \brief An input of the fuzzer or of the corpus. */
 using Bytes = std::vector<std::uint8_t>;
 
 /** \brief Checks a property that must hold for every input.
@@ -24,16 +24,18 @@ promise (bool holds, const std::string& what)
 
 using Targets = std::map<std::string, void (*) (const Bytes&)>;
 
-/** \brief All targets by name; the archive of that name has the target's corpus.
+/** \brief All targets by name. The archive test/fuzz/corpus/NAME.tar.gz has the corpus
+ * of a target: the inputs that fuzzing begins with.
  *
  * - "pcd", "ply", "las", "ascii", "ptx", "kitti", "npy", "off" and "obj" load bytes as
- * a file. Loading must return a cloud with consistent sizes, or fail with an error of
- * one line. Except for "pcd", "ply" and "las", the cloud is saved and loaded again; a
- * LAS that takes labels is labeled.
+ * a file. Loading must return a cloud that has points and consistent sizes, fail with
+ * an error of one line, or run out of memory. Except for "pcd", "ply" and "las", the
+ * cloud is saved and loaded again. A LAS that takes labels is saved with labels and
+ * loaded again.
  * - "options" reads a command line argument from each line and detects planes in a
  * small cloud.
  * - The other targets detect planes by one method, with parameters and a cloud made
- * from the bytes: see promiseOrderedPlanes. */
+ * from the bytes. promiseOrderedPlanes says what must hold for the planes. */
 const Targets&
 allTargets ();
 

@@ -8,8 +8,8 @@
 using namespace pcl_ops::fuzz;
 namespace fs = std::filesystem;
 
-// The corpus of a target is a folder with its name: the inputs that fuzzing began with
-// and those that broke a promise.
+// CMake unpacks the corpus of each target into a folder of the target's name. The
+// inputs are those that fuzzing begins with and those that once broke a promise.
 TEST (Replay, KeepsAllPromises)
 {
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);

@@ -11,9 +11,9 @@ namespace {
 
 const Eigen::Vector3d lidar_position (1, 2, 1.5);
 
-/** \brief What a lidar sees of a room of 8 m x 8 m x 3 m from its middle: 33 beams, one
- * degree apart.
- * \param[in] even_step,odd_step steps of the azimuth of even and odd beams [degrees] */
+/** \brief What a lidar in the middle of a room of 8 m x 8 m x 3 m sees of it, with 33
+ * beams one degree apart.
+ * \param[in] even_step,odd_step azimuth steps of even and odd beams [degrees] */
 Coordinates
 roomSeenInSteps (double even_step, double odd_step)
 {
@@ -26,7 +26,7 @@ roomSeenInSteps (double even_step, double odd_step)
                                  std::cos (elevation) * std::sin (azimuth),
                                  std::sin (elevation));
       const Eigen::Array3d half_size (4_m, 4_m, 1.5_m);
-      const Eigen::Array3d ranges = half_size / ray.array().abs(); // to walls and floor
+      const Eigen::Array3d ranges = half_size / ray.array().abs(); // to all surfaces
       const pcl::PointXYZ point = toPoint (lidar_position + ranges.minCoeff() * ray);
       points.add (point.x, point.y, point.z);
     }

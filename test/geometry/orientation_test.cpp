@@ -9,7 +9,7 @@ namespace {
 
 const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
-/** \brief A normal at an angle from the up axis. */
+/** \brief A normal at an angle from the up axis [rad]. */
 Eigen::Vector3d
 tilted (double angle)
 {

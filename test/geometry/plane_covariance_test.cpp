@@ -8,7 +8,8 @@ using namespace pcl_ops;
 
 namespace {
 
-/** \brief A long, tilted board 10 m away; its edges are parallel to no axis. */
+/** \brief A tilted board of 2.6 m x 0.7 m, some 10 m from zero; its edges are parallel
+ * to no axis. */
 const Surface board{{10, 2, 1}, {2.4, 0.9, 0.3}, {-0.2, 0.5, 0.4}};
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -76,9 +77,9 @@ TEST (PlaneCovariance, SaysHowFarFitsOfManyAndOfFewPointsAreOff)
 
 TEST (PlaneCovariance, IsThatOfHeightsAboutTheAxes)
 {
-  // Four corners of 4 m x 2 m with heights of 0.1 m and -0.1 m by turns. Their sum of
-  // squares is 4 * 0.01 m^2; four points less three parameters are one degree of
-  // freedom.
+  // The corners of 4 m x 2 m with heights of 0.1 m and -0.1 m by turns. The squares of
+  // the heights sum to 4 * 0.01 m^2. Four points less three parameters of a plane leave
+  // one degree of freedom, by which the sum is divided.
   constexpr double variance = 0.04; // [m^2]
   PlaneSegment plane;
   for (const double x : {2.0, -2.0})
@@ -114,7 +115,7 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
       independent_often (2, 2), independent (2, 2) / copies, 1e-3 * independent (2, 2));
   EXPECT_NEAR (correlated_often (2, 2) / correlated (2, 2), 1.0, 20_percent);
   EXPECT_NEAR (correlated_often (0, 0) / correlated (0, 0), 1.0, 20_percent);
-  // Errors of real clouds are this many times those of the formula (planeCovariance).
+  // f of planeCovariance: errors in real clouds are this many times those expected.
   constexpr double measured_factor = 1.7;
   EXPECT_NEAR (
       correlated (2, 2) / independent (2, 2), measured_factor * measured_factor, 1.0);

@@ -23,7 +23,8 @@ momentsOf (const PointList& points, const Eigen::Vector3d& origin)
   return moments;
 }
 
-/** \brief 200 points of a tilted, noisy, elongated patch about a center. */
+/** \brief 200 points of a tilted, noisy, elongated patch.
+ * \param[in] center one corner of the patch */
 PointList
 noisyPatch (const Eigen::Vector3d& center)
 {
@@ -63,7 +64,7 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
     Eigen::Vector3d center;
     double unit;                // factor of all coordinates
     double max_angle;           // of the normals [rad]
-    double max_length;          // of differences of positions, in these units
+    double max_length;          // of differences of positions, before scaling [m]
     double max_variances_share; // relative error of the variances
   } rows[] = {{{1, 2, 3}, 1.0, 1e-9, 1e-12, 1e-9},
               {{1e6, -1e6, 1e6}, 1.0, 1e-8, 1e-8, 1e-6},
@@ -85,7 +86,7 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
 
 TEST (FitPlane, HasAUnitNormalWhereManyWouldDo)
 {
-  // The corners of a cube, and of a rod with a square section.
+  // The corners of a cube, and of a rod of length 5 with a section of 1 x 1.
   for (const double length : {1.0, 5.0}) {
     PointList corners;
     for (const double x : {0.0, length})

@@ -24,7 +24,7 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolverInAnyUnitOfLength)
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 200; ++i) {
     const double width = std::pow (10.0, -3.0 * drawUnit (generator));
-    // Every tenth is an exact plane.
+    // Every tenth matrix is that of an exact plane: its least eigenvalue is 0.
     const double noise = i % 10 == 0 ? 0.0 : 0.9 * width * drawUnit (generator);
     const double unit = std::pow (10.0, 24.0 * drawUnit (generator) - 12.0);
     const Eigen::Matrix3d matrix = unit * matrixWith ({noise, width, 1.0}, generator);
@@ -41,7 +41,7 @@ TEST (PrincipalAxes, HaveTwoValuesOfZeroForALine)
   for (int i = 0; i < 200; ++i) {
     const Eigen::Matrix3d line = matrixWith ({0.0, 0.0, 1e12}, generator);
     const Eigen::Vector3d values = principalAxes (line).values;
-    // Double roots are found to half the digits.
+    // Double roots of the characteristic polynomial are found to half of the digits.
     EXPECT_TRUE (values.isApprox (Eigen::Vector3d (0.0, 0.0, 1e12), 1e-6))
         << values.transpose();
   }

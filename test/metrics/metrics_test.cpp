@@ -15,7 +15,8 @@ namespace {
 
 using namespace pcl_ops::evaluation;
 
-/** A floor of ten points (the first five near x = 0) and a wall of ten. */
+/** A floor of ten points, five at x = 0 and then five at x = 1, and a wall of ten at
+ * x = 2. */
 XyzCloud
 floorAndWall ()
 {
@@ -59,7 +60,8 @@ TEST (Metrics, AreWhatTheirDefinitionSays)
   }
 }
 
-/** For each point 1 if its truth is unknown, else 0; written as in \ref labelsFrom. */
+/** For each point 1 if its truth is unknown, else 0.
+ * \param[in] text as for \ref labelsFrom */
 std::vector<char>
 unknownFrom (const std::string& text)
 {
@@ -92,8 +94,8 @@ TEST (Metrics, PointsWhoseTruthIsUnknownAreLeftOut)
 
 TEST (Metrics, AFoundPlaneCountsIfAtLeastHalfOfItIsKnown)
 {
-  // The floor is found; on the wall another plane, four or five points of which are
-  // known to be on none.
+  // The floor is found. On the wall a second plane is found, which is no true plane;
+  // the truth of only four or five of its ten points is known.
   const PlaneLabels truth = labelsFrom ("10x1 10x0");
   const PlaneLabels found = labelsFrom ("10x1 10x2");
   for (const auto& [is_unknown, precision] :

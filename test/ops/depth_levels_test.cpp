@@ -124,7 +124,7 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
 TEST (DepthLevels, FarFromAllOthersAreNoFartherApartThanThose)
 {
   Coordinates points = onSteps (4_cm);
-  // All points of a wall 1.6 m and more behind the slanted one are on one level.
+  // All points of a wall 1.4 m and more behind the slanted one are on one level.
   const Coordinates far_wall =
       drawnOn ({{{-1, -1, 7.0}, {2, 0, 0}, {0, 2, 0}}}, 2_cm, 0.0);
   for (std::size_t i = 0; i < far_wall.size(); ++i)

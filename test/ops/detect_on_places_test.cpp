@@ -72,7 +72,7 @@ struct UsualLabel {
 };
 
 /** \brief The most frequent label of the points begin to end - 1, apart from no_plane,
- * and their share that has it. */
+ * and the share of these points with that label. */
 UsualLabel
 usualLabel (const LabelledPlanes& found, std::size_t begin, std::size_t end)
 {
@@ -220,7 +220,7 @@ TEST (DetectOnPlaces, TellsTheSidesOfAWallApart)
 
 TEST (DetectOnPlaces, MakesOnePlaneOfAFloorWhoseHeightsAreRounded)
 {
-  // Half of the heights are rounded up to 2.94 m, half down to 2.93 m.
+  // Nearly half of the heights are rounded up to 2.94 m, nearly half down to 2.93 m.
   Points points = drawnPoints ({{{0, 0, 2.935}, {4, 0, 0}, {0, 3, 0}}}, 3_cm, 3_mm);
   for (std::vector<float>* const coordinates : {&points.x, &points.y, &points.z})
     for (float& coordinate : *coordinates)
@@ -368,8 +368,8 @@ TEST (DetectOnPlaces, LabelsEqualPointsAlike)
 
 TEST (DetectOnPlaces, IsNotDisturbedByMissingReadingsAtZero)
 {
-  // A room around the origin with so few zeros that no earlier stage takes them for
-  // missing readings.
+  // The origin lies on an upright edge of the wall. There are so few zeros that no
+  // earlier stage takes them for missing readings.
   Points points = smallRoom();
   const std::size_t room_end = points.size();
   for (float& z : points.z)
@@ -478,7 +478,7 @@ TEST (DetectOnPlaces, FindsNearlyTheSameWithoutSomeOfThePoints)
 TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
 {
   // Correlated errors as in a smoothed depth image: waves of 40 cm with an amplitude of
-  // 2 cm and an rms of 1 cm. Neighboring points scatter by a tenth of that.
+  // 2 cm and an rms of 1 cm. Each point has an error of its own of 1 mm, too.
   Points points = drawnPoints ({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, 2_cm, 1_mm);
   constexpr double wavelength = 0.4; // [m]
   const auto wave = [] (float along) {
@@ -493,7 +493,7 @@ TEST (DetectOnPlaces, FindsAWallWhoseNeighboringPointsErrAlike)
 
 TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
 {
-  // A wall 5 m away that a depth camera sees at a slant, with depths rounded to 2 cm,
+  // A wall some 5 m away that a depth camera sees at a slant, depths rounded to 2 cm,
   // and the same wall turned about the y axis and rounded to millimeters.
   const auto onLevels = [] (bool is_turned) {
     Points points = drawnPoints ({{{-1, -1, 4.5}, {2, 0, 0.4}, {0, 2, 0}}}, 1_cm, 5_mm);
@@ -518,7 +518,7 @@ TEST (DetectOnPlaces, FindsAWallOfDepthOnLevelsOfAnyDirection)
 TEST (DetectOnPlaces, FindsPlanesAsThinAsTheNoiseOnAHill)
 {
   // One point for each square meter. The hill is so flat that planes of neighboring
-  // parts touch and agree; if all were joined, the plane would have an rms of 60 cm.
+  // parts touch and agree; if all were joined, the plane would have an rms of 56 cm.
   constexpr double noise = 3_cm;
   Points points = drawnPoints ({{{0, 0, 0}, {200, 0, 0}, {0, 200, 0}}}, 1.0, noise);
   for (std::size_t i = 0; i < points.size(); ++i)

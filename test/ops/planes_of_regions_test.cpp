@@ -11,8 +11,8 @@ namespace {
 
 constexpr double noise_of_waves = 4_mm;
 
-/** \brief How many planes become of one region: a ground of 20 m x 20 m that rises and
- * falls in waves of this amplitude [m]. */
+/** \brief Number of planes that one region gives: a ground of 20 m x 20 m in waves of
+ * this amplitude [m]. */
 std::size_t
 planesOfWaves (double amplitude)
 {

@@ -92,7 +92,8 @@ labelsOf (const PlaceScene& scene,
                       one_thread);
 }
 
-/** \brief \ref labelsOf \ref groundInTwo: whether each of its regions is a plane. */
+/** \brief For \ref labelsOf and the two regions of \ref groundInTwo: which are planes.
+ */
 const std::vector<char> both = {1, 1};
 const std::vector<char> the_right_one = {0, 1};
 

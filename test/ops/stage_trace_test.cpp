@@ -115,7 +115,7 @@ TEST (StageTrace, SaysTheSameOfEqualPoints)
 
 TEST (StageTrace, EndsWithTheLabelsOfTheResult)
 {
-  // One of the planes has too few points.
+  // Of the two planes one has fewer than 6000 points.
   TracedParameters parameters;
   for (const std::size_t min_points : {0, 6000}) {
     parameters.min_points = min_points;

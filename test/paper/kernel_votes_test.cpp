@@ -129,8 +129,8 @@ leastVote (const PlaneKernel& kernel)
   return std::exp (-2.0) * density (kernel, kernel.mean);
 }
 
-/** Largest density at the equivalent coordinates of a bin: theta up to two turns on,
- * phi on either side of both poles. */
+/** Largest density at the equivalent coordinates of a bin: theta up to two turns on or
+ * back, phi on either side of both poles. */
 double
 largestDensity (const PlaneKernel& kernel, const Bin& bin)
 {

@@ -182,8 +182,8 @@ TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
   std::size_t more_inliers = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     RansacParameters parameters = withinFiveCentimeters();
-    // The wall is half as large as the floor. So many draws hit the floor with any
-    // seed.
+    // The wall is half as large as the floor. This probability asks for so many draws
+    // that some hit the floor with any seed.
     parameters.paper_only.probability = 1.0 - 1e-9;
     const ExtractedPlane grown = largestAmong (samples, parameters, seed);
     parameters.paper_only.local_optimization = false;

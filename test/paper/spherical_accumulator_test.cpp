@@ -38,7 +38,8 @@ votesFor (const AccumulatorBin& bin, std::vector<float> values)
   return {{{bin.direction, bin.rho, end, 0}}, std::move (values)};
 }
 
-/** Votes of a kernel with this mean and with standard deviations of some bins. */
+/** Votes of a kernel with this mean and with standard deviations of 2 bins of rho and
+ * nearly a bin of each angle. */
 KernelVotes
 votesOfKernelAt (double rho, double phi, double theta)
 {

@@ -85,7 +85,7 @@ expectRuns (const PlaneEdge& edge,
 
 TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
 {
-  // With a gap of 100 m the corner is near both ends of each edge.
+  // With a max_gap of 100 m the corner is near enough to both ends of each edge.
   PlaneEdgeParameters usual, far_reaching;
   far_reaching.max_gap = 100_m;
   for (const PlaneEdgeParameters& parameters : {usual, far_reaching}) {
@@ -116,7 +116,7 @@ TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
 
 TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
 {
-  Scene scene; // the wall stands within the hull of the L, where no floor is
+  Scene scene; // no floor is where the wall stands; the hull of the L ends at (3, 2)
   scene.surface ({0, 0, 0}, {4, 0, 0}, {0, 1, 0}).wall ({3, 2}, {4, 2}, 2_m);
   scene.surface ({0, 1, 0}, {1, 0, 0}, {0, 3, 0});
   EXPECT_TRUE (edgesOf (withLastSurfaceOnPlane (0, scene)).edges.empty());
@@ -178,7 +178,8 @@ TEST (PlaneEdges, AreAsManyAsPlanesMeet)
     const Vector3d up (2 * std::cos (angle), 0, 2 * std::sin (angle));
     return Scene().floor (2_m, 2_m).surface ({2, 0, 0}, up, {0, 2, 0});
   };
-  // A wall at one end of a floor that begins at x, this far above the floor.
+  // A floor, and over the line of its side y = 0 a wall that begins at x and this far
+  // above the floor.
   const auto wallAt = [] (double x, double height) {
     return Scene().floor (2_m, 1_m).surface ({x, 0, height}, {2, 0, 0}, {0, 0, 1});
   };

@@ -104,8 +104,8 @@ flatExtent (const PlanarPoints& points)
   return extent;
 }
 
-/** \brief Points of a turned plane whose coordinates have any size from 1e-10 to
- * 1e13, around their centroid. */
+/** \brief Positions whose three coordinates have any size from 1e-10 to 1e13, turned
+ * and projected to a plane, relative to their centroid. */
 PlanarPoints
 pointsOverManyDecades (std::uint32_t seed)
 {
@@ -280,7 +280,7 @@ TEST (PlaneExtent, RefusesInliersOutsideTheCloud)
 
 TEST (ConvexHull, HasTheFourCornersOfALatticeAlone)
 {
-  for (const int edge : {10, 100}) { // of many points most are set aside
+  for (const int edge : {10, 100}) { // of more than 2048 points most are left out early
     PlanarPoints lattice;
     for (int x = 0; x <= edge; ++x)
       for (int y = 0; y <= edge; ++y)

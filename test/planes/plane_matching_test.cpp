@@ -17,7 +17,8 @@ namespace {
 using Planes = std::vector<PlaneSegment>;
 using Numbers = std::vector<std::uint32_t>;
 
-/** \brief A corner of a room 3 m ahead, and two shelves 0.3 m above each other. */
+/** \brief The floor and two walls of a corner of a room, and two shelves 0.3 m above
+ * each other. The middle of the floor is 3 m ahead along y. */
 Planes
 roomCorner ()
 {

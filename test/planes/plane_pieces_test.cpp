@@ -52,7 +52,7 @@ tiledFloor (double gap)
 
 /** \brief What a lidar 1.7 m above the ground sees of it: the lowest beam is 15 degrees
  * below the horizon, each next one 2 degrees higher; each beam has 1,800 points.
- * \param[in] noise standard deviation of the ranges [m] */
+ * \param[in] noise standard deviation of the distances along the ground [m] */
 Cloud
 rings (int beams, double noise)
 {
@@ -256,7 +256,8 @@ TEST (PlanePieces, AreTheSameForAnyOrderOfThePoints)
   addSquare (3, 103.0, 0.0, cloud);
   const auto expected = positionsOf (piecesOf (cloud), cloud);
   ASSERT_EQ (expected.size(), 2u);
-  const PlaneSegment plane = planeOf (cloud); // also of all reversed points
+  // Its inliers are all points, also those of the reversed cloud.
+  const PlaneSegment plane = planeOf (cloud);
   Cloud reversed = cloud;
   std::reverse (reversed.begin(), reversed.end());
   const PlanePieces found = findPlanePieces (reversed, {plane});

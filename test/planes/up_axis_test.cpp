@@ -16,7 +16,7 @@ const Vector3d up = Vector3d::UnitZ();
 /** \brief A surface as a detector returns it, with a point every 10 cm and its normal
  * towards the eye.
  * \param[in] eye,surface in meters
- * \param[in] unit number of length units of the plane in a meter */
+ * \param[in] unit how many units of length of the plane make a meter */
 PlaneSegment
 seenFrom (const Vector3d& eye, const Surface& surface, double unit = 1.0)
 {
@@ -110,7 +110,7 @@ TEST (UpAxis, IsAcrossWallsWhereManyAreLargerThanTheFloor)
           eye,
           {turn * Vector3d (distance, -4, 0), turn * Vector3d (0, 8, 0), {0, 0, 3}}));
     }
-  // It is not quite level.
+  // The floor is not quite level.
   planes.push_back (seenFrom (eye, {{-1, -1, 0}, {2.5, 0, 0}, {0, 2.5, 0.1}}));
   UpAxisParameters parameters;
   parameters.min_share = 0.001;

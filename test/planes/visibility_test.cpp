@@ -49,6 +49,7 @@ streetSeenBy (const Vector3d& lidar)
       const Vector3d ray (std::cos (elevation) * std::cos (azimuth),
                           std::cos (elevation) * std::sin (azimuth),
                           std::sin (elevation));
+      // Above 0, so that a ray along the street has a distance to the houses.
       const double sideways = std::max (1e-9, std::abs (ray.y()));
       const double to_house = 8.0 / sideways;
       const double to_hedge = 4.0 / sideways;
@@ -203,7 +204,7 @@ TEST (Visibility, FromFarAwayIsToldAsFromNear)
   for (const double distance : {10.0, 20.0, 100.0, 2000.0, 5e6})
     for (const Vector3d& direction : {Vector3d (1, 1, 1), {-1, -2, 1}})
       EXPECT_FALSE (isSeenFrom (distance * direction, CloudView (room))) << distance;
-  // A floor and a wall behind it, 100 m from the camera.
+  // A floor and a wall behind it, some 100 m from the camera.
   Cloud corner;
   for (int row = -50; row < 50; ++row)
     for (int column = -50; column < 50; ++column) {

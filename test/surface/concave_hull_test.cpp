@@ -66,7 +66,7 @@ isInWall (const Eigen::Vector2d& p)
          !(p.x() > 1.001 && p.x() < 1.999 && p.y() > 1.001 && p.y() < 1.799);
 }
 
-constexpr double area_around_window = 3_m * 2.5_m;
+constexpr double area_around_window = 3_m * 2.5_m; // the window included
 constexpr double area_of_window = 1_m * 0.8_m;
 
 /** \brief Draws points in a square of 3 m until a number of them are in a shape.
@@ -232,6 +232,7 @@ TEST (ConcaveOutline, HasHolesByFallingArea)
   wall.erase (std::remove_if (wall.begin(), wall.end(), isVent), wall.end());
   const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 3u);
+  // Holes run clockwise: their areas are below 0.
   EXPECT_LT (areaOf (outline[1]), areaOf (outline[2]));
 }
 

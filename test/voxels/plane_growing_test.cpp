@@ -37,7 +37,8 @@ TEST (Growing, ReachesTheVoxelsAtTheEdgeOfAPlane)
 
 TEST (Growing, GoesOnForAsFarAsThereAreVoxels)
 {
-  // All but the first row, so that each row can be taken after the one before only.
+  // All rows but the first are on no plane at first. So each row can only be taken
+  // after the row before.
   VoxelScene scene ({{ground}});
   scene.label (no_plane,
                [] (const Eigen::Vector3d& centroid) { return centroid.x() > 0.1; });

@@ -92,7 +92,9 @@ TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighborsHelp)
 TEST (OrientedVoxels, OfAVolumeAreThick)
 {
   constexpr double edge_of_cube = 4_m;
-  constexpr double edge_of_voxel = 20_m; // one voxel, and more points than it needs
+  // The eight voxels that meet in the middle of the cube are neighbors: each has all
+  // points around it.
+  constexpr double edge_of_voxel = 20_m;
   for (const std::optional<Surfel>& surfel :
        surfelsOf (connectedGrid (pointsInACube (2000, edge_of_cube), edge_of_voxel)))
     EXPECT_TRUE (!surfel || surfel->thickness > 0.8);

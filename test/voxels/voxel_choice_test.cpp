@@ -10,7 +10,8 @@ namespace {
 
 /** \brief Steps of the grid on each of two floors of 4 m: 100,000 points. */
 constexpr int many_steps = 224;
-/** \brief A sampling rate by which they are in some 420 voxels of 20 cm. */
+/** \brief A sampling rate by which the points of both floors are in some 420 voxels of
+ * 20 cm. */
 constexpr double low_rate = 0.003;
 
 /** \brief Voxels of a floor of 40 m with 40,000 points, 13 in a voxel, and 10,000 more

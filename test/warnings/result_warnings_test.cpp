@@ -28,7 +28,7 @@ struct LabelledPlaneScene {
     return *this;
   }
 
-  /** \brief Adds points on a surface that are on no plane. */
+  /** \brief Adds points on a surface, but no plane of them. */
   LabelledPlaneScene&
   addUnassigned (const Surface& surface, std::size_t points, double noise)
   {
@@ -205,7 +205,8 @@ TEST (ResultWarnings, SayThatPlanesOfNoRmsLieOneBehindAnother)
 
 TEST (ResultWarnings, AreNoneOfAModelWithoutNoise)
 {
-  // A shelf of three boards with a side, in which no plane is one of several levels.
+  // A shelf of three boards with a side. As the side faces another way, the boards are
+  // faces of a model and no levels.
   EXPECT_EQ (LabelledPlaneScene()
                  .add ({{0, 0, 0.5}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
                  .add ({{0, 0, 0.25}, {4, 0, 0}, {0, 3, 0}}, 3000, 0.0)
@@ -301,8 +302,8 @@ TEST (ResultWarnings, AreNoneOfPlanesThatMeet)
 
 namespace {
 
-/** \brief A wall of 10 cm whose sides have few points, in a room of which a floor and a
- * wall are found. */
+/** \brief A room of which a floor and a wall are found, but not a wall of 10 cm: the
+ * 3,000 points of each of its sides are on no plane. */
 LabelledPlaneScene
 roomWithThinWall ()
 {
@@ -590,7 +591,8 @@ TEST (ResultWarnings, SayWhyAFloorPlanHasNoWall)
     const std::string text = textOf (counts, roomOfTwoPlanes());
     EXPECT_EQ (text.substr (0, begin.size()), begin);
   };
-  // Walls of the plan, planes that are walls before and after filters, has_floor.
+  // PlanCounts: walls of the plan, planes that are walls before and after filters, and
+  // whether there is a floor.
   expectBegin (
       {0, 0, 0, false},
       "empty-plan: the floor plan has 0 walls: no plane is a wall and none a floor; "

@@ -190,8 +190,9 @@ requirePoints (const EvaluationCloud& cloud, const std::string& file)
     throw WorkError (file, "has no finite point; leave it out");
 }
 
-/** Removes the length behind the last @ from a text and returns it [m]. The default if
- * there is no @, or the whole text is the name of a file. */
+/** Removes the last @ and the length behind it from a text and returns that length [m].
+ * Returns \ref usual_thick_length if there is no @, or if the whole text is the name of
+ * a file. */
 double
 takeThickLength (std::string& text)
 {

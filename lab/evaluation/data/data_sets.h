@@ -13,12 +13,13 @@ constexpr double usual_thick_length = 0.03;
 
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
-  std::optional<PlaneLabels> truth; // exact truth, one label per point
+  std::optional<PlaneLabels> truth; // exact truth, one label per point; 0: no plane
   /** Replaces \ref TruthParameters::min_points if it is smaller, so that small planes
    * of this cloud count. */
   std::optional<std::size_t> min_plane_points = std::nullopt;
   Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
-  /** The organized cloud from which the finite points come; null: not organized. */
+  /** The organized cloud whose finite points \ref cloud has, in the same order; null:
+   * there is none. */
   XyzCloud::ConstPtr image = nullptr;
   /** Whether the truth of a point is unknown, per point; empty: all truth is known. */
   std::vector<char> is_ignored = {};
@@ -61,7 +62,8 @@ dataSetOf (const std::string& text,
  * A frame is a folder with a depth PNG file in a folder, intrinsics.txt (3 x 3) and a
  * folder extrinsics, whose last file by name is read (3 x 4). The clouds have the
  * origin at the camera, x to the right and z against gravity [m]. Pixels without a
- * reading give no point. As in the toolbox of the data set, depth is cut off at 8 m.
+ * reading give no point. As in the toolbox of the data set, depths above 8 m
+ * become 8 m.
  * \param[in] is_raw true: depth as measured (folder "depth"); false: refined depth with
  * filled holes (folder "depth_bfx"), the default of the toolbox
  * \throw apps::WorkError if there is no frame */
@@ -73,7 +75,8 @@ sunRgbdDataSet (const std::string& folder, bool is_raw);
  * region if it is within 5 cm of the region's plane and the normals of the two points
  * differ by at most 7 degrees. Points of regions below 50 points get label 0.
  * \param[in] cloud finite points
- * \param[in] neighbors size of the neighborhood for the normal and for growing
+ * \param[in] neighbors size of the neighborhood for the normal and for growing; the
+ * point itself counts
  * \return labels 1 .. P by falling number of points */
 PlaneLabels
 growRegions (const XyzCloud& cloud, int neighbors);

@@ -101,7 +101,7 @@ readDepthPng (const fs::path& file)
   return image;
 }
 
-/** \param[in] image depth [mm], rotated left by 3 bits; 0: no reading
+/** \param[in] image depth [mm], its 16 bits rotated left by 3; 0: no reading
  * \param[in] intrinsics pinhole camera matrix [pixel]
  * \param[in] extrinsics rotation from the camera's frame (x right, y down, z forward)
  * to a frame of the same axes, but with y along gravity */
@@ -124,6 +124,7 @@ cloudOf (const DepthImage& image,
     const std::uint16_t stored = image.data()[i];
     if (stored == 0)
       continue;
+    // Rotates the bits back to the right.
     const auto millimeters = std::uint16_t (stored >> 3 | stored << 13);
     const double depth = std::min (millimeters * meters_per_millimeter, max_depth);
     const double x = (i % image.cols() - intrinsics (0, 2)) / intrinsics (0, 0) * depth;

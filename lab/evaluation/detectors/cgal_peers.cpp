@@ -42,7 +42,7 @@ constexpr std::size_t min_points_of_region = 50;
 constexpr float normal_degrees = 25.0f;
 /** Probability to miss the largest plane: CGAL's default. */
 constexpr float miss_probability = 0.05f;
-/** Share of the points that the smallest plane of Efficient RANSAC has. */
+/** Share of the points that the smallest plane of Efficient RANSAC has, by default. */
 constexpr double min_share_of_plane = 0.002;
 
 unsigned

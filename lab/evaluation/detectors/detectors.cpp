@@ -148,7 +148,8 @@ addRowsOfPaper (std::vector<Configuration>& all)
   }
 }
 
-/** Adds the default preset without one ingredient at a time. */
+/** Adds the default preset with one parameter switched off at a time. Parameters of
+ * surfels have no effect on neighborhoods, the default. */
 void
 addAblation (std::vector<Configuration>& all)
 {

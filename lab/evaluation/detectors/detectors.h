@@ -11,7 +11,7 @@
 namespace pcl_ops::evaluation {
 
 struct DetectorRun {
-  PlaneLabels labels; // one per point; plane numbers in any order
+  PlaneLabels labels; // one per point; plane numbers in any order; 0: no plane
   std::size_t planes_before_merging = 0;
   /** [ms]; peers set only the durations of normals and of the whole detection. */
   StageDurations durations;
@@ -32,7 +32,8 @@ struct RunSettings {
   std::optional<int> peer_neighbors = std::nullopt;
   /** Points of the smallest plane that peers look for; nullopt: their default. */
   std::optional<std::size_t> peer_min_points = std::nullopt;
-  /** For detectors of this project; with several threads, durations are wall time. */
+  /** For detectors of this project; the time of the detection is processor time of one
+   * thread, or wall time of several. */
   unsigned threads = 1;
   /** For OPS; nullopt: the rate of the configuration. */
   std::optional<double> sampling_rate = std::nullopt;
@@ -81,7 +82,8 @@ struct Configuration {
 /** Returns all configurations. Their groups are:
  * - table1: fspf-R1-R2, with the inner and outer radius [m]
  * - table2: kht-PHI-RHO, with the numbers of bins
- * - table3: ops-RATE-K and ops-s1-RATE-K (strategy 1), with sampling rate [%] and k
+ * - table3: ops-RATE-K and ops-s1-RATE-K (the paper's strategy 1), with sampling rate
+ * [%] and k
  * - table4: the best row of each method in the paper
  * - presets: ops, fspf, kht with default parameters
  * - sampling: ops-voxels, the default with Sampling::Surfels
@@ -89,7 +91,8 @@ struct Configuration {
  * octree, with the parameters of their tutorials
  * - peers-measured: the peers with parameters measured from the cloud
  * - pieces: ops-pieces, the default; each connected component of a plane is a plane
- * - ablation: ops-without-INGREDIENT, the default without one ingredient */
+ * - ablation: ops-without-INGREDIENT, the default with one parameter switched off;
+ * parameters of surfels have no effect on neighborhoods */
 const std::vector<Configuration>&
 allConfigurations ();
 

@@ -17,10 +17,11 @@ struct PeerValues {
 /** Source of parameters: the peers' tutorials, or noise and spacing of the cloud. */
 enum class ValuesFrom { Tutorial, Cloud };
 
-/** Returns parameters of peers; values given in \p settings come first. From the cloud:
- * the threshold is three times the noise, normals of that many neighbors err by 3
- * degrees, and the gap is four times the point spacing, all within limits. An empty
- * cloud gets the values of the tutorials. */
+/** Returns parameters of peers. Neighbors and noise given in \p settings come first,
+ * the threshold given there is that of the tutorials. From the cloud: the threshold is
+ * three times the noise, normals of so many neighbors err by 3 degrees, and the gap is
+ * four times the point spacing, all within limits. An empty cloud, and a cloud most of
+ * whose points coincide, get the values of the tutorials. */
 PeerValues
 valuesFor (const XyzCloud::ConstPtr& cloud,
            const RunSettings& settings,

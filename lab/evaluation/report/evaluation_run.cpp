@@ -35,13 +35,14 @@ namespace fs = std::filesystem;
 /** What a user can do if the memory is too small. */
 constexpr const char* memory_advice = "give a smaller cloud or fewer --jobs";
 
-/** Shares of a cloud's points that are on found planes and on thick planes. */
+/** Shares of a cloud's points that are on found planes and on thick planes: planes with
+ * a Thickness::factor above \ref thick_factor, or an rms distance above the length. */
 struct ThicknessSummary {
   double on_planes = 0.0;
   double on_thick_by_factor = 0.0;
   double on_thick_by_length = 0.0;
   double rms_largest = 0.0;  // rms distance of the largest plane [m]
-  double thick_length = 0.0; // [m]
+  double thick_length = 0.0; // EvaluationCloud::thick_length [m]
 };
 
 ThicknessSummary

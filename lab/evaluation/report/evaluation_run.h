@@ -18,8 +18,9 @@ struct EvaluationPlan {
   RunSettings settings;
   unsigned time_limit = 600; // of a peer detector on a cloud [s]; 0: no limit
   unsigned jobs = 1;         // number of clouds processed in parallel
-  /** Folder of the label files DATA_SET/CLOUD/CONFIGURATION.pcd of new rows and of
-   * truth.pcd. Without configurations only truth.pcd is written. Empty: no files. */
+  /** Folder of the labeled clouds DATA_SET/CLOUD/CONFIGURATION.pcd of new rows and
+   * DATA_SET/CLOUD/truth.pcd. Without configurations only truth.pcd is written. Empty:
+   * no files. */
   std::string labels_folder = {};
   /** Added to every point, so that the voxel grid lies elsewhere in the cloud [m]. */
   Eigen::Vector3f shift = Eigen::Vector3f::Zero();
@@ -31,8 +32,9 @@ struct EvaluationPlan {
   bool has_changes = false;
 };
 
-/** clouds includes those whose rows were all in the file before. The row of a stopped
- * run has the time limit as detection_ms, and no metrics. */
+/** Numbers of a run. \ref clouds includes those whose rows were all in the file before,
+ * but not the broken ones, which could not be loaded. The row of a stopped run
+ * has the time limit as detection_ms, and no metrics. */
 struct EvaluationSummary {
   std::size_t clouds = 0, new_rows = 0;
   std::size_t broken_clouds = 0, failed_runs = 0, stopped_runs = 0;
@@ -44,6 +46,8 @@ struct EvaluationSummary {
  * Each row is written in one piece as soon as its run ends, so that a stop loses no
  * finished row. An incomplete last line of an interrupted run is removed.
  * \param[out] messages progress, and a line for each cloud or run that failed
+ * \param[in] is_terminal whether \p messages is a terminal, which shows the progress in
+ * place
  * \throw apps::WorkError if the file cannot be written, or has other columns */
 EvaluationSummary
 evaluate (const EvaluationPlan& plan, std::ostream& messages, bool is_terminal);

@@ -24,8 +24,8 @@ agreementColumn (const CloudChange& change);
 std::string
 csvCell (std::string text);
 
-/** The file results.csv, whose rows are kept in memory as well. The functions has and
- * add are thread-safe. */
+/** The file results.csv; its lines are kept in memory as well. The functions \ref has
+ * and \ref add are thread-safe. */
 class ResultsFile {
 public:
   /** Reads the rows that the file has and removes an incomplete last line.

@@ -138,8 +138,8 @@ trueKindsIn (const Site& room)
 {
   return [&room] (const Plane& plane) {
     constexpr double same_offset = 0.01;    // largest difference [m]
-    constexpr double level_cosine = 0.99;   // of a level normal
-    constexpr double along_cosine = 0.9999; // of a normal along an axis
+    constexpr double level_cosine = 0.99;   // between the normal of a level and z
+    constexpr double along_cosine = 0.9999; // between the normal of a wall and x or y
     const Vector3d normal = turnZ (-room.yaw) * plane.normal;
     if (std::abs (normal.z()) > level_cosine) {
       const double height = -plane.offset / normal.z();
@@ -155,7 +155,9 @@ trueKindsIn (const Site& room)
   };
 }
 
-/** \param[in] points of a scan from everywhere; nullopt: one depth image */
+/** \brief Adds up areas in simulated rooms, and prints the shares.
+ * \param[in] rooms number of rooms, with the seeds from first_seed on
+ * \param[in] points of a scan from everywhere; nullopt: one depth image */
 AreasOfKinds
 areasInRooms (Seed rooms, std::optional<double> points)
 {
@@ -232,7 +234,7 @@ textOf (const std::vector<double>& lengths)
 
 /** \brief Errors of a floor plan. */
 struct PlanErrors {
-  double length = 0.0; // largest of the four longest walls, as a share of the length
+  double length = 0.0; // largest of the four longest walls, as a share of its length
   double area = 0.0;   // as a share of the area
   bool has_all_openings = false;
 };
@@ -293,7 +295,8 @@ struct Hardship {
 SimulatedCloud
 scannedWorse (SimulatedCloud simulated, const Site& room, const Hardship& hardship)
 {
-  constexpr double same = 0.05, height_of_furniture = 2.0; // [m]
+  // Largest distance of points from the plane of their wall, and a height [m].
+  constexpr double same = 0.05, height_of_furniture = 2.0;
   Random random (7);
   struct Begins { // of the hidden and the missing part, as shares of the wall
     double hidden, missing;

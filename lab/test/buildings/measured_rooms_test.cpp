@@ -193,7 +193,7 @@ TEST (MeasuredRooms, HaveTheirWalls)
     drawn_length += of_walls.whole;
     right_length += of_walls.near;
   }
-  // The accuracy page has 95 % and 96 %; what a change of the engine costs may be less.
+  // The accuracy page has 95 % and 96 %. These limits leave room for small losses.
   EXPECT_GT (found_length, 0.85 * measured_length);
   EXPECT_GT (right_length, 0.90 * drawn_length);
 }

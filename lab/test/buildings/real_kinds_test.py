@@ -39,7 +39,7 @@ def planes_of(cloud):
 
 def plane_at(position, planes):
     """The plane with the least distance to a position, of those that are near it (3 rms, at
-    least 5 cm) and whose length reaches from the centroid to it; None if there is no such one."""
+    least 5 cm) and half of whose length reaches from the centroid to it; None if there is none."""
     nearest, least_distance = None, float("inf")
     for plane in planes:
         from_centroid = [a - b for a, b in zip(position, plane["centroid"])]

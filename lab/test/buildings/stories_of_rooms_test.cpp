@@ -42,8 +42,8 @@ struct Tally {
 };
 
 /** \brief Compares the doors between rooms.
- * \param[in] truth index of the true room of each room of the plan; nullopt: an invented
- * room */
+ * \param[in] truth for each room of the plan the index of its true room; nullopt: an
+ * invented room */
 void
 addDoors (const Story& story,
           const FloorPlan& plan,
@@ -122,8 +122,8 @@ tallyOf (const std::string& title, const StoryHardship& hardship, Seed stories =
   return tally;
 }
 
-/** \brief Expects nine of ten rooms found, four of five of these within 3 %, nearly no
- * invented room, and the doors between found rooms. */
+/** \brief Expects nine of ten rooms found, four of five rooms within 3 %, nearly no
+ * invented room or door, and nine of ten of the doors between found rooms. */
 void
 expectNearlyAll (const Tally& rooms)
 {

@@ -21,7 +21,7 @@ FLOOR, WALL = 1, 2
 
 
 def room_seen_all_around():
-    """A floor of 6 m by 6 m and four walls of 3 m around it; labels."""
+    """Points of a floor of 6 m by 6 m and of four walls of 3 m around it, and their labels."""
     along, across = (grid.ravel() for grid in np.meshgrid(*[np.linspace(0, 6, 150)] * 2))
     zero = np.zeros_like(along)
     walls = [[along, zero, across / 2], [along, zero + 6, across / 2],

@@ -302,9 +302,9 @@ TEST_P (SunRgbdFrame, NamesTheWrongFile)
   EXPECT_TRUE (contains (done.err, wrong.complaint));
 }
 
-/** \brief A folder with the results of report.py: a simulated scan by ops-3-30, the
- * same row for rooms and for streets, and a run of pcl-sac in streets that was stopped.
- */
+/** \brief A folder with results, and what report.py says of them: a simulated scan by
+ * ops-3-30, the same row for rooms and for streets, and a run of pcl-sac in streets
+ * that was stopped. */
 class Report : public LabProgram {
 protected:
   void

@@ -38,7 +38,7 @@ protected:
     return run().labels;
   }
 
-  /** Returns the error message for a file with this text, behind the file's name. */
+  /** Returns what the error message for a file with this text says after its name. */
   std::string
   complaintAbout (const std::string& name, const std::string& text) const
   {

@@ -113,7 +113,7 @@ TEST (Airborne, SeedsSpreadExtentDensityAndRelief)
     EXPECT_LT (*drawn.begin(), low + 0.1 * (high - low));
     EXPECT_GT (*drawn.rbegin(), high - 0.2 * (high - low));
   };
-  expectRange (widths, 90, 990);
+  expectRange (widths, 90, 990); // 2 to 22 lots of 45 m
   expectRange (densities, 0.4, 4);
   expectRange (amplitudes, 0, 8);
 }

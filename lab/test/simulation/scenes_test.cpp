@@ -25,7 +25,7 @@ boxAround (const Body& body, double turn)
 bool
 areInOnePlane (const Shape& a, const Shape& b)
 {
-  constexpr double slightest_offset = 0.015; // [m]
+  constexpr double slightest_offset = 0.015; // below that of board furniture, 0.02 [m]
   return std::abs (a.normal().dot (b.normal())) > 0.99 &&
          std::abs (a.normal().dot (b.center - a.center)) < slightest_offset;
 }
@@ -200,7 +200,7 @@ TEST (SurfacePoints, AreDenseEvenlyInTheRangeOfTheirShape)
     double radius, height, share; // of the shape
     double (*measure) (const Vector3d&);
     double lowest, limit, highest;
-    double share_below; // the limit
+    double share_below; // share of points below the limit
   } rows[] = {{Kind::Cone, 0.5, 1.0, 1.0, heightOf, -1.0, -0.5, 0.0, 0.75},
               {Kind::Dome, 1.0, 0.2, 1.0, heightOf, 0.8, 0.9, 1.0, 0.5}, // Archimedes
               {Kind::Torus, 0.5, 0.15, 1.0, radiusOf, 0.35, 0.5, 0.65, 0.5 - 0.3 / pi},

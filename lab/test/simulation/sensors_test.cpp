@@ -57,7 +57,7 @@ stepOf (const Poses& poses, std::size_t i)
 
 TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
 {
-  const CameraNoise noise{1.0, false, 1.0}; // independent errors: a surer estimate
+  const CameraNoise noise{1.0, false, 1.0}; // fewer pixels err alike
   for (const double depth : {1.0, 2.0, 4.0}) {
     const double sigma = std::sqrt (errorsOn (depth, noise).square().mean());
     const double expected = 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
@@ -79,6 +79,7 @@ TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 {
   const Field errors = errorsOn (3.0, {1.0, true});
   EXPECT_NEAR (correlation (errors, 1), 0.0, 0.05);
+  // Disparities: focal length [px] times baseline [m] over depth.
   const Field eighths = 8.0 * 525.0 * 0.075 / (3.0 + errors);
   EXPECT_LT ((eighths - eighths.round()).abs().maxCoeff(), 1e-9);
 }

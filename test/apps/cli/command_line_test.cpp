@@ -12,7 +12,8 @@ namespace {
 
 using Arguments = std::vector<const char*>;
 
-/** \return whether the program is to proceed */
+/** \brief Parses arguments of a program "detect".
+ * \return whether the program is to proceed */
 bool
 parse (CommandLine& line, Arguments arguments)
 {

@@ -48,7 +48,8 @@ TEST (Program, SaysWhatItNeedsMoreMemoryFor)
 
 namespace {
 
-/** \brief Has EXPECT_EXIT run its statement in a process of its own: signals end it. */
+/** \brief Has EXPECT_EXIT run its statement in a process of its own, which the signals
+ * may end. */
 class InterruptedProgram : public testing::Test {
 protected:
   InterruptedProgram() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
@@ -71,7 +72,7 @@ TEST_F (InterruptedProgram, IsEndedByALaterSignal)
 {
   const auto interrupted_again = [] {
     noteInterruptions();
-    while (true) // until a signal does not count as one with the first
+    while (true) // until a signal comes too late to count as the first
       std::raise (SIGINT);
   };
   EXPECT_EXIT (interrupted_again(), testing::KilledBySignal (SIGINT), "");

@@ -15,12 +15,14 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-// Least time from one message to the next.
+// Least times from one message to the next.
 constexpr std::chrono::milliseconds seldom = std::chrono::seconds (10), always{0};
-/** \brief What erases the line of a terminal. */
+/** \brief The characters that erase the current line of a terminal. */
 const std::string erased = "\r\033[K";
 
-/** \brief The output of a run of two steps after some steps and a note. */
+/** \brief The output of a run that would have two steps, but ends after \p steps of
+ * them and a note.
+ * \param[in] between least time from one message to the next */
 std::string
 saidAfter (int steps, ProgressStyle style, std::chrono::milliseconds between = seldom)
 {
@@ -61,7 +63,7 @@ TEST (StageLines, TellTheStageOnceInAWhile)
   StageLines lines (terminal, std::chrono::milliseconds (1));
   lines.begin ("a.pcd: finding planes");
   std::string line;
-  while (line != "a.pcd: finding planes, 0 s so far") // or the test runs out of time
+  while (line != "a.pcd: finding planes, 0 s so far") // or the test times out
     ASSERT_TRUE (std::getline (reader, line));
 }
 

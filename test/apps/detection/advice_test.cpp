@@ -11,8 +11,9 @@
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-/** The hint on a surface above 4 m x 4 m whose points, 5 cm apart, are all on one
- * plane. */
+/** The hint on thick planes for a surface of 4 m x 4 m, whose points, 5 cm apart in x
+ * and y, are all taken for one plane.
+ * \param[in] height returns z at x and y [m] */
 std::string
 hintOn (const std::function<double (double, double)>& height)
 {

@@ -17,7 +17,8 @@ using namespace pcl_ops::apps;
 namespace {
 
 /** \brief A floor of 4 m x 4 m at z = -1.5 m and a point of a wall.
- * \param[in] has_cellar half of the floor comes a second time, 2.5 m lower */
+ * \param[in] sensor its origin [m]
+ * \param[in] has_cellar half of the floor is there a second time, 2.5 m lower */
 ShiftedCloud
 floorSeenFrom (const Vector3d& sensor, bool has_cellar = false)
 {
@@ -108,7 +109,7 @@ TEST (KnownSensor, TellsKindsThatNoGroundIsACeilingEvenWhereTheSensorLeans)
     for (std::size_t i = 0; i < planes.size(); ++i)
       EXPECT_FALSE (kinds[i] == PlaneKind::Ceiling && planes[i].centroid.z() < 0.0)
           << file << ", plane " << i + 1;
-    // The same with the up axis of a sensor that leans by 7 degrees more.
+    // The same with an up axis that is off by 7 degrees, as of a sensor that leans.
     const Eigen::AngleAxisd lean (paper_angle_tolerance, Vector3d::UnitX());
     const Vector3d up = lean * Vector3d::UnitZ();
     for (PlaneSegment& plane : planes)

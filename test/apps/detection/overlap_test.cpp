@@ -11,8 +11,10 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-/** \brief A square of 40 x 40 points, 2 cm apart, every second one 1 cm higher: its
- * noise is 5 mm. */
+/** \brief Adds a level square of 40 x 40 points to a cloud and returns its plane. The
+ * points are 2 cm apart, every second one is 1 cm higher: the noise is 5 mm.
+ * \param[in] x where it begins [m]; its y begins at 0
+ * \param[in] height of the lower points [m] */
 PlaneSegment
 addSquare (float x, float height, XyzCloud& cloud)
 {

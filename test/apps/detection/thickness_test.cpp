@@ -17,7 +17,9 @@ using namespace pcl_ops::apps;
 constexpr double noise = 0.01; // [m]
 
 /** A level square of 60 x 60 points with noise.
- * \param[in] spacing distance of neighboring points [m] */
+ * \param[in] spacing distance of neighboring points [m]
+ * \param[in] standard_deviation of the noise [m]
+ * \param[in] height of the square [m] */
 XyzCloud
 square (double spacing, double standard_deviation, double height = 0.0)
 {
@@ -59,7 +61,7 @@ TEST (Thickness, OfAPlaneWithNoiseIsItsNoise)
 
 TEST (Thickness, OfTwoSidesOfAWallAsOnePlaneIsFarAboveTheirNoise)
 {
-  // 20 cm apart, points 2 cm apart: surroundings are on one side.
+  // The sides are 20 cm apart, points 2 cm: the neighborhood of a point is on one side.
   const Thickness thickness =
       thicknessOfAll (square (0.02, 0.002) + square (0.02, 0.002, 0.2));
   EXPECT_NEAR (thickness.rms, 0.1, 0.001);
@@ -77,8 +79,8 @@ TEST (Thickness, OfExactPointsIsNoneWhateverTheirRounding)
 
 TEST (Thickness, OfRingsIsMeasuredAcrossThem)
 {
-  // Lines 30 cm apart, every second one 10 cm higher. Points of one line do not
-  // scatter; points of several lines do.
+  // Lines are 30 cm apart, every second one is 10 cm higher. Points of one line do not
+  // scatter, those of several lines do: the noise has to be measured across lines.
   XyzCloud cloud;
   for (int line = 0; line < 30; ++line)
     for (int i = 0; i < 400; ++i)
@@ -98,7 +100,7 @@ TEST (Thickness, DoesNotDependOnTheOrderOfThePoints)
 
 TEST (Thickness, IsTheSameForFewProbesAsForMany)
 {
-  // For up to 50 probes neighbors are searched for without sorting the points.
+  // With up to 50 probes in all, the points are not sorted for the search of neighbors.
   const XyzCloud cloud = square (0.05, noise);
   const double few = thicknessOf (cloud, {planeOf (cloud)}, 50).at (0).noise;
   const double more = thicknessOf (cloud, {planeOf (cloud)}, 51).at (0).noise;

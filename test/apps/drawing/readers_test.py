@@ -38,7 +38,7 @@ def output_of(folder, program, *arguments):
 
 
 def rounded(value):
-    """A value of GeoJSON whose numbers have 9 decimals, as GDAL writes 15 digits alone."""
+    """A value of GeoJSON with its numbers rounded to 9 decimals: GDAL writes only 15 digits."""
     if isinstance(value, dict):
         return {name: rounded(part) for name, part in value.items()}
     if isinstance(value, list):
@@ -51,8 +51,8 @@ def needs(program):
 
 
 def write_two_rooms(file):
-    """Writes two rooms of 4 m x 3 m. Between them is a wall of 10 cm with a door. Of the last wall of
-    the right room 2 m are missing. Points scatter by 2 mm."""
+    """Writes two rooms of 4 m x 3 m, side by side along x, with a wall of 10 cm and a door between them.
+    Of the wall at x = 8.1 m only the first of 3 m is there. Points scatter by 2 mm."""
     random_numbers = random.Random(1)
     step = 0.04
 
@@ -160,7 +160,7 @@ class Readers(unittest.TestCase):
 
     @unittest.skipUnless(ezdxf, "ezdxf is not installed")
     def test_texts_of_a_dxf_say_area_and_height(self):
-        # ezdxf leaves the code of DXF for a character as it is.
+        # ezdxf does not decode the code of DXF for a superscript two.
         texts = [one.dxf.text.replace(r"\U+00B2", "\u00b2") for one in
                  ezdxf.readfile(self.folder / "plan.dxf").modelspace().query("TEXT")]
         (room,) = self.of_layer("ROOM")
@@ -191,7 +191,8 @@ class Readers(unittest.TestCase):
                   "--planes", "pieces.geojson")
         for name in ("plan.geojson", "edges.geojson", "map.geojson", "pieces.geojson"):
             for feature in self.features(name):
-                # The one that is longer has its name from the list of planes (files.md).
+                # Shapefiles take 10 characters. Only orientation is longer: its name is that of the list
+                # of planes (files.md).
                 names = [one for one in feature["properties"] if one != "orientation"]
                 self.assertLessEqual(max(map(len, names)), 10)
                 self.assertNotIn("orientatio", names)

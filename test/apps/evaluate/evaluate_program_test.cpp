@@ -51,11 +51,11 @@ private:
     folder_.write ("bare.xyz", "x,y,z\n0,0,0\n");
   }
 
-  /** A road of 20 x 20 points, 25 cm apart; 10 rows of them again as a roof 6 m above
-   * the road; and a hedge of 50 points at a corner of the road.
+  /** A road of 20 x 20 points, 25 cm apart; a roof of 20 x 10 points, 6 m above the
+   * near half of the road; and a hedge, a column of 50 points beside a corner of the
+   * road.
    * \param[in] near,far labels of the halves of the road
-   * \param[in] foot,hedge labels of the lowest five points of the hedge and of the rest
-   */
+   * \param[in] foot,hedge labels of the hedge's lowest five points and of its rest */
   static std::string
   street (int near, int far, int roof, int foot, int hedge)
   {
@@ -73,14 +73,14 @@ private:
     return text.str();
   }
 
-  /** The floor with another first point. */
+  /** A floor with another first point. */
   static std::string
   withFirstPoint (const std::string& point, const std::string& floor)
   {
     return "x,y,z,label\n" + point + floor.substr (floor.find ("\n0.02,"));
   }
 
-  /** The floor of one plane with its first five points replaced by one line of text. */
+  /** The floor of one plane with this line in place of each of the first five. */
   static std::string
   withoutFivePoints (const std::string& point)
   {
@@ -91,9 +91,10 @@ private:
     return text + floor.substr (floor.find ("0.1,0,"));
   }
 
-  /** 40 clouds of a plane of 40 x 40 points, 2 cm apart, seen from above. The noise of
-   * 1 cm is the same for each 4 x 4 points. In every second cloud the sensor is turned
-   * by 90 degrees. */
+  /** 40 clouds of a plane of 40 x 40 points, 2 cm apart, seen from above, and the poses
+   * of their sensors. The noise has a standard deviation of 1 cm, and is the same for
+   * the points of each 4 x 4. In every second cloud the sensor is turned by 90 degrees
+   * about z. */
   void
   writeNoisyClouds () const
   {
@@ -126,8 +127,8 @@ INSTANTIATE_TEST_SUITE_P (All,
 
 TEST_P (EvaluateProgram, IsAsTheTableSays) { expectAnswers(); }
 
-/** A key of the second plane of a.json, a wrong value for it (null: no value), and the
- * error message of pcl_ops_evaluate. */
+/** The name of a test, a key of the second plane of a.json, a wrong value for it (null:
+ * the key is removed), and what pcl_ops_evaluate says behind "planes[1].". */
 struct WrongValue {
   std::string test, key;
   Json value;
@@ -140,14 +141,14 @@ struct WrongValue {
   }
 };
 
-/** Lists of planes of which one has a wrong value. */
+/** Two lists of planes, one of which has a wrong value. */
 class ListOfPlanes : public ProgramFolder,
                      public testing::WithParamInterface<WrongValue> {
 protected:
   ListOfPlanes() : ProgramFolder (PCL_OPS_EVALUATE_PROGRAM) {}
 };
 
-// Values above 1e150 could not be squared.
+// Numbers are too large above 1e40 (max_number in planes_command.cpp).
 INSTANTIATE_TEST_SUITE_P (
     RefusedFor,
     ListOfPlanes,

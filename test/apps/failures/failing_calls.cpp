@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// These calls replace those of the C library if they are loaded before it (LD_PRELOAD).
-// They fail as environment variables say: FULL_AT_WRITE=n      the disk has room for a
-// part of the n-th write, and for none after it KILLED_AT_WRITE=n    the program is
-// killed before its n-th write READ_ONLY=1          no file and no folder can be made
-// THREADS_TO_START=n   no more than n threads can be started
-// Writes to files count, those to standard output and error do not.
+// These functions replace those of the C library if they are loaded before it
+// (LD_PRELOAD). They fail as environment variables say:
+// - FULL_AT_WRITE=n: the disk has room for half of the n-th write, and is then full.
+// - KILLED_AT_WRITE=n: the program is killed before its n-th write.
+// - READ_ONLY=1: no file and no folder can be made.
+// - THREADS_TO_START=n: at most n threads can be started; n may be 0.
+// Only writes to regular files count, from 1 on; standard output and error do not.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -31,7 +32,7 @@ original (const char* name)
   return reinterpret_cast<Function*> (::dlsym (RTLD_NEXT, name));
 }
 
-/** \brief The number in an environment variable; 0 if it is not set. */
+/** \brief The number in an environment variable; 0 if the variable is not set. */
 long
 numberIn (const char* variable)
 {
@@ -39,7 +40,8 @@ numberIn (const char* variable)
   return text == nullptr ? 0 : std::atol (text);
 }
 
-/** \brief Whether a descriptor is of a regular file and not of a standard stream. */
+/** \brief Whether a descriptor is of a regular file and not of a standard stream, which
+ * may be redirected to a file. */
 bool
 isFile (int descriptor)
 {
@@ -50,7 +52,8 @@ isFile (int descriptor)
 
 enum class Disk { HasRoom, GetsFull, IsFull };
 
-/** \brief State of the disk at the next write; the n-th still has room for a part. */
+/** \brief Counts one more write and returns the state of the disk for it. Kills the
+ * program instead if that is the write of KILLED_AT_WRITE. */
 Disk
 diskAtNextWrite ()
 {
@@ -65,7 +68,8 @@ diskAtNextWrite ()
   return write == last_write ? Disk::GetsFull : Disk::IsFull;
 }
 
-/** \brief Writes all, half or none of a number of bytes or parts. */
+/** \brief Writes all, half or none of the bytes (write) or parts (writev), by the state
+ * of the disk. A single one has no half and is not written. */
 template <typename Call, typename Part, typename Count>
 ssize_t
 writeWhereThereIsRoom (Call* call, int descriptor, const Part* parts, Count count)
@@ -78,7 +82,7 @@ writeWhereThereIsRoom (Call* call, int descriptor, const Part* parts, Count coun
   return call (descriptor, parts, disk == Disk::GetsFull ? count / 2 : count);
 }
 
-/** \brief Whether no file can be made; sets errno if so. */
+/** \brief Whether READ_ONLY is set to another number than 0; then sets errno, too. */
 bool
 isReadOnly ()
 {

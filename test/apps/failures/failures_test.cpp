@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A row of outputs.tsv: name, command, output, and maybe a file that is kept.
- */
+/** \brief A row of outputs.tsv: name, command, output, and in some rows another file
+ * that a failure has to leave as it was. */
 using Row = std::vector<std::string>;
 
 /** \brief The first word of a command. */
@@ -27,7 +27,7 @@ programIn (const std::string& command)
 constexpr const char* precious = "precious";
 constexpr int exit_code_of_killed = 128 + SIGKILL;
 
-/** \brief A folder in which things fail. */
+/** \brief A folder in which a command is run and made to fail. */
 class Failing : public ProgramFolder {
 protected:
   explicit Failing (const Row& row = {"", "", "out/a.pcd"})
@@ -55,10 +55,10 @@ protected:
     folder_.write (kept_, precious);
   }
 
-  /** \brief Runs the program.
-   * \param[in] trouble variable of failing_calls.cpp, as "NAME=number"; or nothing
-   * \param[in] before commands of the shell that are run before it
-   * \param[in] file name of the output; not given: file_ */
+  /** \brief Runs the command with a trouble. The outcome has no lines of progress.
+   * \param[in] trouble variable of failing_calls.cpp, as "NAME=number"; empty: none
+   * \param[in] before commands of the shell that are run before the command
+   * \param[in] file output to put in place of OUT; not given: file_ */
   Outcome
   failing (const std::string& trouble,
            const std::string& before = "",
@@ -81,8 +81,9 @@ protected:
     return contentOf (folder_ / kept_) == precious;
   }
 
-  /** \brief The promise of every program about every output: an exit code, one line
-   * that names the culprit, the old file as it was, and nothing left behind. */
+  /** \brief Fails unless a run kept what every program promises about a failed output:
+   * its exit code, one line of error that names the culprit and a fix, the old file as
+   * it was, and no temporary file (a name with a dot in front) left behind. */
   void
   expectPromise (const Outcome& done,
                  const std::string& culprit,
@@ -109,11 +110,11 @@ protected:
     const auto runWithLimit = [&] {
       return failing ("", "ulimit -v " + std::to_string (limit));
     };
-    // With too little memory the shell cannot load the program.
+    // With too little memory the loader cannot start the program: exit code 127.
     constexpr int not_loaded = 127;
     while (runWithLimit().exit_code == not_loaded && limit < max_limit)
       limit += step;
-    // That run may have succeeded: a run of many files would then skip its work.
+    // The last run may have succeeded. A run of many files would skip what is there.
     for (protect(); limit < max_limit; limit += step) {
       SCOPED_TRACE (std::to_string (limit) + " kB");
       const Outcome done = runWithLimit();
@@ -129,7 +130,7 @@ protected:
   std::string command_, file_, kept_;
 
 private:
-  /** \brief The text without the progress lines of a long run. */
+  /** \brief The text without the progress lines of a run of many clouds. */
   static std::string
   ownLines (const std::string& text)
   {
@@ -156,13 +157,14 @@ allOutputs ()
 
 constexpr int max_writes = 100;
 
-/** \brief Failures at one of the outputs. */
+/** \brief Failures at the output of one row. */
 class Failures : public Failing, public testing::WithParamInterface<Row> {
 protected:
   Failures() : Failing (GetParam()) {}
 
-  /** \brief Checks the outcome of runs with a trouble at the first write, at the second
-   * and so on, until a run succeeds. */
+  /** \brief Runs the command with a trouble at the first write, then at the second and
+   * so on, until a run succeeds. Calls expect (outcome) for each run that fails.
+   * \param[in] trouble variable without its number, as "NAME=" */
   void
   expectAtEveryWrite (const std::string& trouble,
                       const std::function<void (const Outcome&)>& expect) const
@@ -181,7 +183,8 @@ protected:
     EXPECT_LT (write, max_writes);
   }
 
-  /** \brief A file name of this many characters. */
+  /** \brief Name for an output: its last part has this many characters, among them the
+   * extension of the usual output. An output without an extension is a folder. */
   std::string
   nameOfLength (std::size_t length) const
   {
@@ -202,7 +205,7 @@ TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
 {
   expectAtEveryWrite ("FULL_AT_WRITE=", [this] (const Outcome& ending) {
     expectPromise (ending, file_);
-    protect(); // else a run of many files resumes
+    protect(); // else the next run of many files would resume this one
   });
 }
 

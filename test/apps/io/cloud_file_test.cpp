@@ -25,7 +25,8 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief Two readings and a missing one between them, with intensity. */
+/** \brief Two readings and, between them, a missing one, all with an intensity; the
+ * cloud has a pose of the sensor. */
 pcl::PointCloud<pcl::PointXYZI>
 threePoints ()
 {
@@ -44,7 +45,7 @@ const std::string pcd_header =
     "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
     "WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n";
 
-/** \brief A PCD whose header line with the same first word is replaced by \p line. */
+/** \brief A PCD with \p line in place of the header line with the same first word. */
 std::string
 pcdWith (const std::string& line, const std::string& body = "1 2 3\n4 5 6\n")
 {
@@ -59,7 +60,7 @@ const std::string two_vertices =
 const std::string triangle =
     two_vertices + "element face 1\nproperty list uchar int vertex_indices\n";
 
-/** \brief A PLY with these elements in its header and these data. */
+/** \brief A PLY with these elements in its header and this body. */
 std::string
 plyWith (const std::string& elements,
          const std::string& body,
@@ -68,7 +69,7 @@ plyWith (const std::string& elements,
   return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n" + body;
 }
 
-/** \brief Lines 0, 1, ... that have \p begin, their number and \p end. */
+/** \brief Lines of \p begin, the number of the line (from 0), and \p end. */
 std::string
 numberedLines (int count, const std::string& begin, const std::string& end = "")
 {
@@ -87,8 +88,10 @@ invalidPcd (const std::string& reason)
   return "is no valid PCD file: " + reason + "; write it again";
 }
 
-/** \brief A LAS with records in front of and behind its points, and with other numbers.
- * \param[in] changes e.g. "u16 94 374": type, offset [byte] and number of each */
+/** \brief A LAS with a variable length record before and one behind its points, and
+ * with some numbers overwritten.
+ * \param[in] changes type, offset [byte] and number of each, as "u16 94 374"; the only
+ * type of a fraction is f64 */
 std::string
 lasWith (const std::string& changes)
 {
@@ -107,7 +110,8 @@ lasWith (const std::string& changes)
   return las;
 }
 
-/** \brief A .npy file with this description in its header and these data. */
+/** \brief A .npy file with this description (below 256 bytes) in its header and these
+ * data. */
 std::string
 npyWith (const std::string& description, const std::string& data)
 {
@@ -137,7 +141,8 @@ bytesOfNumbers (const std::vector<Number>& numbers)
 
 /** \brief The content of the file that a row of read_files.tsv or refused_files.tsv is
  * about.
- * \param[in] kind the first column: what \p text is a part of
+ * \param[in] kind the first column: names the part of the file that \p text is (a line
+ * of the header, the body, a line of it ...); with another name \p text is all of it
  * \param[in] text the second column */
 std::string
 contentOfRow (const std::string& kind, std::string text)
@@ -221,7 +226,8 @@ TEST_F (CloudFile, WritesAPoseInSinglePrecisionWithTheDigitsThatTellIt)
 
 TEST_F (CloudFile, SavesEveryByteThatPclWroteAndCompressed)
 {
-  // Repeated and random bytes, and more than a reference reaches back.
+  // Repeated and random bytes, and more of them than a reference of the compression
+  // reaches back.
   pcl::PointCloud<pcl::PointXYZRGBA> cloud;
   cloud.sensor_origin_ = Eigen::Vector4f (0.5f, -1.0f, 1.5f, 0.0f);
   for (std::uint32_t i = 0; i < 5000; ++i) {
@@ -335,7 +341,8 @@ TEST_F (CloudFile, IsRefusedForWhatIsTooLong)
   for (const auto& [elements, reason] : rows)
     EXPECT_EQ (complaintAbout ("bad.ply", plyWith (elements, "")),
                "is no valid PLY file: " + reason + "; write it again");
-  // Of 2^23 bytes each: those of the points would wrap to nothing.
+  // 2^16 fields of 2^23 bytes for each of 2^25 points: in 64 bits, the product of these
+  // is 0.
   std::string many;
   for (const char* line : {"FIELDS x", "SIZE 8", "TYPE F", "COUNT 1048576"}) {
     many += line;
@@ -433,7 +440,7 @@ TEST_F (CloudFile, OfNumPyKeepsTypesColumnsAndShape)
   EXPECT_EQ (
       textOfArray ("<f4", std::vector<float>{1, 4, 2, 5, 3, 6}, "True", "(2, 3)"),
       "x 1 4; y 2 5; z 3 6");
-  // Of an image by columns and by rows.
+  // An image of 2 rows and 3 columns, in the order of C and in that of Fortran.
   std::vector<float> image (2 * 3 * 3), transposed (image.size());
   for (std::size_t i = 0; i < image.size(); ++i) {
     const std::size_t row = i / 9, column = i / 3 % 3, number = i % 3;
@@ -551,7 +558,7 @@ TEST_F (TextFile, ThatCannotBeReadSaysSo)
 
 TEST_F (TextFile, TakesNoMoreMemoryThanItHasPointsFor)
 {
-  // A million empty lines are no million points.
+  // A million line ends, or a million characters of a comment, are no million points.
   std::string text = "1 2 3\n" + std::string (1000000, '\n');
   EXPECT_LT (load ("in.xyz", text).points.data.capacity(), 10u * text.size());
   text = "1 2 3\n4 5 6\n" + std::string (1000000, '#');

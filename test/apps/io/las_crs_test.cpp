@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint16_t geo_keys_id = 34735;
 constexpr const char* projection = "LASF_Projection";
 
-/** \brief Coordinate reference system of a LAS with these variable length records. */
+/** \brief The coordinate reference system that crsOf tells of a LAS with these variable
+ * length records; empty if it tells none. */
 std::string
 crsOfRecords (const std::vector<std::string>& vlrs)
 {

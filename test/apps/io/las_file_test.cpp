@@ -15,7 +15,7 @@ namespace {
 
 class LasFileTest : public CloudFolder {
 protected:
-  /** \brief The bytes of a LAS after these labels were added. */
+  /** \brief The bytes of the file that adding these labels to a LAS gives. */
   std::string
   labelled (const std::string& las, const std::vector<std::uint32_t>& labels) const
   {
@@ -24,7 +24,7 @@ protected:
   }
 };
 
-/** \brief The two records with their labels. */
+/** \brief The two records of a recipe, each with its label behind it. */
 std::string
 recordsWithLabels (const LasRecipe& recipe, std::uint32_t first, std::uint32_t second)
 {
@@ -152,7 +152,7 @@ TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
   recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
                  lasVlr ("someone", 7, "content")};
   std::string after = labelled (lasBytes (recipe), {5, 6});
-  constexpr std::size_t vlr = 375; // behind the header of LAS 1.4
+  constexpr std::size_t vlr = 375; // its offset, behind the header of LAS 1.4
   constexpr std::size_t fields = vlr + vlr_header_length;
   constexpr std::size_t field = extra_bytes_field_length;
   EXPECT_EQ (headerIn (after).vlr_count, 2u);

@@ -12,14 +12,15 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-// Keys of GeoTIFF, and values of keys.
+// Keys of GeoTIFF, then values of the keys of the model and of units.
 constexpr std::uint16_t unit_of_length = 3076, unit_of_heights = 4099;
 constexpr std::uint16_t projected = 1, geographic_model = 2;
 constexpr std::uint16_t meter = 9001, foot = 9002, us_foot = 9003;
 
 class LasUnitTest : public CloudFolder {
 protected:
-  /** \brief A LAS with this variable length record. */
+  /** \brief A LAS with one variable length record.
+   * \param[in] record its id */
   LasFile
   fileWith (std::uint16_t record, const std::string& content) const
   {
@@ -39,8 +40,9 @@ protected:
     return fileWith (keys_of_geotiff, bytes);
   }
 
-  /** \brief A LAS with these GeoTIFF keys: the header of the tag of four numbers, and
-   * for each key its id, 0, 1 and its value. */
+  /** \brief A LAS with these GeoTIFF keys. The GeoKeyDirectoryTag has a header of four
+   * numbers, and then for each key its id, 0, 1 and its value.
+   * \param[in] keys each key and its value */
   LasFile
   fileWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys) const
   {

@@ -12,7 +12,8 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief Compresses a LAS as any program does that uses LASzip. */
+/** \brief Compresses a LAS by LASzip itself, as other programs do.
+ * \param[in] las,laz paths of the LAS and of the LAZ that is written */
 void
 compressByLaszip (const std::string& las, const std::string& laz)
 {
@@ -64,7 +65,7 @@ protected:
     return folder_.write ("in.las", lasBytes (recipe));
   }
 
-  /** \brief Writes the same as a LAZ and returns its path. */
+  /** \brief Writes a recipe as a LAZ and returns its path. */
   std::string
   compressed (const LasRecipe& recipe) const
   {
@@ -84,7 +85,8 @@ protected:
     return contentOf (folder_ / "again.las");
   }
 
-  /** \brief The error message of loading a LAZ of two points. */
+  /** \brief The error message of loading the bytes of a LAZ; empty if they load as two
+   * points. */
   std::string
   complaintAbout (const std::string& bytes) const
   {

@@ -28,7 +28,8 @@ TEST_F (OutputFile, WritesManyFilesOfAFolderAtOnceEachInOneStep)
 
 TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
 {
-  // Temporary files of a program with the same process id in another container.
+  // These files have the names that temporary files of this process could have: another
+  // container may run a program with the same process id.
   constexpr int files = 500;
   const std::string start = ".pcl_ops." + std::to_string (::getpid()) + ".";
   for (int i = 0; i < files; ++i)

@@ -29,8 +29,8 @@ floorOfPoints ()
 
 /** \brief Moves a share of a cloud's points, spread over it, to other positions.
  * \param[in] one_of one of this many points is moved
- * \param[in] first position of the first one
- * \param[in] step distance from the position of one to that of the next, along x */
+ * \param[in] first new position of the first of them
+ * \param[in] step distance along x from each new position to the next one [m] */
 XyzCloud
 withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& first, float step)
 {
@@ -52,7 +52,8 @@ damage (const XyzCloud& cloud, const Eigen::Vector3d& shift = {0, 0, 0})
   return damageOf (ShiftedCloud{cloud.makeShared(), shift});
 }
 
-/** \brief The message about a share of a cloud's points that are at one place. */
+/** \brief The message about a share of a cloud's points that are at one place.
+ * \param[in] share in percent */
 std::string
 atOnePlace (const std::string& share, const std::string& place)
 {
@@ -111,7 +112,7 @@ TEST (CloudDamage, IsNoneWhereOnePerCentIsAKilometerAway)
 
 TEST (CloudDamage, IsSeenWhereOnePerCentIsAThousandKilometersAway)
 {
-  // A kilometer from one to the next.
+  // They are a kilometer from each other.
   EXPECT_EQ (damage (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f)),
              "looks damaged: 1 % of its points are more than 1000 times as far away as "
              "the rest is wide; leave them out");
@@ -164,7 +165,7 @@ TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
   EXPECT_EQ (damageWithZeros (3), said ("33"));
   EXPECT_EQ (damageWithZeros (49), said ("2.1"));
   EXPECT_EQ (damageWithZeros (501), "");
-  XyzCloud on_a_grid = floor; // of nine places, each shared by a ninth
+  XyzCloud on_a_grid = floor; // nine places, each of 6 to 25 % of the points
   for (pcl::PointXYZ& point : on_a_grid)
     point.getVector3fMap() = point.getVector3fMap().array().round();
   EXPECT_EQ (damageOf ({on_a_grid.makeShared()}), "");

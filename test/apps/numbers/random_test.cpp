@@ -13,14 +13,15 @@ TEST (Random, IsTheGeneratorOfTheStandard)
   Random random (std::mt19937::default_seed);
   for (int i = 1; i < 10000; ++i)
     random.bits();
-  EXPECT_EQ (random.bits(), 4123659995u); // [rand.predef]
+  EXPECT_EQ (random.bits(), 4123659995u); // [rand.predef] of the C++ standard
 }
 
 TEST (Random, DrawsEveryNumberBelowABoundEquallyOften)
 {
-  constexpr std::uint32_t bound = 3u << 30; // a quarter of all bits is rejected
+  constexpr std::uint32_t bound = 3u << 30; // a quarter of draws is rejected
   Random random (1);
-  // Taking the remainder favors the first third, multiplying alone every third number.
+  // Wrong ways to do it: a remainder would favor the first third of the numbers, a
+  // multiplication alone would favor multiples of three.
   std::array<int, 3> thirds{}, residues{};
   constexpr int draws = 30000;
   for (int i = 0; i < draws; ++i) {

@@ -24,14 +24,14 @@ PROGRAMS = pathlib.Path(sys.argv[1]).resolve()
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 WIDTH, HEIGHT = 900, 600
 
-# Put before everything on the page: keeps the messages of errors.
+# Put before everything else on the page: collects the messages of errors and warnings.
 WATCH = """<script>
 const problems = [];
 addEventListener('error', event => problems.push(event.message));
 console.error = console.warn = (...words) => problems.push(words.join(' '));
 </script>"""
-# Put behind everything on the page: runs SCRIPT once the page is drawn, and leaves what it returns
-# in an attribute of the page.
+# Put behind everything else on the page: runs SCRIPT after 1.5 s, when the page is drawn. What
+# SCRIPT returns and the problems go into the attribute data-result of the body.
 ACT = """<script>
 function drawnPixels() {
   draw();
@@ -66,7 +66,7 @@ def part_of(page, name):
 
 
 def pixels_of(png):
-    """How many pixels of a PNG, with 8 bits in RGB or RGBA, have each color."""
+    """For each color, the number of pixels of a PNG that have it. The PNG has 8 bits in RGB or RGBA."""
     signature, checksum = 8, 4  # bytes
     data, offset, packed = png.read_bytes(), signature, b""
     while offset < len(data):
@@ -90,7 +90,10 @@ def pixels_of(png):
 
 
 def unfilter(kind, line, above, depth):
-    """Undoes the filter of a line (PNG specification, section 9.2)."""
+    """Undoes the filter of a line of pixels, in place (PNG specification, section 9.2).
+
+    above is the line above, already without its filter; depth is the number of bytes of a pixel.
+    """
     for i, number in enumerate(line):
         left = line[i - depth] if i >= depth else 0
         corner = above[i - depth] if i >= depth else 0
@@ -107,7 +110,7 @@ def unfilter(kind, line, above, depth):
 
 
 def is_shade(pixel, color):
-    """Whether it is that color, or a darker one of that hue down to 0.6 of it."""
+    """Whether a pixel has this color, or the color darkened to 0.6 or more of its brightness."""
     light = max(pixel) / max(color)
     return 0.6 < light < 1.02 and all(abs(p - light * c) < 4 for p, c in zip(pixel, color))
 
@@ -141,7 +144,7 @@ class Page(unittest.TestCase):
                               check=True, timeout=120, env={**os.environ, "HOME": str(self.folder)}).stdout
 
     def result_of(self, script):
-        """What a script on the page returns, once the page was drawn without a problem."""
+        """What a script returns on the drawn page; fails if the page reports a problem."""
         acting = self.folder / "acting.html"
         page = self.page.replace("<head>", "<head>" + WATCH).replace("</body>", ACT.replace("SCRIPT", script) + "</body>")
         acting.write_text(page, encoding="utf-8")
@@ -185,7 +188,7 @@ class Data(Page):
             self.assertEqual({name: plane[name] for name in one if name != "color"},
                              {name: value for name, value in one.items() if name != "color"})
             self.assertEqual((group["all"], group["shown"]), (plane["points"], plane["points"]))
-            # Far from zero, where the middle of its points is known to half a step.
+            # The centroid is within the box of the points.
             high = [o + 65535 * s for o, s in zip(group["origin"], group["step"])]
             for low, middle, top in zip(group["origin"], plane["centroid"], high):
                 self.assertTrue(low <= middle <= top)
@@ -206,7 +209,7 @@ class Data(Page):
 @unittest.skipUnless(CHROMIUM, "there is no Chromium here")
 class Browser(Page):
     def screenshot(self, name, *options):
-        # It stays in PCL_OPS_PICTURES, if given, for people to look at.
+        # If PCL_OPS_PICTURES names a folder, the picture stays there for people to look at.
         picture = pathlib.Path(os.environ.get("PCL_OPS_PICTURES", self.folder), name)
         self.chromium(self.folder / "room.html", f"--screenshot={picture}", *options)
         return pixels_of(picture)

@@ -16,12 +16,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** \brief Points with the numbers of their planes, from 1 on; 0: on no plane. */
+/** \brief Points, and for each the number of its plane, from 1 on, or 0 for none. */
 struct LabeledPoints {
   std::vector<Vector3d> points;
   std::vector<std::uint32_t> labels;
 
-  /** \brief Adds a row of points along x, 1 cm apart. */
+  /** \brief Adds points along x from 0 on, 1 cm apart. Their z varies by 0.1 m. */
   void
   addRow (std::uint32_t label, int number, double y)
   {
@@ -48,7 +48,8 @@ elementOf (const std::string& page, const std::string& id)
   return page.substr (begin, page.find ("</script>", begin) - begin);
 }
 
-/** \brief The bytes that a text encodes in base64. */
+/** \brief The bytes that a text encodes in base64, without padding: four letters are
+ * three bytes. */
 std::vector<std::uint8_t>
 decoded (const std::string& letters)
 {
@@ -67,7 +68,7 @@ decoded (const std::string& letters)
 
 /** \brief The points of a group as a browser shows them. */
 struct ShownGroup {
-  std::size_t all; // how many the cloud has; some may not be on the page
+  std::size_t all; // number of its finite points; some may not be on the page
   Vector3d step;   // between positions that a point can have, along each axis [m]
   std::vector<Vector3d> points;
 };
@@ -132,7 +133,7 @@ TEST_F (Page, HasEachPointInItsGroupWithinHalfAStep)
   const std::vector<std::uint32_t> group_of_label = {2, 0, 1};
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     const ShownGroup& group = shown[group_of_label[cloud.labels[i]]];
-    const double rounding = 1e-8; // of the shift
+    const double rounding = 1e-8; // of sums with the shift [m]
     const Vector3d half_step = 0.5 * group.step + Vector3d::Constant (rounding);
     EXPECT_TRUE (std::any_of (group.points.begin(), group.points.end(), [&] (auto& p) {
       return ((p - shift - cloud.points[i]).array().abs() <= half_step.array()).all();
@@ -165,7 +166,7 @@ TEST_F (Page, OfManyPointsHasSomeOfEachPlaneAndAtMostTheLimit)
 
 TEST_F (Page, ShowsAnEvenSampleWhoseFirstQuarterIsEvenToo)
 {
-  // Four standard deviations of a share of 1000 points.
+  // Four standard deviations of the share of 1000 random points that are left.
   const double tolerance = 0.06;
   LabeledPoints cloud;
   cloud.addRow (1, 100'000, 1.0);

@@ -29,7 +29,10 @@ add (XyzCloud& cloud, const Eigen::Vector3f& point)
   cloud.emplace_back (point.x(), point.y(), point.z());
 }
 
-/** \brief A square of 2 m around a point, along two unit vectors, and its plane. */
+/** \brief Adds a square of 2 m x 2 m of 21 x 21 points to a cloud and returns its
+ * plane.
+ * \param[in] center of the square [m]
+ * \param[in] u,v unit vectors along its edges; the normal is u x v */
 PlaneSegment
 addSquare (XyzCloud& cloud,
            const Eigen::Vector3f& center,
@@ -257,7 +260,8 @@ TEST (CloudPicture, IsSavedInAnyColorsAsOnePicture)
   picture.save (folder / "values.png", colors, &scale);
   for (const char* file : {"labels.png", "values.png"}) {
     const std::string png = contentOf (folder / file);
-    // The width, behind the signature and the head of the first chunk.
+    // The low bytes of the width, which begins at byte 16: behind the signature and the
+    // head of the first chunk.
     EXPECT_EQ (static_cast<unsigned char> (png.at (18)), Image::half_width / 256);
     EXPECT_EQ (static_cast<unsigned char> (png.at (19)), Image::half_width % 256);
   }
@@ -284,7 +288,7 @@ TEST (MapPicture, ShowsTheUpperPlaneInBothColorsAndWhatIsInItsHole)
   const int of_ground = pixelsOf (colorOfLabel (2));
   EXPECT_GT (of_ground, 10000);
   EXPECT_NEAR (pixelsOf (colorOfLabel (1)), 3 * of_ground, 0.02 * of_ground);
-  // The legend has boxes of up to 400 pixels in these colors.
+  // The legend has boxes in these colors, of up to 400 pixels each.
   EXPECT_NEAR (pixelsOf (colorOf (Orientation::Horizontal)), of_ground, 400);
   EXPECT_NEAR (
       pixelsOf (colorOf (Orientation::Other)), 3 * of_ground, 0.02 * of_ground);
@@ -292,7 +296,7 @@ TEST (MapPicture, ShowsTheUpperPlaneInBothColorsAndWhatIsInItsHole)
 
 namespace {
 
-/** \brief A line of /proc/self/status [byte]. */
+/** \brief The number in a line of /proc/self/status, which has kB [byte]. */
 std::size_t
 statusBytes (const std::string& name)
 {
@@ -322,7 +326,7 @@ TEST (LabelledCloud, IsSavedWithoutRoomForAnother)
   std::iota (labels.begin(), labels.end(), 0U);
   const std::vector<float> distances (labels.begin(), labels.end());
   for (const char* name : {"a.ply", "a.pcd"}) {
-    std::ofstream ("/proc/self/clear_refs") << "5"; // the peak is what is there now
+    std::ofstream ("/proc/self/clear_refs") << "5"; // sets the peak (VmHWM) to VmRSS
     const std::size_t before = statusBytes ("VmRSS");
     saveLabelledCloud (folder / name, cloud, labels, distances, false);
     EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;

@@ -10,8 +10,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A LAS with extra bytes of this name, but of a type that pcl_ops_segment does
- * not write. */
+/** \brief A LAS with a field of extra bytes of this name, but of 16 bits: a type that
+ * pcl_ops_segment does not write. */
 LasRecipe
 withField (const std::string& name)
 {
@@ -72,7 +72,7 @@ protected:
     ::mkfifo ((folder_ / "pipe.pcd").c_str(), S_IRUSR | S_IWUSR);
   }
 
-  /** \brief The files in the folder and the times they were written. */
+  /** \brief All regular files in the folder, each with the time it was last written. */
   std::map<std::string, fs::file_time_type>
   files () const
   {

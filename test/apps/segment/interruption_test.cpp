@@ -61,12 +61,14 @@ private:
   int queue_;
 };
 
-/** \brief A run of pcl_ops_segment that is ended at its work by SIGTERM. */
+/** \brief A run of pcl_ops_segment that SIGTERM ends while it works. */
 class Interruption : public Segment {
 protected:
-  /** \brief Starts a shell command in the folder; the program is to replace the shell.
-   * Standard error goes to the file "said".
-   * \param[in] input file descriptor of its standard input */
+  /** \brief Starts a command in the folder. It replaces the shell (exec), so that
+   * signals reach it. Standard output goes to the file "printed", standard error to
+   * "said".
+   * \param[in] input file descriptor of its standard input
+   * \return the process id of the command */
   pid_t
   start (const std::string& command, int input = STDIN_FILENO) const
   {
@@ -81,7 +83,8 @@ protected:
     return child;
   }
 
-  /** \return the exit code as the shell has it */
+  /** \brief Sends SIGTERM to a program and waits for its end.
+   * \return its exit code, or 128 plus the number of the signal that ended it */
   static int
   interrupt (pid_t program)
   {
@@ -155,7 +158,8 @@ TEST_F (InterruptedBatch, LeavesNothingTemporaryAndOnlyWholeClouds)
     expected.insert (fs::path (cloud).stem().string() + ".json");
   }
   std::set<std::string> names = namesIn ("out");
-  // The planes of a cloud are written before its labels.
+  // The planes of a cloud (.json) are written before its labels (.pcd), so that one may
+  // have planes alone.
   for (auto name = names.begin(); name != names.end();) {
     const bool is_planes_alone =
         fs::path (*name).extension() == ".json" && expected.count (*name) == 0;
@@ -167,7 +171,7 @@ TEST_F (InterruptedBatch, LeavesNothingTemporaryAndOnlyWholeClouds)
 
 TEST_F (Interruption, OfAPipeLeavesNoTemporaryFile)
 {
-  // More than fits into the pipe, then silence.
+  // More than a pipe holds, so that the program has read some; then nothing more comes.
   const std::string bytes (3'000'000, '\0');
   int pipe[2];
   ASSERT_EQ (::pipe (pipe), 0);

@@ -18,8 +18,10 @@ using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
 inline constexpr int points_of_side = 50;
 inline constexpr int points_of_plane = points_of_side * points_of_side;
 
-/** \brief Adds a grid of points from a corner on; the intensity of each is its index.
- * \param[in] row,column steps from one row or column to the next [m] */
+/** \brief Adds a grid of points, row by row from a corner on. The intensity of a point
+ * is its index in the cloud.
+ * \param[in] row,column steps from one row or column to the next [m]
+ * \param[in] rows,columns numbers of rows and columns */
 inline void
 addGrid (InputCloud& cloud,
          const Eigen::Vector3f& corner,
@@ -37,8 +39,9 @@ addGrid (InputCloud& cloud,
     }
 }
 
-/** \brief A floor of 2 m by 2 m, a point with NaN coordinates, and a wall at x = 3 m.
- * \param[in] side number of points along each edge */
+/** \brief In this order: a floor of 2 m by 2 m, a point with NaN coordinates, and a
+ * wall of 2 m by 2 m at x = 3 m.
+ * \param[in] side number of points along each edge of floor and wall */
 inline InputCloud
 floorAndWall (int side = points_of_side)
 {
@@ -53,8 +56,8 @@ floorAndWall (int side = points_of_side)
   return cloud;
 }
 
-/** \brief A floor of 2 m by 2 m and a wall at x = 3 m, in UTM coordinates and whole
- * millimeters. */
+/** \brief Floor and wall of \ref floorAndWall without the point of NaN, moved to UTM
+ * coordinates, in whole millimeters. */
 inline LasRecipe
 floorAndWallInLas ()
 {
@@ -88,16 +91,18 @@ floorAndWallWithKeys (const std::vector<std::array<std::uint16_t, 2>>& keys)
   return recipe;
 }
 
-/** \brief \ref floorAndWallInLas with GeoTIFF keys for EPSG:2992 in international feet.
- */
+/** \brief \ref floorAndWallInLas with the same numbers in international feet: GeoTIFF
+ * keys for the projected system EPSG:2992 (3072) and for its unit, 9002 (3076). */
 inline LasRecipe
 floorAndWallInFeet ()
 {
   return floorAndWallWithKeys ({{3072, 2992}, {3076, 9002}});
 }
 
-/** \brief A text file of a square of points 4 cm apart at UTM coordinates; the fourth
- * column is the index of the point. */
+/** \brief Text of a level square of points 4 cm apart at UTM coordinates; the fourth
+ * column is the index of the point.
+ * \param[in] side number of points along each edge
+ * \param[in] z height of all points [m] */
 inline std::string
 squareText (int side, double z, const char* separator = " ")
 {
@@ -109,7 +114,7 @@ squareText (int side, double z, const char* separator = " ")
   return text.str();
 }
 
-/** \brief A folder with the input cloud, to run the program in. */
+/** \brief A folder to run pcl_ops_segment in, with \ref floorAndWall as in.pcd. */
 class Segment : public ProgramFolder {
 protected:
   Segment() : ProgramFolder (PCL_OPS_SEGMENT_PROGRAM)

@@ -21,7 +21,8 @@ using Eigen::Vector3f;
 const Vector3f x = 0.04f * Vector3f::UnitX(), y = 0.04f * Vector3f::UnitY(),
                z = 0.04f * Vector3f::UnitZ();
 
-/** \brief The floor, and a wall at x = 3 m with so many columns of points. */
+/** \brief The floor, the point of NaN, and a wall at x = 3 m with this many columns of
+ * points. */
 InputCloud
 withColumns (int columns)
 {
@@ -31,7 +32,7 @@ withColumns (int columns)
   return cloud;
 }
 
-/** \brief A rough floor, half of it 13 mm higher. */
+/** \brief A floor, half of it 13 mm higher; every second point is 1 cm higher. */
 InputCloud
 twoFloors ()
 {
@@ -43,7 +44,7 @@ twoFloors ()
   return cloud;
 }
 
-/** \brief The floor and over it two table tops of one height, 1 m apart. */
+/** \brief The floor and two table tops, both 0.7 m high and with a gap of 1 m. */
 InputCloud
 twoTables ()
 {
@@ -54,9 +55,8 @@ twoTables ()
   return cloud;
 }
 
-/** \brief A floor and two walls; up is x, and the sensor looks along y, the longest
- * side.
- */
+/** \brief A floor and two walls; up is x. The longest side is along y, and the sensor
+ * is in front of it, at y = -1 m. */
 InputCloud
 roomLyingOnItsSide ()
 {
@@ -76,8 +76,8 @@ moved (InputCloud cloud, const Eigen::Matrix3f& turn, const Vector3f& shift = {0
   return cloud;
 }
 
-/** \brief A wall alone, at an x where single precision has steps above a millimeter.
- * Its points are 0, 2 and 4 mm farther by turns. */
+/** \brief A wall alone, at an x of 500 km, where single precision has steps of 3 cm.
+ * Its points are 0, 2 and 4 mm farther along x by turns. */
 LasRecipe
 roughWall ()
 {
@@ -133,7 +133,8 @@ protected:
     pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
     folder_.write ("in.las", lasBytes (floorAndWallInLas()));
     folder_.write ("feet.las", lasBytes (floorAndWallInFeet()));
-    // 3072 is the projected system, 3076 the unit of x and y, 4099 that of z.
+    // Keys: 3072 is the projected system, 3076 the unit of x and y, 4099 that of z. The
+    // value 2230 is a system in US feet; 9001 is the meter, 9003 the US foot.
     folder_.write ("number.las", lasBytes (floorAndWallWithKeys ({{3072, 2230}})));
     folder_.write ("high.las",
                    lasBytes (floorAndWallWithKeys ({{3076, 9001}, {4099, 9003}})));
@@ -167,6 +168,7 @@ protected:
     folder_.write ("with_names.xyz",
                    "# of today\neasting [m],north,h,i\n" + squareText (50, 100, ","));
     std::filesystem::create_directory (folder_ / "texts");
+    // Texts that begin with the mark of UTF-8 (BOM).
     for (const char* name : {"a.txt", "b.xyz", "notes.csv"})
       folder_.write (std::string ("texts/") + name,
                      "\357\273\277" + squareText (50, 100));
@@ -180,6 +182,7 @@ protected:
     save ("scene.pcd", scene);
     InputCloud board = withColumns (0);
     board.resize (points_of_plane);
+    // A board that rises by 30 degrees, whose tangent is 0.57735.
     addGrid (board, {0, 0, 2}, {0, 0.01f, 0}, 30, {0.02f, 0, 0.02f * 0.57735f}, 50);
     save ("board.pcd", board);
     save ("ceiling.pcd", floorAndWall(), Vector3f (0.5f, 1.0f, -2.0f));
@@ -215,18 +218,19 @@ protected:
   {
     const InputCloud room = roomLyingOnItsSide();
     save ("lying.pcd", room);
-    // From below the floor, which would hide all the rest.
+    // A sensor below the floor (up is x), which would hide all the rest from it.
     save ("elsewhere.pcd", room, Vector3f (-2.0f, 2.0f, 1.0f));
     Eigen::Matrix3f turn;
-    turn << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+    turn << 0, 1, 0, 0, 0, 1, 1, 0, 0; // x, which is up, becomes z
     save ("upright.pcd", moved (room, turn), Vector3f (-1.0f, 0.8f, 1.3f));
     InputCloud wall;
     addGrid (wall, {0, 0, 2}, x, 60, y, 60);
     save ("wall.pcd", wall);
   }
 
-  /** \brief The second and the third scan have a larger wall, which would change the
-   * numbers of their planes. The sensor of the third scan has moved by 1 m in x. */
+  /** \brief In the second and the third scan of track the wall is larger than the
+   * floor: without tracking the planes would swap numbers. The sensor of the third scan
+   * has moved by 1 m in x. */
   void
   saveSequences () const
   {
@@ -242,7 +246,7 @@ protected:
     folder_.write ("poses.txt",
                    "# timestamp tx ty tz qx qy qz qw\n0.0 0 0 0 0 0 0 1\n\n"
                    "0.1 0 0 0 0 0 0 1\n0.2 1 0 0 0 0 0 1\n");
-    // This camera lies on its side: its y is up, which is z of the others.
+    // The sensor of this scan lies on its side: its y is z of the others.
     Eigen::Matrix3f turn;
     turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     save ("turned.pcd", moved (larger, turn), Vector3f (0.5f, 1.5f, -1.0f));
@@ -253,7 +257,7 @@ protected:
   }
 };
 
-/** \brief A .ply or .vtk in text, as others read it. */
+/** \brief Points and faces of a mesh. */
 struct Drawing {
   std::vector<Eigen::Vector3d> points;
   /** \brief The corners of each face. */
@@ -274,12 +278,13 @@ struct Drawing {
   }
 };
 
+/** \brief Reads a .ply or .vtk in text without the code that wrote it. */
 Drawing
 readDrawing (const std::string& text)
 {
   std::smatch points;
   std::regex_search (text, points, std::regex ("(?:element vertex|POINTS) ([0-9]+)"));
-  // A .vtk goes on with the colors.
+  // In a .vtk, colors follow behind POINT_DATA.
   std::istringstream stream (text.substr (0, text.find ("POINT_DATA")));
   Drawing drawing;
   for (std::string line; std::getline (stream, line);) {
@@ -329,7 +334,8 @@ TEST_F (Segment, WritesDistancesBehindTheRecordsOfALas)
 
 TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
 {
-  // pcl_viewer moves a cloud by the pose of its sensor, and a mesh by nothing.
+  // pcl_viewer moves a cloud by the pose of its sensor, but not a mesh in .vtk: that
+  // one has to be written with the pose applied.
   InputCloud posed = floorAndWall();
   posed.sensor_orientation_ = Eigen::AngleAxisf (0.5f, Eigen::Vector3f::UnitY());
   save ("posed.pcd", posed);
@@ -393,7 +399,7 @@ protected:
     folder_.write ("scans/bad.pcd", "no cloud\n");
   }
 
-  /** \brief Segments the folder, with the outputs in the folder "out" moved away. */
+  /** \brief Segments the folder, and then renames the folder of outputs. */
   Outcome
   segment (const std::string& options, const std::string& moved_to) const
   {
@@ -423,7 +429,8 @@ TEST_F (SegmentJobs, WriteTheSameInTheOrderOfTheInputsWhateverTheirNumber)
 
 TEST_F (Segment, DrawsTheCornerOnceAtWhichAllEdgesEnd)
 {
-  // Three planes meet in three edges and one corner.
+  // Three planes meet in three edges and one corner. The vertices of the .ply are the
+  // corner, which is the first, and the other ends of the edges.
   folder_.write ("far.pcd", farCornerText());
   expectDone ("far.pcd --edges e.ply");
   const std::string ply = contentOf (folder_ / "e.ply");

@@ -36,7 +36,7 @@ degreesText ()
   return text.str();
 }
 
-/** \brief A floor in text whose columns have names that a PLY gives a meaning. */
+/** \brief A floor in text with columns whose names mean something to readers of PLY. */
 inline std::string
 columnsText ()
 {
@@ -47,8 +47,7 @@ columnsText ()
   return text.str();
 }
 
-/** \brief A PCD of 2 x 2 points with fields of many types, as few programs write them.
- */
+/** \brief A PCD of 2 x 2 points with fields of unusual types and sizes. */
 inline std::string
 pcdOfManyTypes ()
 {
@@ -63,7 +62,7 @@ pcdOfManyTypes ()
 
 /** \brief A scan of a horizontal square of 1 m by 1 m, in the format PTX.
  * \param[in] scanner height of the scanner [m]
- * \param[in] above height of the square above the scanner [m] */
+ * \param[in] above height of the square above the scanner, negative if below [m] */
 inline std::string
 scanText (int scanner, int above)
 {

@@ -13,7 +13,8 @@
 #include <set>
 #include <sstream>
 
-/** A row of a table: a command, where in its outputs, and what is expected there. */
+/** A row of a table: a command (empty: that of the row above), where to look after it,
+ * and what has to be there. */
 struct Answer {
   std::string command, where, expected;
 };
@@ -30,7 +31,7 @@ struct Answers {
   }
 };
 
-/** Reads a table in the format of segment/answers.tsv. */
+/** Reads a table in the format that segment/answers.tsv describes. */
 inline std::vector<Answers>
 answersIn (const std::string& file)
 {
@@ -49,15 +50,17 @@ answersIn (const std::string& file)
   return all;
 }
 
-/** The heading of a section as the name of its test. */
+/** The heading of a section as the name of its test: one underscore in place of
+ * successive characters that are no letters or digits. */
 inline std::string
 nameOfAnswers (const testing::TestParamInfo<Answers>& info)
 {
   return std::regex_replace (info.param.heading, std::regex ("[^A-Za-z0-9]+"), "_");
 }
 
-/** A cloud in JSON: its width, its sensor's origin, and the type and values of each
- * field. Values that are not finite become null; colors become [red, green, blue]. */
+/** A cloud in JSON: "width"; "origin" of its sensor; for each field its type, such as
+ * F4, in "types", and a list of its values by its name. Values that are not finite
+ * become null; values of a 4-byte field rgb become [red, green, blue]. */
 inline nlohmann::json
 toJson (const pcl_ops::apps::FileCloud& cloud)
 {
@@ -102,8 +105,9 @@ protected:
                        [&] (auto& a, auto& b) { return isNear (a, b, tolerance); });
   }
 
-  /** \param[in] where out or nothing: standard output; err: standard error; else a file
-   */
+  /** The text of an output of the last command.
+   * \param[in] where out or nothing: standard output; err: standard error; else the
+   * name of a file */
   std::string
   textAt (const std::string& where) const
   {
@@ -113,9 +117,11 @@ protected:
                             : contentOf (folder_ / where);
   }
 
-  /** \param[in] where text#pointer, text#pointer.first-last (the set of these entries
-   * of a list) or text#pointer.size; the text as for \ref textAt
-   * \return the JSON value there, or a discarded value if there is none */
+  /** A JSON value in an output of the last command.
+   * \param[in] where TEXT#POINTER with TEXT as for \ref textAt; a cloud is read by \ref
+   * toJson. Behind it may be .FIRST-LAST, for the set of these entries of a list, and
+   * then .size, for the number of entries.
+   * \return a discarded value if the JSON has no such value */
   Json
   valueAt (const std::string& where) const
   {
@@ -139,8 +145,9 @@ protected:
     return is_size && !value.is_discarded() ? Json (value.size()) : value;
   }
 
-  /** \param[in] expected absent, =where (the value there), >number, <number, a value,
-   * or a value +- tolerance */
+  /** Fails unless a value is as expected.
+   * \param[in] expected absent, =WHERE (the value there, \ref valueAt), >NUMBER,
+   * <NUMBER, a value within 0.001, or VALUE +- TOLERANCE */
   void
   expectValue (const Json& value, const std::string& expected) const
   {
@@ -164,9 +171,10 @@ protected:
     }
   }
 
-  /** \param[in] where as for \ref textAt; behind a ! the text must not have the part
-   * \param[in] expected a part of the text; =text: all of it; ^text: its begin, which has
-   * to be all of one line if it is of err */
+  /** Fails unless a text is as expected.
+   * \param[in] where as for \ref textAt; with ! in front the part must be missing
+   * \param[in] expected a part of the text, with the escapes of JSON; =TEXT: all of it;
+   * ^TEXT: its begin, and err must be one line */
   void
   expectText (const std::string& where, const std::string& expected) const
   {
@@ -185,9 +193,11 @@ protected:
       EXPECT_EQ (text.find (part) == std::string::npos, is_absent) << text;
   }
 
-  /** Runs the commands of the section and checks their outputs.
-   * \param[in] conditions beginnings of headings; a section whose condition is false is
-   * skipped */
+  /** Runs the commands of the section and checks their outputs. A command is run once
+   * for successive rows, but again with --planes - for rows that begin with #. Its exit
+   * code has to be 0, or that of "exit N" in its first row.
+   * \param[in] conditions for the beginning of a heading whether such sections are run,
+   * not skipped */
   void
   expectAnswers (const std::map<std::string, bool>& conditions = {})
   {

@@ -24,8 +24,8 @@ valuesOf (const pcl_ops::apps::FileCloud& cloud, const std::string& name)
   return values;
 }
 
-/** \brief The name and the values of each field as text, and the height of an organized
- * cloud. */
+/** \brief The name and the values of each field as text, such as "x 1 4; y 2 5", and
+ * the height of a cloud of more than one row. */
 inline std::string
 textOf (const pcl_ops::apps::FileCloud& cloud)
 {
@@ -42,7 +42,7 @@ textOf (const pcl_ops::apps::FileCloud& cloud)
   return text + (height > 1 ? "; height " + std::to_string (height) : "");
 }
 
-/** \brief A folder for clouds whose files are written byte by byte. */
+/** \brief A folder for files of clouds whose bytes a test gives. */
 class CloudFolder : public testing::Test {
 protected:
   /** \brief Writes a file of that name and content and loads it. */
@@ -52,7 +52,8 @@ protected:
     return pcl_ops::apps::loadCloud (folder_.write (name, content));
   }
 
-  /** \return the one-line message that loading fails with, without the file's name */
+  /** \return the one-line message that loading fails with, without the path of the
+   * file; empty if loading succeeds */
   std::string
   complaintAbout (const std::string& file) const
   {

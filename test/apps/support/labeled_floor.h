@@ -6,8 +6,9 @@
 #include <sstream>
 #include <string>
 
-/** A floor of 10 x 10 points, 2 cm apart, in text with a label for each point.
- * \param[in] label_of gives the label of the point with an index of 0 to 99 */
+/** A floor of 10 x 10 points, 2 cm apart, as text of a file with the columns x, y, z
+ * and label.
+ * \param[in] label_of returns the label of the point with an index from 0 to 99 */
 inline std::string
 labeledFloor (const std::function<int (int)>& label_of)
 {

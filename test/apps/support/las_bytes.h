@@ -15,28 +15,30 @@
 using pcl_ops::apps::bytesOf;
 using pcl_ops::apps::LasHeader;
 
-/** \brief Id of the variable length record with the reference system as WKT. */
+/** \brief Id of the variable length record that has the coordinate reference system as
+ * WKT (well-known text). */
 inline constexpr std::uint16_t wkt_id = 2112;
 
-// Keys of GeoTIFF.
+// Keys of GeoTIFF, another way to say the coordinate reference system.
 inline constexpr std::uint16_t model_type = 1024;
 inline constexpr std::uint16_t geographic_system = 2048;
 inline constexpr std::uint16_t projected_system = 3072;
 
 /** \brief The content of a small LAS file. */
 struct LasRecipe {
-  /** \brief Of the version of LAS: 1.0 to 1.4. */
+  /** \brief Minor version of LAS, 0 to 4. */
   std::uint8_t minor_version = 4;
   /** \brief The point format, 0 to 10. */
   std::uint8_t format = 6;
-  /** \brief Raw coordinates of the points. */
+  /** \brief Raw coordinates of the points, of which there must be one or more. */
   std::vector<std::array<std::int32_t, 3>> points = {{1, 2, 3}, {4, 5, 6}};
   /** \brief A coordinate is the raw one times the scale plus the offset. */
   double scale = 0.001;
   std::array<double, 3> offset = {500000, 5400000, 0};
-  /** \brief Complete variable length records before and, extended, after the points. */
+  /** \brief Bytes of variable length records (\ref lasVlr): before the points, and
+   * those with 64 bits for their length behind the points (LAS 1.4). */
   std::vector<std::string> vlrs = {}, evlrs = {};
-  /** \brief Extra bytes of each point record; all records have equally many. */
+  /** \brief Extra bytes of each point record, equally many for each; empty: none. */
   std::vector<std::string> extra = {};
   /** \brief Bytes between the variable length records and the points. */
   std::string gap = {};
@@ -52,7 +54,9 @@ headerIn (std::string& las)
   return reinterpret_cast<LasHeader&> (las[0]);
 }
 
-/** \brief A variable length record, or an extended one with \p Length of 64 bits. */
+/** \brief A variable length record, or an extended one if \p Length has 64 bits.
+ * \param[in] user id of the user, up to 16 letters
+ * \param[in] content at most 65535 bytes */
 template <typename Length = LasHeader::UInt16>
 std::string
 lasVlr (std::string user, std::uint16_t id, const std::string& content)
@@ -66,7 +70,9 @@ lasVlr (std::string user, std::uint16_t id, const std::string& content)
 
 constexpr std::size_t extra_bytes_field_length = 192; // [byte]
 
-/** \brief The description of a field of extra bytes. */
+/** \brief The description of a field of extra bytes, as the record LASF_Spec 4 has it.
+ * \param[in] type data type of LAS 1.4; 0: bytes without a description
+ * \param[in] options for type 0 the number of bytes */
 inline std::string
 extraBytesField (const std::string& name, char type, char options = 0)
 {
@@ -75,8 +81,8 @@ extraBytesField (const std::string& name, char type, char options = 0)
   return bytes;
 }
 
-/** \brief The i-th point record. Each byte behind the coordinates is its position plus
- * 16 i, so that no two bytes of a record are equal. */
+/** \brief The point record with index \p i. Each byte between the coordinates and the
+ * extra bytes is its position in the record plus 16 i, so no two of them are equal. */
 inline std::string
 lasRecord (const LasRecipe& recipe, std::size_t i)
 {

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-/** \brief Paths of all lidar scans in a data folder. Each scan is in the frame of its
- * sensor. */
+/** \brief Paths of all lidar scans in a data folder, in no order: the clouds in its
+ * folder lidar, and those in real and wild whose names begin with "lidar". Each scan is
+ * in the frame of its sensor. */
 inline std::vector<std::filesystem::path>
 lidarScansIn (const std::filesystem::path& data)
 {

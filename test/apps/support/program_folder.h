@@ -20,13 +20,14 @@ struct Outcome {
   std::string out, err;
 };
 
-/** \brief An empty folder for each test to run a program in. */
+/** \brief A test with an empty folder, in which it runs a program. */
 class ProgramFolder : public testing::Test {
 protected:
-  /** \param[in] program its path; commands find the programs of its folder by name */
+  /** \param[in] program path of the program; commands find all programs of that folder
+   * by name */
   explicit ProgramFolder (std::string program) : program_ (std::move (program)) {}
 
-  /** \brief Runs commands of the shell in the folder. */
+  /** \brief Runs commands of the shell in the folder of the test. */
   Outcome
   shell (const std::string& commands) const
   {

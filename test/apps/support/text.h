@@ -13,14 +13,14 @@
 #include <string>
 #include <vector>
 
-/** \brief Number of lines that end. */
+/** \brief Number of line ends in a text. */
 inline std::size_t
 lines (const std::string& text)
 {
   return static_cast<std::size_t> (std::count (text.begin(), text.end(), '\n'));
 }
 
-/** \brief Whether a text has a part; a failure shows the text. */
+/** \brief Whether a text has a part. A failed expectation shows the text. */
 inline testing::AssertionResult
 contains (const std::string& text, const std::string& part)
 {
@@ -28,7 +28,8 @@ contains (const std::string& text, const std::string& part)
          << "the text: " << text;
 }
 
-/** \brief Message of the std::runtime_error that a function throws; empty without. */
+/** \brief Message of the std::runtime_error that \p work throws; empty if it throws
+ * nothing. */
 inline std::string
 complaintOf (const std::function<void()>& work)
 {
@@ -41,7 +42,8 @@ complaintOf (const std::function<void()>& work)
   return "";
 }
 
-/** \brief Rows of a file of tab-separated columns, without comments and empty lines. */
+/** \brief Rows of a file of tab-separated columns, without comments (#) and empty
+ * lines. A row may have fewer columns than others. */
 inline std::vector<std::vector<std::string>>
 tableIn (const std::string& file)
 {
@@ -58,7 +60,8 @@ tableIn (const std::string& file)
   return rows;
 }
 
-/** \brief The numbers of a text, separated by white space; also nan, inf and 1e-320. */
+/** \brief The numbers of a text, separated by white space. Takes nan, inf and subnormal
+ * numbers, too. */
 inline std::vector<double>
 numbersIn (const std::string& text)
 {

@@ -13,14 +13,14 @@ namespace {
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
-constexpr double lattice = 0.01; // step of the lattice of points [m]
-constexpr double cell = 1.0;     // [m]
+constexpr double lattice = 0.01; // unit of the coordinates of LatticePoint [m]
+constexpr double cell = 1.0;     // edge of a cell of the tiles [m]
 const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 using Within = std::function<bool (const Eigen::Vector2d&)>;
 
-/** \brief Points of a square of 20 m that are in a shape, twenty on each square meter:
- * on a level plane, or on a wall along x. */
+/** \brief Points of a square of 20 m that are in a shape, on average twenty on each
+ * square meter. The square is level, or a wall along x. */
 std::vector<OutlinePoint>
 placesIn (const Within& is_within, bool is_wall = false)
 {
@@ -36,6 +36,10 @@ placesIn (const Within& is_within, bool is_wall = false)
   return places;
 }
 
+/** \brief The outline of a plane; holes, and all parts but the largest, have an area of
+ * 2.25 m^2 or more.
+ * \param[in] points number of points on the plane; with very many of them, corners stay
+ * where the edges have them */
 std::vector<PlanarRings>
 outlineOf (const std::vector<OutlineEdge>& edges,
            const Eigen::Vector3d& normal = up,
@@ -51,7 +55,7 @@ outlineOf (const std::vector<OutlinePoint>& places, const Eigen::Vector3d& norma
   return outlineOf (outlineEdges (places, normal, cell / lattice), normal);
 }
 
-/** \brief Area of an outline less that of its holes [m^2]; below 0 if it runs
+/** \brief Area of an outline less that of its holes [m^2]; below 0 if the outline runs
  * clockwise. */
 double
 areaOf (const PlanarRings& rings)
@@ -115,7 +119,7 @@ TEST (Outline, HasHolesAndParts)
 
 TEST (Outline, OfTwoTilesIsThatOfOne)
 {
-  // A border at x = 9.3 m, beyond which each tile sees three cells.
+  // The border of the tiles is at x = 9.3 m. Each tile sees points up to 6 m beyond it.
   const auto is_within = [] (const Eigen::Vector2d& point) {
     return (point - Eigen::Vector2d (9, 12)).norm() > 3.0;
   };
@@ -136,7 +140,7 @@ TEST (Outline, OfTwoTilesIsThatOfOne)
   ASSERT_EQ (joined.size(), 1u);
   ASSERT_EQ (whole.size(), 1u);
   EXPECT_EQ (joined[0].size(), whole[0].size());
-  // At the border no points are thinned.
+  // The areas differ a little: in one tile, points around x = 9.3 m are thinned, too.
   EXPECT_NEAR (areaOf (joined[0]), areaOf (whole[0]), 0.3);
 }
 
@@ -158,8 +162,10 @@ TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
 
 TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
 {
-  // A square of 10 m whose outline goes to a place off it and back, to one that another
-  // tile has rounded differently. Rings begin at the least x, then y.
+  // The outline of a square of 10 m goes to a tip, first outside and then inside the
+  // square, and back to a point 1 cm beside the one it left, as if another tile had
+  // rounded that differently. A ring begins at its corner with the least x, then the
+  // least y: at the first tip, and at zero, where the second spike ends.
   using Ring = std::vector<LatticePoint>;
   for (const Ring& spike : {Ring{{0, 501, 0}, {-500, 500, 0}, {0, 500, 0}, {0, 0, 0}},
                             Ring{{0, 1, 0}, {500, 500, 0}, {0, 0, 0}}}) {

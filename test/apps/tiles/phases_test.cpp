@@ -16,7 +16,9 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief A floor of 8 m in tiles of an edge, up to where its points get labels. */
+/** \brief A run on a floor of 8 m x 8 m after all its phases but the last, which labels
+ * points.
+ * \param[in] edge_of_tile [m] */
 struct FloorRun {
   explicit FloorRun (double edge_of_tile)
   : run{folder / "out"}
@@ -30,6 +32,7 @@ struct FloorRun {
     join();
   }
 
+  /** \brief Text of 40 x 40 points, 20 cm apart. */
   static std::string
   floor ()
   {
@@ -54,8 +57,9 @@ struct FloorRun {
     joinTiles (plan, run, SortedPoints (plan, run));
   }
 
-  /** \brief Offsets in a file: at its ends and some between; in a file of points,
-   * offsets of points of one tile. */
+  /** \brief Offsets at which a changed bit has to be noticed [byte]: at both ends of a
+   * file and some between. In a file of points (.cells): two within the own points of a
+   * tile, and the last one. */
   static std::vector<std::size_t>
   offsetsIn (const std::string& file)
   {
@@ -142,7 +146,7 @@ TEST (Phases, RefuseTheFileOfAnotherTile)
 const BlockKey keys[] = {
     {{0, 0}, TilePart::Own}, {{0, 0}, TilePart::Halo}, {{-3, 7}, TilePart::Own}};
 
-/** \brief Coordinates that tell the points of all keys from each other. */
+/** \brief A point that differs from all points with another number or key. */
 Eigen::Vector3f
 pointOf (int number, const BlockKey& key)
 {

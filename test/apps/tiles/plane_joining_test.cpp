@@ -23,7 +23,7 @@ momentsOf (const std::vector<Eigen::Vector3d>& points)
   return moments;
 }
 
-/** \brief Points on a floor of 100 m, 1 cm thick. */
+/** \brief Points on a floor of 100 m x 100 m, 1 cm thick. */
 std::vector<Eigen::Vector3d>
 floorAt (const Eigen::Vector3d& corner)
 {
@@ -69,7 +69,10 @@ TEST (ExactMoments, RoundAPointToTheLattice)
   EXPECT_EQ (momentsOf ({}).toMoments().count, 0.0);
 }
 
-/** \brief A wall along x with 2 cm of noise, and what a tile sees of it. */
+/** \brief A wall along x, 3 m high, as a piece of a tile that sees only its own points.
+ * Points are up to 2 cm off the wall.
+ * \param[in] first,last x of its ends [m]
+ * \param[in] y of the wall [m] */
 TilePiece
 wall (int first, int last, double y)
 {
@@ -93,7 +96,8 @@ joined (const Row& row)
                      [&row] (const TileKey& tile) { return row[tile[0]]; });
 }
 
-/** \brief Two tiles with a wall each, 10 m long, that share cells around x = 10. */
+/** \brief Two tiles with a wall each, 10 m long. The border voxels of both are the same
+ * twelve cells around x = 10. */
 Row
 twoTiles (double y_of_first, double y_of_second)
 {

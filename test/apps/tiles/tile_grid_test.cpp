@@ -12,7 +12,7 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief Cells of half a meter, tiles of 24 of them, 12 m. */
+/** \brief Cells of half a meter, and tiles of 24 x 24 columns of cells: 12 m x 12 m. */
 const TileGrid grid{0.5, 24, {0, 0, 0}};
 
 std::set<TileKey>
@@ -26,7 +26,7 @@ tilesAround (double x, double y)
 
 TEST (TileGrid, HasABorderInTheTileThatBeginsThere)
 {
-  const double east = 500'004.0, north = 5'400'000.0; // whole tiles from zero
+  const double east = 500'004.0, north = 5'400'000.0; // borders of tiles [m]
   const std::tuple<double, double, TileKey> rows[] = {
       {11.999, 0.0, {0, 0}},
       {12.0, 0.0, {1, 0}},
@@ -41,7 +41,7 @@ TEST (TileGrid, HasABorderInTheTileThatBeginsThere)
 
 TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
 {
-  // 12 cells are 6 m: half a tile.
+  // A halo is 12 cells wide, 6 m: half a tile.
   EXPECT_EQ (tilesAround (5.9, 5.9), (std::set<TileKey>{{-1, 0}, {0, -1}, {-1, -1}}));
   EXPECT_EQ (tilesAround (6.1, 5.9), (std::set<TileKey>{{1, 0}, {0, -1}, {1, -1}}));
   const TileGrid wide{0.5, 240, {0, 0, 0}};

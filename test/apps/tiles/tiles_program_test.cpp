@@ -40,7 +40,8 @@ save (const std::string& file,
   apps::saveLas (file, points, millimeter, offset);
 }
 
-/** \brief The same wall from 20 m on, in centimeters, with an offset 5 km farther. */
+/** \brief Saves the same wall, but from x = 20 m on, as a LAS with other raw numbers:
+ * in centimeters, and with an offset 5 km farther along x and -y. */
 void
 saveEast (const std::string& file)
 {
@@ -51,7 +52,8 @@ saveEast (const std::string& file)
   apps::saveLas (file, east, 0.01, far_away + Eigen::Vector3d (5000, -5000, 0));
 }
 
-/** \brief A square of 50 x 50 points in text. */
+/** \brief A level square of 50 x 50 points in text.
+ * \param[in] distance of neighboring points [m] */
 std::string
 squareOfPoints (double distance)
 {
@@ -61,7 +63,8 @@ squareOfPoints (double distance)
   return text.str();
 }
 
-/** \brief A roof of 100 m by 28 m in text, 3 cm thick, with a slope of 45 degrees. */
+/** \brief A roof of 100 m by 28 m in text, with a slope of 45 degrees. Heights scatter
+ * by up to 3 cm. Its ridge is turned by 30 degrees. */
 std::string
 steepRoof ()
 {
@@ -125,8 +128,8 @@ protected:
   }
 };
 
-/** \brief The finished run of a town of four files, and what is chosen of its planes.
- */
+/** \brief The finished run of a town of four files, a copy of its folder as "before",
+ * and the number of its planes. Tests choose some of the planes. */
 class ChosenPlanes : public ProgramFolder {
 protected:
   ChosenPlanes() : ProgramFolder (PCL_OPS_TILES_PROGRAM)
@@ -151,7 +154,7 @@ protected:
   std::size_t planes_ = 0;
 };
 
-/** \brief A town found in one tile and in many. */
+/** \brief The planes and labels of a town, found in one tile and in many. */
 class TownInTiles : public ProgramFolder {
 protected:
   using Json = nlohmann::json;
@@ -186,7 +189,8 @@ vectorOf (const nlohmann::json& plane, const char* key)
   return Eigen::Map<const Eigen::Vector3d> (numbers.data());
 }
 
-/** \brief The plane of another labeling that has most points of one, and how many. */
+/** \brief The plane of another labeling that shares most points with a plane, and the
+ * number of shared points. Label 0: no plane shares a point. */
 struct Partner {
   std::uint32_t label = 0;
   std::size_t shared = 0;
@@ -222,7 +226,7 @@ TEST_P (TilesAnswers, AreThoseOfTheTable)
 
 TEST_F (TownInTiles, EachLargePlaneIsTheSameWithinAPercentAndAMillimeter)
 {
-  // As src/doc/tiles.md promises for planes of 50 cells and more.
+  // What src/doc/accuracy.md says of planes of 50 voxels, of some 20 points each.
   constexpr std::size_t min_points = 50 * 20;
   constexpr double min_overlap = 0.99;
   constexpr double max_turn = 0.05 * M_PI / 180.0;
@@ -254,8 +258,8 @@ TEST_F (TownInTiles, EachLargePlaneIsTheSameWithinAPercentAndAMillimeter)
   EXPECT_GT (large_planes, 10u);
 }
 
-// Along its edge, a tile has whole voxels of the coarsest size, and neither few nor too
-// many of the finest.
+// Along its edge, a tile must have a multiple of four cells, 12 or more, and not too
+// many.
 INSTANTIATE_TEST_SUITE_P (VoxelsAlongATile,
                           WrongPlan,
                           testing::Values (0, -40, 13, 4'000'000'000));

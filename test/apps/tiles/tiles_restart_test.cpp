@@ -43,7 +43,8 @@ protected:
     EXPECT_TRUE (contains (done.err, complaint));
   }
 
-  /** \brief A command that runs another one, and kills it at its n-th write. */
+  /** \brief A command that runs another one, and kills that before its n-th write to a
+   * file, from 1 on (failing_calls.cpp). */
   static std::string
   killedAt (int write, const std::string& command)
   {
@@ -51,8 +52,9 @@ protected:
            std::to_string (write) + " " + command;
   }
 
-  /** \brief Runs a command anew and kills it near the first write after which a file
-   * exists: the folder "out" is then as the killed run left it. */
+  /** \brief Leaves the folder "out" as a command leaves it that began anew and was
+   * killed soon after a file was there. Finds out by trials at which write to kill it.
+   */
   void
   stopOnceThereIs (const std::string& file, const std::string& command) const
   {
@@ -70,7 +72,8 @@ protected:
     ASSERT_LT (write, max_writes) << file;
   }
 
-  /** \brief Whether a new run ends before the write that would kill it. */
+  /** \brief Removes the folder "out" and runs a command, which is killed before the
+   * n-th write. Returns whether the run succeeds, as it has fewer writes. */
   bool
   hasEndedAt (int write, const std::string& command) const
   {
@@ -78,8 +81,8 @@ protected:
     return shell (killedAt (write, command)).exit_code == 0;
   }
 
-  /** \brief The first write that is late enough, by bisection. All later writes must be
-   * late enough, too. */
+  /** \brief The first write that is late enough, by bisection; max_writes or more if
+   * none below that is. All later writes must be late enough, too. */
   template <typename IsLateEnough>
   static int
   firstWrite (const IsLateEnough& is_late_enough)
@@ -94,7 +97,7 @@ protected:
     return after;
   }
 
-  /** \brief When the files of cells were written. */
+  /** \brief When each file of points of cells (.cells) was written. */
   std::map<std::string, fs::file_time_type>
   timesOfCells () const
   {
@@ -106,7 +109,8 @@ protected:
     return times;
   }
 
-  /** \brief Overwrites bytes of all files with an extension. */
+  /** \brief Overwrites bytes of all files in out/work/planes with an extension.
+   * \param[in] position of the first of these bytes in each file */
   void
   overwrite (const std::string& extension,
              std::streamoff position,
@@ -122,8 +126,8 @@ protected:
     }
   }
 
-  /** \brief Fails unless a folder has the same files as "whole". Names of files that a
-   * killed run was writing begin with a dot; these are left out. */
+  /** \brief Fails unless a folder has the same files with the same bytes as "whole".
+   * Files whose names begin with a dot do not count: a killed run was writing them. */
   void
   expectSameAsWhole (const std::string& folder = "out") const
   {
@@ -132,7 +136,7 @@ protected:
   }
 };
 
-/** \brief \ref TilesRestart with several processes. */
+/** \brief \ref TilesRestart with several processes (ranks of MPI). */
 class TilesRanks : public TilesRestart {
 protected:
   void

@@ -20,8 +20,9 @@ protected:
     folder_.write ("in.xyz", text.str());
   }
 
-  /** \brief Runs the viewer on a display of its own, by xvfb-run. The outcome is that
-   * of the viewer alone: xvfb-run may fail to tidy up after it.
+  /** \brief Runs the viewer on a display of its own, by xvfb-run. The exit code is that
+   * of the viewer, as xvfb-run may fail to tidy up; "out" has both of the viewer's
+   * streams.
    * \param[in] environment variables, as "NAME=value" */
   Outcome
   screenshot (const std::string& arguments, const std::string& environment = "") const

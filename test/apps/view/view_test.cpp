@@ -10,7 +10,8 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief The state after some keys, all of which must change it. */
+/** \brief The state after some keys are pressed, of which each must change it. Plane 2
+ * is selected at first. */
 ViewState
 afterKeys (const std::string& keys)
 {

@@ -50,7 +50,7 @@ if(with_surface)
   run(${surface_consumer})
 endif()
 
-# Sets result to the first block of code in README.md that is in this language.
+# Sets result to the text of the first code block of README.md that names this language.
 function(block_of_readme language result)
   file(READ ${source}/../../../README.md page)
   string(REGEX MATCH "```${language}\n([^`]*)```" block "${page}")
