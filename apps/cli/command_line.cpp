@@ -130,9 +130,9 @@ takeValue (const Option& option, const char* const*& token, const char* const* e
     return {};
   }
   const char* const* const next = token + 1;
-  const bool has_value =
-      has_equals ? equals + 1 < text.size() : next != end && !looksLikeOption (*next);
-  if (!has_value)
+  const bool is_value_behind_equals = has_equals && equals + 1 < text.size();
+  const bool is_value_next = !has_equals && next != end && !looksLikeOption (*next);
+  if (!is_value_behind_equals && !is_value_next)
     throw UsageError (name, "needs a value; see --help");
   if (has_equals)
     return text.substr (equals + 1);

@@ -343,8 +343,9 @@ batchTask (const SegmentOptions& options, const std::string& input)
   const Outputs& given = options.outputs;
   Task task{input, {}};
   const bool stays_las = isLasName (input) && options.format.empty();
-  task.outputs.cloud =
-      output ("{}" + (stays_las ? extensionOf (input) : options.cloudExtension()));
+  const std::string extension =
+      stays_las ? extensionOf (input) : options.cloudExtension();
+  task.outputs.cloud = output ("{}" + extension);
   for (const OutputOption& option : output_options)
     task.outputs.*option.output = output (given.*option.output);
   if (given.planes.empty())
