@@ -225,7 +225,7 @@ addHints (const GivenNumbers& given,
   hintOnMinInliers (given, parameters, cloud, detected);
   hintOnSamplingRate (given, detected);
   const bool is_on_neighborhoods =
-      parameters.sampling != Sampling::Points && given.count ("voxel-size") == 0;
+      parameters.sampling != Sampling::Points && !parameters.surfels.voxel_size;
   if (!is_on_neighborhoods)
     return;
   detected.search = parameters;

@@ -77,8 +77,7 @@ struct Detected {
   UsedLengths used;
   /** \brief All parameters by option name, for reports (\ref keyOf). */
   Settings settings;
-  /** \brief Parameters of the search, if it was OPS on neighborhoods without
-   * --voxel-size. */
+  /** \brief Parameters of the search, if it was OPS on neighborhoods. */
   std::optional<OrientedPointSamplingParameters> search;
   /** \brief The direction against gravity that was used. */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
