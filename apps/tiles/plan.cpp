@@ -124,22 +124,26 @@ unroundedCellEdgeFor (const std::vector<Eigen::Vector3d>& sample,
 }
 
 /** \brief Returns the edge of a cell with about 20 points where it crosses a surface
- * [m], rounded to two digits. It follows from the density of the points, not from their
- * number. Measured on simulated surveys: larger cells miss planes, smaller ones cost
- * more.
- * \param[in] file the first input, for messages
- * \param[in] sample an even sample of the points; most of them may coincide
+ * [m], rounded to two digits. Twice the area with twice the points gives the same edge:
+ * the number of points only says how many cells there should be. Measured on simulated
+ * surveys: larger cells miss planes, smaller ones cost more.
+ * \param[in] file an input, for messages
+ * \param[in] sample an even sample of the finite points; most of them may coincide
  * \param[in] local_origin a position near most of them
- * \param[in] points number of all points */
+ * \param[in] points number of all points
+ * \throws WorkError if no point is finite, or all points of the sample coincide */
 double
 cellEdgeFor (const std::string& file,
              std::vector<Eigen::Vector3d> sample,
              const Eigen::Vector3d& local_origin,
              std::uint64_t points)
 {
+  if (sample.empty())
+    throw WorkError (file, "has no point with finite coordinates; leave it out");
   double edge = unroundedCellEdgeFor (sample, local_origin, points);
   if (!(edge > 0.0)) {
-    // Most points coincide: equal points count once instead.
+    // Most points coincide. The sample gets each position once; the number of points,
+    // and so that of the cells, stays as it is.
     std::sort (sample.begin(), sample.end(), [] (const auto& a, const auto& b) {
       return std::lexicographical_compare (
           a.data(), a.data() + 3, b.data(), b.data() + 3);
@@ -155,10 +159,22 @@ cellEdgeFor (const std::string& file,
 
 struct InputSample {
   PlannedInput input;
+  /** \brief Finite points; empty if the input has none. */
   std::vector<Eigen::Vector3d> points;
-  /** \brief A position near most points; set for the first input only. */
+  /** \brief A position near most points, set for \ref firstWithPoints; else zero. */
   Eigen::Vector3d local_origin = Eigen::Vector3d::Zero();
 };
+
+/** \brief Returns the first sample that has points, or else the first one.
+ * \param[in] samples one or more */
+const InputSample&
+firstWithPoints (const std::vector<InputSample>& samples)
+{
+  for (const InputSample& sample : samples)
+    if (!sample.points.empty())
+      return sample;
+  return samples.front();
+}
 
 /** \brief Samples the points of all files that have points.
  * \throws WorkError if a file cannot be read or labels cannot be added to it */
@@ -183,21 +199,23 @@ sampleInputs (const std::vector<std::string>& files)
     InputSample sample{currentState (file),
                        somePositions (points.size(), position, max_of_file)};
     sample.input.points = points.size();
-    if (samples.empty())
+    if (samples.empty() || firstWithPoints (samples).points.empty())
       sample.local_origin = localOrigin (points.size(), position);
     samples.push_back (std::move (sample));
   }
   return samples;
 }
 
-/** \brief Joins the samples of all inputs, thinned to the same share of the points. */
+/** \brief Joins the samples of all inputs, thinned to the same share of the points.
+ * Inputs without finite points add nothing. */
 std::vector<Eigen::Vector3d>
 evenSample (const std::vector<InputSample>& samples)
 {
-  // The input with the smallest share of its points in its sample limits all.
+  // The smallest share of its points that the sample of an input has limits all.
   double share = 1.0;
   for (const InputSample& sample : samples)
-    share = std::min (share, sample.points.size() / double (sample.input.points));
+    if (!sample.points.empty())
+      share = std::min (share, sample.points.size() / double (sample.input.points));
   std::vector<Eigen::Vector3d> even;
   for (const InputSample& sample : samples) {
     const std::size_t size = sample.points.size();
@@ -257,7 +275,8 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   if (samples.empty())
     throw WorkError ("INPUT", "has no points in any file; give clouds that have");
   const std::vector<Eigen::Vector3d> even_sample = evenSample (samples);
-  const Eigen::Vector3d local_origin = samples.front().local_origin;
+  const InputSample& first = firstWithPoints (samples);
+  const Eigen::Vector3d& local_origin = first.local_origin;
   Plan plan;
   for (const InputSample& sample : samples)
     plan.inputs.push_back (sample.input);
@@ -265,14 +284,13 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   grid.edge =
       options.voxel_size
           ? *options.voxel_size
-          : cellEdgeFor (
-                samples.front().input.file, even_sample, local_origin, plan.points());
+          : cellEdgeFor (first.input.file, even_sample, local_origin, plan.points());
   plan.is_on_voxels = options.voxel_size.has_value();
   grid.cells_of_tile = cellsOfTile (options, grid.edge);
   for (const InputSample& sample : samples)
     checkReach (grid, sample.input.file, sample.points);
   // The cell near local_origin, set below, must be in reach, too.
-  checkReach (grid, plan.inputs.front().file, {local_origin});
+  checkReach (grid, first.input.file, {local_origin});
   constexpr std::int64_t step = TileGrid::cells_of_coarsest;
   for (int axis = 0; axis < 3; ++axis)
     grid.cell_near_points[axis] =
@@ -316,7 +334,8 @@ loadPlan (const PlanFile& file)
 {
   try {
     // A folder is no plan either; reading one would throw another exception.
-    std::ifstream stream (fs::is_directory (file.name) ? "" : file.name);
+    std::error_code error;
+    std::ifstream stream (fs::is_directory (file.name, error) ? "" : file.name);
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
     if (json.value ("format", 1) != format_version)

@@ -28,8 +28,8 @@ hasChanged (const PlannedInput& input);
 struct Plan {
   /** \brief Sorted by file name. */
   std::vector<PlannedInput> inputs;
-  /** \brief Its \ref TileGrid::cell_near_points is near most points of the first input.
-   */
+  /** \brief Its \ref TileGrid::cell_near_points is near most points of the first input
+   * that has finite points. */
   TileGrid grid;
   /** \brief Number of tiles with points of the sample that \ref makePlan takes; all
    * points may be in more tiles. */
