@@ -390,7 +390,9 @@ checkIsFor (const Plan& plan,
   if (inputs_in_plan < plan.inputs.size())
     refuse ("it has " + std::to_string (plan.inputs.size()) + " inputs, not " +
             std::to_string (inputs_in_plan));
-  if (options.voxel_size && *options.voxel_size != plan.grid.edge)
+  const bool is_on_these_voxels =
+      plan.is_on_voxels && options.voxel_size == plan.grid.edge;
+  if (options.voxel_size && !is_on_these_voxels)
     refuse ("--voxel-size was another one");
   if (options.tile && cellsOfTile (options, plan.grid.edge) != plan.grid.cells_of_tile)
     refuse ("--tile was another one");
