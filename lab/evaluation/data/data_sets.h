@@ -66,7 +66,7 @@ dataSetOf (const std::string& text,
  * become 8 m.
  * \param[in] is_raw true: depth as measured (folder "depth"); false: refined depth with
  * filled holes (folder "depth_bfx"), the default of the toolbox
- * \throw apps::WorkError if there is no frame */
+ * \throw apps::WorkError if there is no frame, or a folder cannot be read */
 DataSet
 sunRgbdDataSet (const std::string& folder, bool is_raw);
 

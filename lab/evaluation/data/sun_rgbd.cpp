@@ -65,6 +65,18 @@ readMatrix (const fs::path& file)
 using DepthImage =
     Eigen::Matrix<std::uint16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/** Whether a PNG file says its gamma: a chunk of a gamma, of the color space sRGB or of
+ * a color profile comes before the pixels, the chunk IDAT. */
+bool
+hasGamma (const std::string& bytes)
+{
+  const std::string before_pixels = bytes.substr (0, bytes.find ("IDAT"));
+  for (const char* chunk : {"gAMA", "sRGB", "iCCP"})
+    if (before_pixels.find (chunk) != std::string::npos)
+      return true;
+  return false;
+}
+
 /** Reads a 16-bit grayscale PNG file (ISO/IEC 15948). It calls libpng directly, because
  * VTK's reader, which PCL uses, crashes on a truncated file. */
 DepthImage
@@ -89,8 +101,7 @@ readDepthPng (const fs::path& file)
   const std::unique_ptr<png_image, void (*) (png_imagep)> freed (&png, png_image_free);
   requirePng (has_header, std::string ("is no whole PNG file (") + png.message + ")");
   // libpng would convert the values of an image with another format or a gamma.
-  requirePng (png.format == PNG_FORMAT_LINEAR_Y &&
-                  bytes.find ("gAMA") > bytes.find ("IDAT"),
+  requirePng (png.format == PNG_FORMAT_LINEAR_Y && !hasGamma (bytes),
               "is no depth image, which is 16-bit gray without a gamma");
   // Far above any depth camera, far below what would exhaust the memory.
   constexpr std::size_t max_pixels = 100'000'000;
@@ -167,22 +178,30 @@ sunRgbdDataSet (const std::string& folder, bool is_raw)
 {
   std::set<fs::path> frames;
   std::error_code ignored;
+  std::error_code unread; // a folder below, which ends the loop
   constexpr auto with_links = fs::directory_options::follow_directory_symlink;
   for (fs::recursive_directory_iterator entry (folder, with_links, ignored), end;
        entry != end;
-       entry.increment (ignored)) {
+       entry.increment (unread)) {
     const fs::path name = entry->path().filename();
     if ((name == raw_folder || name == refined_folder) && entry->is_directory (ignored))
       frames.insert (entry->path().parent_path());
   }
+  require (!unread,
+           folder,
+           "has a folder that cannot be read (" + unread.message() +
+               "); change its permissions");
   require (!frames.empty(),
            folder,
            "has no SUN RGB-D frame (a folder with depth or depth_bfx, "
            "intrinsics.txt and extrinsics); give the folder SUNRGBD");
   DataSet clouds;
+  // Without a slash at its end, as the paths of frames are.
+  fs::path root (folder);
+  if (!root.has_filename())
+    root = root.parent_path();
   // If the folder is itself a frame, the cloud has the name of the folder.
-  const fs::path base =
-      frames.count (folder) == 0 ? fs::path (folder) : fs::path (folder).parent_path();
+  const fs::path base = frames.count (root) == 0 ? root : root.parent_path();
   for (const fs::path& frame : frames)
     clouds.push_back ({is_raw ? "sunrgbd-raw" : "sunrgbd",
                        frame.lexically_relative (base).generic_string(),

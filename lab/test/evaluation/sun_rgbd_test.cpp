@@ -5,6 +5,7 @@
 #include <evaluation/data/data_sets.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -83,6 +84,40 @@ TEST_F (SunRgbdTest, EveryTruncationAndDamagedByteOfAnImageIsAnError)
     if (i < two_pixels.size() - checksum)
       expectError (damaged);
   }
+}
+
+TEST_F (SunRgbdTest, AnImageThatSaysItsGammaIsRefused)
+{
+  constexpr std::size_t end_of_header = 8 + 25; // of the signature and the chunk IHDR
+  // Each chunk: length, type, content and checksum.
+  const std::string gamma ("\0\0\0\x04gAMA\0\0\xb1\x8f\x0b\xfc\x61\x05", 16);
+  const std::string srgb ("\0\0\0\x01sRGB\0\xae\xce\x1c\xe9", 13);
+  for (const std::string& chunk : {gamma, srgb}) {
+    std::string image = two_pixels;
+    image.insert (end_of_header, chunk);
+    folder.write (frame + "depth/0001.png", image);
+    EXPECT_TRUE (contains (complaintOf ([this] { read(); }), "without a gamma"));
+  }
+}
+
+TEST_F (SunRgbdTest, AFolderThatIsAFrameGivesTheCloudItsName)
+{
+  for (const char* end : {"", "/"})
+    EXPECT_EQ (sunRgbdDataSet (folder / "kv2/room/frame" + end, true).at (0).name,
+               "frame")
+        << end;
+}
+
+TEST_F (SunRgbdTest, AFolderThatCannotBeReadIsAnErrorNotTheEndOfTheFrames)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may read everything";
+  fs::create_directory (folder / "closed");
+  fs::permissions (folder / "closed", fs::perms::none);
+  const std::string complaint =
+      complaintOf ([this] { sunRgbdDataSet (folder.path(), true); });
+  fs::permissions (folder / "closed", fs::perms::owner_all); // for its removal
+  EXPECT_TRUE (contains (complaint, "has a folder that cannot be read")) << complaint;
 }
 
 TEST (SunRgbd, RealFramesStandUpright)
