@@ -15,6 +15,7 @@ import tempfile
 import unittest
 import warnings
 from concurrent.futures import ThreadPoolExecutor
+from unittest import mock
 
 import numpy as np
 import pcl_ops
@@ -683,6 +684,21 @@ class WrittenPlanes(unittest.TestCase):
         self.assertEqual([one["kind"] for one in written], ["floor", "wall", "wall"])
         np.testing.assert_allclose(written[0]["coefficients"], floor.coefficients)
         self.assertEqual(len(written[0]["hull"]), len(floor.hull))
+
+    def test_have_the_permissions_of_any_new_file_or_of_the_file_they_replace(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, other = pathlib.Path(folder, "planes.json"), pathlib.Path(folder, "other")
+            other.touch()
+            pcl_ops.write_planes(file, planes)
+            self.assertEqual(file.stat().st_mode, other.stat().st_mode)
+            file.chmod(0o640)
+            pcl_ops.write_planes(file, planes)
+            self.assertEqual(file.stat().st_mode & 0o7777, 0o640)
+
+    def test_leave_the_umask_alone_which_other_threads_share(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch("os.umask") as umask:
+            pcl_ops.write_planes(f"{folder}/planes.json", planes)
+        umask.assert_not_called()
 
     def test_are_a_layer_of_a_geopackage(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -8,7 +8,7 @@ import json
 import math
 import os
 import re
-import tempfile
+import secrets
 from typing import Any, Dict, List, Literal, Optional, Sequence, Union
 
 import numpy as np
@@ -36,8 +36,8 @@ def write_planes(
     hull: the kind of outlines, from which the column area follows; "concave" ones have holes.
     up: vector against gravity, or "camera", for slope, aspect and height; None: the up that the
         planes were found with.
-    labels: the column id, whole numbers from 0 that differ; None: 1, 2, ..., as write numbers the
-        planes in a cloud.
+    labels: the column id, whole numbers from 0 that differ; None: 1, 2, ..., the numbers that
+        pcl_ops.write gives planes.
 
     Raises OSError if the file cannot be written, ValueError or TypeError if the arguments do
     not fit.
@@ -91,25 +91,18 @@ def _replace_file(name: str, content: bytes) -> None:
     target = os.path.realpath(name)
     folder, base = os.path.split(target)
     # A name for each call: several threads may write the same file.
-    descriptor, unfinished = tempfile.mkstemp(".part", base + ".", folder)
+    unfinished = os.path.join(folder, f"{base}.{secrets.token_urlsafe(6)}.part")
+    # The system takes the bits of the umask away from the permissions.
+    descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
     try:
         with open(descriptor, "wb") as file:
             file.write(content)
-        os.chmod(unfinished, _mode_of(target))
+        if os.path.exists(target):
+            os.chmod(unfinished, os.stat(target).st_mode & 0o7777)
         os.replace(unfinished, target)
     except BaseException:
         os.remove(unfinished)
         raise
-
-
-def _mode_of(target: str) -> int:
-    """The permissions of the file, or of a new one; files of mkstemp are private."""
-    try:
-        return os.stat(target).st_mode & 0o7777
-    except FileNotFoundError:
-        mask = os.umask(0)  # the only way to read it is to set it
-        os.umask(mask)
-        return 0o666 & ~mask
 
 
 def _seen_from_above(rings: Rings) -> Rings:
@@ -141,7 +134,8 @@ def _nested(rings: Rings, decimals: int, separator: str, list_signs: str, corner
     """The text of a list of rings.
 
     separator: stands between the numbers of a corner.
-    list_signs, corner_signs: the sign before and the sign after a list, and a corner; or "".
+    list_signs: the two signs around a list, "[]" or "()".
+    corner_signs: the two signs around a corner, "[]", or "" for none.
     """
     texts = []
     for ring in rings:
