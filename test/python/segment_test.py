@@ -168,7 +168,7 @@ class Pieces(unittest.TestCase):
 
 
 class NormalsWithoutASensor(unittest.TestCase):
-    def test_of_a_floor_point_up_just_above_zero_and_below_and_in_utm(self):
+    def test_point_up_on_a_floor_just_above_zero_just_below_and_in_utm(self):
         grid = np.stack(np.meshgrid(*[np.arange(100) * 0.04 - 2.0] * 2), -1).reshape(-1, 2)
         floor = np.c_[grid, np.zeros(len(grid))]
         for shift in ([0, 0, 0.01], [0, 0, -0.01], [5e5, 5e6, 100.0]):
@@ -206,9 +206,9 @@ class FarAway(unittest.TestCase):
     def test_one_outlier_takes_no_digits(self):
         cloud = self.near + self.shift
         cloud[0] = 1e9, -1e9, 1e9
-        found, on = pcl_ops.segment(cloud, viewpoint=self.shift)
-        self.assertEqual((found[0], len(on)), (-1, 3))
-        self.assertLess(on[0].rms, 0.003)
+        found, found_planes = pcl_ops.segment(cloud, viewpoint=self.shift)
+        self.assertEqual((found[0], len(found_planes)), (-1, 3))
+        self.assertLess(found_planes[0].rms, 0.003)
 
     def test_merged_planes_keep_the_frame(self):
         found = pcl_ops.segment(
@@ -379,9 +379,11 @@ def ticks_during(call):
     with concurrent.futures.ThreadPoolExecutor(1) as pool:
         pool.submit(tick)
         begin = time.perf_counter()
-        call()
-        end = time.perf_counter()
-        done.set()
+        try:
+            call()
+            end = time.perf_counter()
+        finally:
+            done.set()  # else the pool would wait for ever
     return sum(begin < tick < end for tick in ticks)
 
 
@@ -393,8 +395,9 @@ class Threads(unittest.TestCase):
             for call in (*(lambda method=method: pcl_ops.segment(cloud, method)
                            for method in ("ops", "fspf", "kht")),
                          lambda: pcl_ops.evaluate(truth, truth, cloud)):
-                # A call that held the interpreter would let it run only as it begins and ends; on
-                # a busy machine it may run few times during one call.
+                # If a call held the interpreter, the other thread could run only when the call
+                # begins and ends. On a busy machine that thread may run seldom in any case:
+                # hence 20 tries.
                 self.assertTrue(any(ticks_during(call) > 5 for _ in range(20)))
 
     def test_calls_at_once_find_the_same(self):
