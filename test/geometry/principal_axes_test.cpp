@@ -30,6 +30,7 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolverInAnyUnitOfLength)
     const Eigen::Matrix3d matrix = unit * matrixWith ({noise, width, 1.0}, generator);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle (matrix);
     const PrincipalAxes axes = principalAxes (matrix);
+    EXPECT_NEAR (axes.normal.norm(), 1.0, 1e-12);
     EXPECT_LT (angleBetween (axes.normal, oracle.eigenvectors().col (0)), 1e-7);
     EXPECT_TRUE (axes.values.isApprox (oracle.eigenvalues(), 1e-8));
   }
