@@ -38,16 +38,19 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
     /** \brief Which inliers of an accepted hypothesis count, for plane and N_max. */
     Inliers inliers = Inliers::Sphere;
     /** \brief N_max, as a multiple of the number of points: sampling ends at this
-     * number of inliers. A point counts once for each plane of which it is an inlier.
-     */
+     * number of inliers. A point counts once for each plane of which it is an inlier,
+     * with Inliers::Samples once for each time it was drawn as a test point. */
     double max_inliers_per_point = 2.0;
     /** \brief K_max, as a multiple of the number of points: sampling ends after this
      * number of spheres, also those that gave no hypothesis. */
     double max_hypotheses_per_point = 1.0;
-    /** \brief Sampling also ends at this number of examined points in all spheres, plus
-     * 100 for each sphere, as a multiple of the number of points. Not in the paper:
-     * with dense noise, equal points or bad radii K_max would take hours. Clouds of
-     * rooms reach some 10, with Inliers::Samples 100. */
+    /** \brief Sampling also ends when its work exceeds this many times the number of
+     * points. The work of a sphere is 100 plus its points, or plus a third of the
+     * points examined to find them if that is more, plus 1000 if its draws give no
+     * plane. Not in the paper: with dense noise, equal points or bad radii K_max would
+     * take hours. In clouds of rooms the work is some 10 times the number of points,
+     * with Inliers::Samples some 100 times: this limit may then end sampling before
+     * N_max and K_max do. */
     double max_visits_per_point = 100.0;
   };
 

@@ -206,15 +206,15 @@ PointTree::leaves (std::size_t wanted) const
     float reach; // of its parent: infinite for the root
   };
   std::vector<Leaf> leaves;
-  std::vector<OpenNode> open;
-  if (!nodes_.empty())
-    open.push_back ({0, std::numeric_limits<float>::infinity()});
+  // There is always a root: without points it is a leaf without points.
+  std::vector<OpenNode> open{{0, std::numeric_limits<float>::infinity()}};
   while (!open.empty()) {
     const OpenNode next = open.back();
     open.pop_back();
     const Node& node = nodes_[next.node_index];
-    // The diagonal of the smallest box around the leaf that has the wanted number.
     const bool has_wanted = node.end - node.begin >= wanted;
+    // The diagonal of the smallest node that contains the leaf and at least the wanted
+    // number of points: this one, or an ancestor.
     const float reach =
         has_wanted ? std::sqrt (squaredDiagonal (node)) * enlargement : next.reach;
     if (node.second_child == 0) {
