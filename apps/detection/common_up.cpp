@@ -31,7 +31,7 @@ commonUp (const std::vector<UpAxis>& axes)
   }
   const bool is_majority =
       2.0 * best.axis.confidence > confidence_of_all && 2 * best.agreeing > axes.size();
-  if (best.agreeing == 0 || !is_majority)
+  if (!is_majority)
     return std::nullopt;
   best.axis.direction.normalize();
   best.axis.confidence /= confidence_of_all;

@@ -490,7 +490,7 @@ runMethod (const Method& method,
     if (!options.up && is_default)
       hintOnUp (options, *cloud, detected);
     hintOnOverlap (method, options, cloud, detected);
-    if (options.sequence_has_up)
+    if (options.is_up_of_sequence_estimated)
       detected.settings["up_confidence"] = numberOrNull (options.up_confidence);
     return detected;
   }

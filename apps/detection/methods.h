@@ -28,7 +28,7 @@ using Settings = nlohmann::ordered_json;
 /** \brief Numbers given on the command line, by option name without "--". */
 using GivenNumbers = std::map<std::string, double>;
 
-/** \brief Options that \ref declareMethodOptions declares. */
+/** \brief Options of \ref declareMethodOptions, and what programs add to them. */
 struct DetectorOptions {
   /** \brief "default" or "paper". */
   std::string preset = "default";
@@ -38,9 +38,11 @@ struct DetectorOptions {
   bool finds_up = false;
   /** \brief Whether the up axis is that of a level camera: --up camera. */
   bool up_is_camera = false;
-  /** \brief Whether the up axis of a sequence of clouds was estimated. */
-  bool sequence_has_up = false;
-  /** \brief Confidence of that estimate, 0 to 1; nothing if it found no axis. */
+  /** \brief Whether one up axis for all clouds of a sequence was looked for: \ref up,
+   * if one was found. */
+  bool is_up_of_sequence_estimated = false;
+  /** \brief Confidence of the up axis of a sequence, 0 to 1; nothing if none was found.
+   */
   std::optional<double> up_confidence;
   /** \brief Numbers for parameters of the detector. */
   GivenNumbers numbers;
@@ -143,9 +145,9 @@ std::optional<UpAxis>
 findUpAxis (const DetectorOptions& options, const XyzCloud& cloud);
 
 /** \brief Finds the planes of a cloud by a method. For `--up auto` it first calls \ref
- * findUpAxis, as the confidence was measured with the planes of the default; if they
- * cannot tell the up axis, the default axis is used. Without --up a hint may name
- * another axis. */
+ * findUpAxis, which searches with the default preset of OPS whatever \p method is: the
+ * confidence was measured with those planes. If it finds no axis, the default axis is
+ * used. Without --up a hint may name another axis. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,

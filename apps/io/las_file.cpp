@@ -26,8 +26,8 @@ constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 constexpr std::uint64_t max_uint16 = std::numeric_limits<std::uint16_t>::max();
 constexpr std::uint64_t max_uint32 = std::numeric_limits<std::uint32_t>::max();
 
-/** \brief A point of \ref LasFile::readPoints, in its byte layout. Clouds without
- * labels end in front of the label. */
+/** \brief A point of \ref LasFile::readPoints, in its byte layout. Points of
+ * clouds without labels end in front of the label. */
 struct PackedPoint {
   Eigen::Vector3d position;
   float intensity;
@@ -220,8 +220,8 @@ LasFile::readPoints()
 Eigen::Vector3d
 LasFile::position (std::uint64_t point)
 {
-  // Successive points are read in blocks, any other one alone: a jump in the file costs
-  // more than reading a point.
+  // Points asked for one after the other are read in blocks, as each read costs a jump
+  // in the file. Any other point is read alone, as its successors may not be asked for.
   constexpr std::uint64_t max_in_block = 4096;
   const std::uint64_t block_end = first_in_block + points_in_block;
   if (point < first_in_block || point >= block_end) {

@@ -93,11 +93,12 @@ readObj (const std::string& file)
     if (reader.word (0) != "v")
       continue;
     reader.dropFirstWord();
-    const Words color = {"r", "g", "b"};
-    const Words weight = {"w"};
-    const bool has_weight = reader.wordCount() == 4; // x, y, z, w
-    if (!rows.hasColumns())
+    if (!rows.hasColumns()) {
+      const Words color = {"r", "g", "b"};
+      const Words weight = {"w"};
+      const bool has_weight = reader.wordCount() == 4; // x, y, z, w
       rows.addColumnsOfLine (has_weight ? weight : color);
+    }
     rows.addPoint();
   }
   return {rows.take()};

@@ -203,7 +203,7 @@ private:
     const std::vector<UpAxis> axes = upAxesOfClouds();
     const std::optional<CommonUp> common = commonUp (axes);
     detector.finds_up = false;
-    detector.sequence_has_up = true;
+    detector.is_up_of_sequence_estimated = true;
     if (common) {
       detector.up = common->axis.direction.cast<float>();
       detector.up_confidence = common->axis.confidence;

@@ -15,7 +15,7 @@ knowledgeOfUp (const DetectorOptions& detector,
                const FileCloud& cloud,
                const Detected& detected)
 {
-  const bool is_estimated = detector.finds_up || detector.sequence_has_up;
+  const bool is_estimated = detector.finds_up || detector.is_up_of_sequence_estimated;
   if (is_estimated)
     return detected.settings.at ("up_confidence").is_null() ? UpKnowledge::NotFound
                                                             : UpKnowledge::Known;
