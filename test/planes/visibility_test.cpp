@@ -127,7 +127,7 @@ TEST (NormalsWithoutASensor, OfAMapFarFromZeroPointUp)
   expectAllUp (normalsOf (roomAt ({-50000, 20000, 300})), 2);
 }
 
-TEST (NormalsWithoutASensor, PointToASensorAtZeroThatSawThePlanes)
+TEST (NormalsWithoutASensor, PointToZeroIfThePlanesWereSeenFromThere)
 {
   Cloud ceiling = roomAt ({-2, -2, 1.5});
   ceiling.resize (points_of_room_surface);
@@ -136,7 +136,7 @@ TEST (NormalsWithoutASensor, PointToASensorAtZeroThatSawThePlanes)
   EXPECT_LT (normals[0].z(), -0.9);
 }
 
-TEST (NormalsWithoutASensor, PointToASensorAtZeroFromACeilingTwoDegreesAboveIt)
+TEST (NormalsWithoutASensor, PointToZeroFromACeilingTwoDegreesAboveIt)
 {
   Cloud ceiling = roomAt ({1, -2, 0.1}); // 3 m ahead in the middle
   ceiling.resize (points_of_room_surface);
@@ -145,7 +145,7 @@ TEST (NormalsWithoutASensor, PointToASensorAtZeroFromACeilingTwoDegreesAboveIt)
   EXPECT_LT (normals[0].z(), -0.9);
 }
 
-TEST (NormalsWithoutASensor, PointToASensorThatIsGivenWhateverItSees)
+TEST (NormalsWithASensor, PointToItWhateverItSees)
 {
   const std::vector<Vector3d> normals =
       normalsOf (roomAt ({-1.5, -1.5, 0.5}), {0.0, 0.0, -1.0});
@@ -209,13 +209,13 @@ TEST (Visibility, FromFarAwayIsToldAsFromNear)
   for (int row = -50; row < 50; ++row)
     for (int column = -50; column < 50; ++column) {
       const Vector3d ray (1e-4 * column, 1.0, -0.01 + 1e-4 * row);
-      const double to_floor = -1.0 / std::min (-1e-9, ray.z());
+      const double to_floor = -1.0 / ray.z(); // all rays go down
       corner.push_back (toPoint (std::min (to_floor, 102.0) * ray));
     }
   EXPECT_TRUE (isSeenFrom (Vector3d::Zero(), CloudView (corner)));
 }
 
-TEST (Visibility, OfTooFewPointsIsAsGiven)
+TEST (Visibility, IsTakenForGrantedForTooFewPoints)
 {
   Cloud few;
   EXPECT_TRUE (isSeenFrom (camera, CloudView (few)));

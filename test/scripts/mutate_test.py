@@ -44,6 +44,8 @@ class Lines(unittest.TestCase):
                 ("  x (a - b);", "x (a + Broken<'-'>{BROKEN} + b);"),
                 ("  if (a && b)", "if (a && !(BROKEN) && b)"),
                 ("  if (a || b)", "if (a || (BROKEN) || b)")):
+            # After "x = y", which ends no statement, no line begins one. So none can be left
+            # out as a statement.
             self.assertEqual(self.broken("x = y", line), [expected])
 
     def test_that_are_statements_are_left_out(self):
@@ -53,7 +55,7 @@ class Lines(unittest.TestCase):
 
     def test_are_none_in_comments_texts_and_directives(self):
         self.assertEqual(self.broken("// a < 2", "  int x; // 5", "/** 3 */", " * 4 && 5", "#if X > 1",
-                                     '  text = "9 < 3";'[:-1], "  std::int32_t"), [])
+                                     '  text = "9 < 3"', "  std::int32_t"), [])
 
     def test_are_the_same_of_the_same_seed(self):
         self.source.write_text("\n".join(f"  double a{i} = {i}.5;" for i in range(50)))
@@ -78,7 +80,7 @@ class Lines(unittest.TestCase):
         self.assertIn("\nconst double a = (", text)
         self.assertIn(f'PCL_OPS_DOES_NOTHING ("{line.key}")', text)
 
-    def test_of_constants_that_have_to_be_such_are_left_out(self):
+    def test_that_declare_constants_the_compiler_needs_are_the_errors_of_the_log(self):
         log = mutate.LOG
         self.addCleanup(lambda: setattr(mutate, "LOG", log))
         mutate.LOG = mutate.TREE / "log"

@@ -48,8 +48,8 @@ TEST (Program, SaysWhatItNeedsMoreMemoryFor)
 
 namespace {
 
-/** \brief Has EXPECT_EXIT run its statement in a process of its own, which the signals
- * may end. */
+/** \brief Has EXPECT_EXIT run its statement in a newly started process instead of a
+ * fork of this one, which would lack this program's other threads. */
 class InterruptedProgram : public testing::Test {
 protected:
   InterruptedProgram() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
@@ -72,7 +72,9 @@ TEST_F (InterruptedProgram, IsEndedByALaterSignal)
 {
   const auto interrupted_again = [] {
     noteInterruptions();
-    while (true) // until a signal comes too late to count as the first
+    // Until a signal comes more than half a second after the first, and ends the
+    // program.
+    while (true)
       std::raise (SIGINT);
   };
   EXPECT_EXIT (interrupted_again(), testing::KilledBySignal (SIGINT), "");
