@@ -14,7 +14,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/** \brief Three noisy sides of a box with edges of 2 m. */
+/** \brief Six noisy sides of a box with edges of 2 m: sides i and i + 3 are opposite
+ * and tilted against each other by 0.4 degrees. */
 struct Box {
   std::vector<PlaneSegment> planes = {};
   std::vector<Kernel::Point_3> points = {};
@@ -23,18 +24,22 @@ struct Box {
   Box()
   {
     RandomGenerator generator (seedOfTest());
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector3d normal = Vector3d::Unit (axis),
-                     u = Vector3d::Unit ((axis + 1) % 3),
-                     v = Vector3d::Unit ((axis + 2) % 3);
+    for (int side = 0; side < 6; ++side) {
+      const double tilt = side < 3 ? 0.2_deg : -0.2_deg;
+      const Vector3d across = Vector3d::Unit (side % 3),
+                     along = Vector3d::Unit ((side + 1) % 3);
+      const Vector3d corner = side < 3 ? Vector3d::Zero() : Vector3d (2.0 * across);
+      const Vector3d normal = std::cos (tilt) * across + std::sin (tilt) * along,
+                     u = std::cos (tilt) * along - std::sin (tilt) * across,
+                     v = Vector3d::Unit ((side + 2) % 3);
       Moments moments;
       for (int i = 0; i < 900; ++i) {
-        const Vector3d point = 2.0 * drawUnit (generator) * u +
+        const Vector3d point = corner + 2.0 * drawUnit (generator) * u +
                                2.0 * drawUnit (generator) * v +
                                5_mm * drawGaussian (generator) * normal;
         moments.add (point.x(), point.y(), point.z());
         points.emplace_back (point.x(), point.y(), point.z());
-        plane_of_point.push_back (axis);
+        plane_of_point.push_back (side);
       }
       const PlaneFit fit = *fitPlane (moments);
       PlaneSegment& plane = planes.emplace_back();
@@ -83,9 +88,11 @@ TEST (PlaneRegularization, IsNearThatOfCgal)
   for (std::size_t i = 0; i < normals.size(); ++i) {
     EXPECT_LT (angleBetween (found.planes[i].normal, normals[i]), 0.1_deg);
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_NEAR (found.planes[i].normal.dot (found.planes[j].normal), 0.0, 1e-12);
-      // CGAL leaves an error of a thousandth of a radian.
-      EXPECT_NEAR (normals[i].dot (normals[j]), 0.0, 2e-3) << "CGAL's";
+      const double expected = i == j + 3 ? 1.0 : 0.0; // opposite sides or neighbors
+      const double cosine = found.planes[i].normal.dot (found.planes[j].normal);
+      EXPECT_NEAR (std::abs (cosine), expected, 1e-12);
+      // Without an axis CGAL makes planes parallel, but not orthogonal.
+      EXPECT_NEAR (std::abs (normals[i].dot (normals[j])), expected, 2e-3) << "CGAL's";
     }
   }
 }
