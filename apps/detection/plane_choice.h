@@ -15,8 +15,12 @@ struct PlaneChoice {
   double within = 10.0;
   /** \brief Smallest and largest angle to the horizontal [degree]. */
   std::optional<std::array<double, 2>> slope;
+  /** \brief The other conditions. Its slope comes from \ref slope, its
+   * direction_tolerance from \ref within, its up_axis from \ref chosenOf; for \ref only
+   * "largest" its max_planes is 1. */
   PlaneFilter filter;
-  /** \brief The options that were given, with their values, for reports. */
+  /** \brief The options that were given, with their values, for reports; --within also
+   * if only --direction was given. */
   Settings given = Settings::object();
 
   /** \brief Whether \ref only names a kind, such as "wall"; "other" is an orientation.
@@ -77,8 +81,8 @@ keepChosen (const PlaneChoice& choice,
             const ExtentOfPlane& extent_of,
             Detected& detected);
 
-/** \brief Returns the JSON {"of": planes found, "by": {option: planes dropped, ...}}.
- */
+/** \brief Returns the JSON {"of": planes found, "by": {option: planes dropped, ...}},
+ * without "by" if none was dropped. */
 nlohmann::ordered_json
 toObject (const Dropped& dropped);
 

@@ -27,9 +27,10 @@ struct PlanePage {
   nlohmann::ordered_json objects;
   /** \brief Direction against gravity, of any length but 0. */
   Eigen::Vector3f up;
-  /** \brief Only for a survey, which no single sensor has seen; else empty. The points
-   * of each plane, then of no plane, in the frame of the file. They are shown in place
-   * of the cloud, which has no other points. */
+  /** \brief Only for a survey, which no single sensor has seen; else empty. The same
+   * points as in \ref shifted, but in double precision, in the frame of the file, and
+   * in groups: the points of each plane, then of no plane. Each group knows the full
+   * number of its points. They are shown instead of those of \ref shifted. */
   std::vector<SampledPoints> samples = {};
 };
 
