@@ -16,8 +16,8 @@ namespace pcl_ops {
  * third axis. */
 class PCL_OPS_EXPORT PlaneFrame {
 public:
-  /** \param[in] origin zero of the frame: a point on the plane, near the points. Then
-   * coordinates are exact, too, if the cloud is far from its own zero
+  /** \param[in] origin zero of the frame: a point on the plane near the points, so that
+   * coordinates stay exact even if the cloud is far from its own zero
    * \param[in] normal unit normal of the plane */
   PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
 

@@ -26,19 +26,19 @@ clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& octree);
  * around the center of the root, and each peak is a plane (Limberger & Oliveira 2015,
  * sections 3.2 to 3.4).
  * \param[in] phi_num steps of the accumulator from pole to pole
- * \param[in] rho_num steps of the accumulator from its center to the farthest point of
- * the root cube
+ * \param[in] rho_num steps of the accumulator from its center to the farthest of the
+ * points in the root cube (RootCube::radius)
  * \return planes at the centers of their bins, by falling sum of the weights of their
  * clusters; planes may share clusters */
 std::vector<HoughPlane>
 voteForPlanes (const OctreeClusters& octree, int phi_num, int rho_num);
 
 /** \brief Gives each cluster to at most one plane and fits the planes to the points of
- * their clusters. The plane with the largest weight of free clusters, which no plane
- * has taken, comes next: it is fitted to these clusters. Then, twice, it is fitted anew
- * to all free clusters whose rms distance to it is at most theta_h / 2, and takes those
- * of the last fit. So clusters too small for a good normal go to the large plane they
- * lie on.
+ * their clusters. A cluster is free until a plane takes it. The plane whose free
+ * clusters weigh most comes next: it is fitted to these clusters. Then, twice, it is
+ * fitted anew to all free clusters whose rms distance to it is at most theta_h / 2, and
+ * takes those of the last fit. So clusters too small for a good normal go to the large
+ * plane they lie on.
  * \param[in] min_share planes whose clusters hold a smaller share of all points are
  * dropped, and their clusters remain free
  * \param[in] distance_threshold theta_h [m]
