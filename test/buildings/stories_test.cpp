@@ -44,7 +44,7 @@ TEST (Levels, ArePlanesWithin15CentimetersAtTheirMeanHeightByArea)
   EXPECT_EQ (levelsOf ({{0.0, 1.0, from_above}, {0.16, 1.0, from_above}}).size(), 2u);
 }
 
-TEST (Levels, FaceToWhereMostOfTheirAreaDoes)
+TEST (Levels, HaveTheFlagsOfMostOfTheirArea)
 {
   EXPECT_TRUE (
       levelsOf ({{0.0, 0.2, from_above}, {0.1, 0.3, from_below}}).front().faces_down);
@@ -83,7 +83,7 @@ TEST (Stories, HaveNoFloorAtATableTop)
              (StoryHeights{{0.0, 2.5}}));
 }
 
-TEST (Stories, AreOfTheLowestLevelThatIsOneToStandOn)
+TEST (StoryAt, IsTheHighestWhoseFloorIsAtMost15CentimetersAbove)
 {
   const std::vector<Story> stories = storiesOf (
       levelsOf (

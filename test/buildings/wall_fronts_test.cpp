@@ -18,11 +18,11 @@ addFloor (double side, double length, PlanPoints& points)
       points.emplace_back (x, side * y, 0.0);
 }
 
-/** \brief Whether a wall of 4 m along the x axis, with its front towards +y, has floors
- * behind it and none before it.
+/** \brief Whether RoomSides finds floors behind a wall of 4 m along the x axis, with
+ * its front towards +y, and less than half as much before it.
  * \param[in] before,behind lengths of the floors on both sides [m] */
 bool
-isFloorBehind (double before, double behind)
+isFloorMainlyBehind (double before, double behind)
 {
   PlanPoints level;
   addFloor (1.0, before, level);
@@ -63,21 +63,21 @@ TEST (WallFronts, OfFurnitureHaveACeilingThatGoesOnOverThem)
 
 TEST (WallFronts, AreTurnedWhereFloorsAreBehindTheWallAlone)
 {
-  EXPECT_TRUE (isFloorBehind (0.0, 4_m));
-  EXPECT_FALSE (isFloorBehind (4_m, 0.0));
-  EXPECT_FALSE (isFloorBehind (0.0, 0.0));
+  EXPECT_TRUE (isFloorMainlyBehind (0.0, 4_m));
+  EXPECT_FALSE (isFloorMainlyBehind (4_m, 0.0));
+  EXPECT_FALSE (isFloorMainlyBehind (0.0, 0.0));
 }
 
 TEST (WallFronts, StayWhereFloorsAreOnBothSides)
 {
-  // Furniture hides a meter of the floor before the wall.
-  EXPECT_FALSE (isFloorBehind (3_m, 4_m));
+  // Before the wall, furniture hides one of the four meters.
+  EXPECT_FALSE (isFloorMainlyBehind (3_m, 4_m));
 }
 
-TEST (WallFronts, StayWhereNextToNoFloorIsSeen)
+TEST (WallFronts, StayWhereHardlyAnyFloorIsSeen)
 {
-  EXPECT_FALSE (isFloorBehind (0.0, 15_cm)) << "three squares of 5 cm";
-  EXPECT_TRUE (isFloorBehind (0.0, 25_cm)) << "five";
+  EXPECT_FALSE (isFloorMainlyBehind (0.0, 15_cm)) << "three squares of 5 cm";
+  EXPECT_TRUE (isFloorMainlyBehind (0.0, 25_cm)) << "five";
 }
 
 TEST (WallFronts, OfAThinWallAreThoseOfItsOwnRoom)

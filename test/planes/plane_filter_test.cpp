@@ -30,7 +30,7 @@ house ()
           planeOf ({std::sin (30_deg), 0, std::cos (30_deg)}, Orientation::Other, 200)};
 }
 
-/** \brief An extent 10 m long and 1 m wide for each hundred points of a plane. */
+/** \brief An extent 10 m long; its width is 1 m per hundred points of the plane. */
 PlaneExtent
 extentByPoints (const PlaneSegment& plane)
 {
@@ -45,7 +45,7 @@ extentByPoints (const PlaneSegment& plane)
 PlaneExtent
 neverAsked (const PlaneSegment& /*plane*/)
 {
-  ADD_FAILURE() << "an extent takes time";
+  ADD_FAILURE() << "the extent was asked for without need";
   return {};
 }
 
@@ -171,7 +171,7 @@ TEST (PlaneFilter, RefusesAnotherCloudThanThatOfThePlanes)
   EXPECT_EQ (planes.size(), 1u);
 }
 
-TEST (PlaneFilter, RefusesWhatNoPlaneCanBeMeasuredBy)
+TEST (PlaneFilter, RefusesANegativeArea)
 {
   PlaneFilter filter;
   filter.min_area = -1.0;

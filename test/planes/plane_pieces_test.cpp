@@ -11,7 +11,8 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr double spacing = 1_cm;
 
-/** \brief The plane of all points of a cloud at z = 0. */
+/** \brief The horizontal plane through the centroid of a cloud, with all points as
+ * inliers. */
 PlaneSegment
 planeOf (const Cloud& cloud)
 {
@@ -256,7 +257,8 @@ TEST (PlanePieces, AreTheSameForAnyOrderOfThePoints)
   addSquare (3, 103.0, 0.0, cloud);
   const auto expected = positionsOf (piecesOf (cloud), cloud);
   ASSERT_EQ (expected.size(), 2u);
-  // Its inliers are all points, also those of the reversed cloud.
+  // The inliers of this plane are all indices, so it is also a plane of the reversed
+  // cloud.
   const PlaneSegment plane = planeOf (cloud);
   Cloud reversed = cloud;
   std::reverse (reversed.begin(), reversed.end());

@@ -110,7 +110,7 @@ tallyOf (const std::string& title, const StoryHardship& hardship, Seed stories =
     addRooms (story, planOf (story.cloud), tally);
   }
   std::printf ("| %s | %.0f rooms | %.0f found | %.0f within 3 %% | %.0f invented | "
-               "%.0f ways | %.0f found | %.0f invented |\n",
+               "%.0f doors | %.0f found | %.0f invented |\n",
                title.c_str(),
                tally.true_rooms,
                tally.found_rooms,

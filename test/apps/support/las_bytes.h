@@ -82,7 +82,8 @@ extraBytesField (const std::string& name, char type, char options = 0)
 }
 
 /** \brief The point record with index \p i. Each byte between the coordinates and the
- * extra bytes is its position in the record plus 16 i, so no two of them are equal. */
+ * extra bytes is its position in the record plus 16 i: the bytes of a record differ
+ * from each other, and from those at the same position in the next records. */
 inline std::string
 lasRecord (const LasRecipe& recipe, std::size_t i)
 {
