@@ -55,7 +55,7 @@ TEST (ParallelFor, CoversEveryItemOnce)
   EXPECT_TRUE (piecesOf (2, 0, 4).empty());
 }
 
-TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
+TEST (ParallelFor, RunsOnAllThreadsAtOnceIfTheyAreFree)
 {
   constexpr unsigned threads = 6; // more than the tests above start
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds (30);
@@ -72,7 +72,7 @@ TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
 TEST (ParallelFor, HasThreadsOfItsOwnInAProcessThatIsForkedOff)
 {
   if (has_thread_sanitizer)
-    GTEST_SKIP() << "it ends a forked process that starts threads";
+    GTEST_SKIP() << "the sanitizer ends a forked process that starts threads";
   parallelFor (2, 2, 1, [] (std::size_t, std::size_t) {});
   const pid_t child = fork();
   if (child == 0) {
@@ -99,7 +99,7 @@ TEST (ParallelFor, TakesAnyNumberOfThreads)
   EXPECT_EQ (piecesOf (1000000, 10000, 1).size(), 10000u);
 }
 
-TEST (ParallelFor, DoesNotWaitForThreadsThatHaveNoTime)
+TEST (ParallelFor, DoesNotWaitForThreadsThatAreBusy)
 {
   // The threads are busy, as on a machine with other programs.
   constexpr unsigned threads = 4;
@@ -110,7 +110,7 @@ TEST (ParallelFor, DoesNotWaitForThreadsThatHaveNoTime)
   all_done.set_value();
 }
 
-TEST (ParallelFor, HandsOnWhatABodyThrows)
+TEST (ParallelFor, PassesOnWhatABodyThrows)
 {
   const auto body = [] (std::size_t begin, std::size_t) {
     if (begin == 50)

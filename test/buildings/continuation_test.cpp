@@ -28,8 +28,9 @@ rectangle (double x, double y, double z, double width, double depth, double rise
   return plane;
 }
 
-/** \brief Whether a level square at a height of 5 m is a part of the ground, as it
- * continues in one of the others. Its x and y go from 0 to 10 m. */
+/** \brief Whether a level square is a part of the ground, because the ground goes on
+ * beside it in one of the other planes. Its height is 5 m, its x and y go from 0 to 10
+ * m. */
 bool
 isSquareContinued (std::vector<PlaneFromAbove> others)
 {
@@ -39,7 +40,7 @@ isSquareContinued (std::vector<PlaneFromAbove> others)
 
 } // namespace
 
-TEST (Continuation, IsWhereAPlaneOfThatHeightIsWithin4Meters)
+TEST (Continuation, NeedsAPlaneWithin4Meters)
 {
   for (const double gap : {0.0, 3.8})
     EXPECT_TRUE (isSquareContinued ({rectangle (10 + gap, 0, 5, 10, 10)})) << gap;
@@ -47,7 +48,7 @@ TEST (Continuation, IsWhereAPlaneOfThatHeightIsWithin4Meters)
   EXPECT_FALSE (isSquareContinued ({}));
 }
 
-TEST (Continuation, IsWhereThatPlaneIsWithinAMeterOfTheHeight)
+TEST (Continuation, NeedsAPlaneWithinAMeterOfTheHeight)
 {
   for (const double sign : {-1.0, 1.0}) {
     EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 5 + 0.95 * sign, 10, 10)}));
@@ -55,7 +56,7 @@ TEST (Continuation, IsWhereThatPlaneIsWithinAMeterOfTheHeight)
   }
 }
 
-TEST (Continuation, IsWhereThatPlaneHasNearlyTheSlope)
+TEST (Continuation, NeedsAPlaneThatIsAtMost20DegreesSteeper)
 {
   const auto isContinuedBySlope = [] (double degrees) {
     const double rise = 8.0 * std::tan (degrees * M_PI / 180.0);
@@ -66,13 +67,13 @@ TEST (Continuation, IsWhereThatPlaneHasNearlyTheSlope)
   EXPECT_FALSE (isContinuedBySlope (21.0)) << "the other side of a gable";
 }
 
-TEST (Continuation, IsNotAtAPlaneOfLessThan2SquareMeters)
+TEST (Continuation, NeedsAPlaneOf2SquareMeters)
 {
   EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 5, 0.21, 10)}));
   EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 5, 0.19, 10)}));
 }
 
-TEST (Continuation, IsNotWhereSomethingFarBelowGoesOnUnderneath)
+TEST (Continuation, IsNotWhereGroundFarBelowGoesOnUnderneath)
 {
   const auto isContinuedOverGround = [] (double depth) {
     return isSquareContinued (
@@ -82,10 +83,10 @@ TEST (Continuation, IsNotWhereSomethingFarBelowGoesOnUnderneath)
   EXPECT_TRUE (isContinuedOverGround (1.8));
 }
 
-TEST (Continuation, IsNotWhereStepsAreAtTwiceAsMuchOfTheOutline)
+TEST (Continuation, IsNotWhereMoreThanTwiceAsMuchOfTheOutlineIsAtAStep)
 {
-  // Planes of the same height at some of the outline, and a step at more than twice as
-  // much of it or at less.
+  // A plane of the same height lies along a part of the outline, and a step along
+  // another part: as long as the first one, or more than twice as long.
   const PlaneFromAbove narrow_flush = rectangle (14, 5, 5, 10, 0.5);
   const PlaneFromAbove step = rectangle (-14, -2, 0, 10.1, 14);
   EXPECT_TRUE (isSquareContinued ({rectangle (10.1, 0, 5, 10, 10), step}));
@@ -113,7 +114,7 @@ TEST (Continuation, IsNotBesideTheRidgeOfAnotherRoof)
   EXPECT_FALSE (isPartOfGround (gable.front(), gable));
 }
 
-TEST (Continuation, IsNotBelowWhatRisesByLessThanHeadroom)
+TEST (Continuation, IsNotWhereAPlaneIsHigherByLessThanHeadroom)
 {
   EXPECT_TRUE (isSquareContinued ({rectangle (10, 0, 7, 10, 10)}));
   EXPECT_FALSE (isSquareContinued ({rectangle (10, 0, 6.8, 10, 10)}));

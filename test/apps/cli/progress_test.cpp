@@ -67,7 +67,7 @@ TEST (StageLines, TellTheStageOnceInAWhile)
     ASSERT_TRUE (std::getline (reader, line));
 }
 
-TEST (StageLines, AreSilentWhereAllIsDoneBefore)
+TEST (StageLines, AreSilentWhereTheStageEndsFirst)
 {
   std::ostringstream terminal;
   StageLines lines (terminal);

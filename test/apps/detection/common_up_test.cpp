@@ -31,18 +31,18 @@ TEST (CommonUp, IsTheMeanOfAnswersThatAreOffALittle)
   EXPECT_EQ (found->axis.confidence, 1.0);
 }
 
-TEST (CommonUp, IsNotToldByAnswersThatContradictEachOther)
+TEST (CommonUp, IsUnknownWhereAnswersContradictEachOther)
 {
   EXPECT_FALSE (commonUp ({{z, 0.8}, {-z, 0.8}}));
 }
 
-TEST (CommonUp, IsNotToldByTheSurerHalfOfTheAnswers)
+TEST (CommonUp, IsUnknownWhereHalfOfTheAnswersAgreeHoweverSureTheyAre)
 {
   EXPECT_FALSE (commonUp ({{z, 0.9}, {x, 0.8}}));
   EXPECT_FALSE (commonUp ({{z, 0.9}, {x, 0.3}, {-z, 0.3}}));
   EXPECT_TRUE (commonUp ({{z, 0.9}}));
 }
 
-TEST (CommonUp, IsNotToldWithoutAnswers) { EXPECT_FALSE (commonUp ({})); }
+TEST (CommonUp, IsUnknownWithoutAnswers) { EXPECT_FALSE (commonUp ({})); }
 
 } // namespace

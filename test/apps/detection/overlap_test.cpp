@@ -41,7 +41,7 @@ overlapOfSquares (float x, float height)
   return findOverlapping (cloud, {first, addSquare (x, height, cloud)});
 }
 
-TEST (FindOverlapping, TellsTwoPlanesOverEachOtherAndHowFarApartTheyAre)
+TEST (FindOverlapping, FindsTwoPlanesOverEachOtherAndTheirDistance)
 {
   const auto found = overlapOfSquares (0.4f, 0.012f);
   ASSERT_TRUE (found);
@@ -50,22 +50,22 @@ TEST (FindOverlapping, TellsTwoPlanesOverEachOtherAndHowFarApartTheyAre)
   EXPECT_NEAR (found->distance, 0.012, 1e-6);
 }
 
-TEST (FindOverlapping, TellsTwoPlanesBesideEachOther)
+TEST (FindOverlapping, FindsTwoPlanesBesideEachOther)
 {
   EXPECT_TRUE (overlapOfSquares (0.84f, 0.012f));
 }
 
-TEST (FindOverlapping, LeavesPlanesOfOneHeightThatAreFarFromEachOther)
+TEST (FindOverlapping, FindsNoPlanesOfOneHeightThatAreFarFromEachOther)
 {
   EXPECT_FALSE (overlapOfSquares (1.5f, 0.012f));
 }
 
-TEST (FindOverlapping, LeavesABoardThatIsFartherFromTheWallThanThreeTimesTheNoise)
+TEST (FindOverlapping, FindsNoPlanesFartherApartThanThreeTimesTheNoise)
 {
   EXPECT_FALSE (overlapOfSquares (0.4f, 0.02f));
 }
 
-TEST (FindOverlapping, LeavesPlanesThatAreNotParallel)
+TEST (FindOverlapping, FindsNoPlanesThatAreNotParallel)
 {
   XyzCloud cloud;
   const PlaneSegment first = addSquare (0.0f, 0.0f, cloud);

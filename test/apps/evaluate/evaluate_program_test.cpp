@@ -93,8 +93,8 @@ private:
 
   /** 40 clouds of a plane of 40 x 40 points, 2 cm apart, seen from above, and the poses
    * of their sensors. The noise has a standard deviation of 1 cm, and is the same for
-   * the points of each 4 x 4. In every second cloud the sensor is turned by 90 degrees
-   * about z. */
+   * each block of 4 x 4 points. In every second cloud the sensor is turned by 90
+   * degrees about z. */
   void
   writeNoisyClouds () const
   {

@@ -69,7 +69,7 @@ diskAtNextWrite ()
 }
 
 /** \brief Writes all, half or none of the bytes (write) or parts (writev), by the state
- * of the disk. A single one has no half and is not written. */
+ * of the disk. A single byte or part has no half and is not written. */
 template <typename Call, typename Part, typename Count>
 ssize_t
 writeWhereThereIsRoom (Call* call, int descriptor, const Part* parts, Count count)

@@ -114,7 +114,8 @@ protected:
     constexpr int not_loaded = 127;
     while (runWithLimit().exit_code == not_loaded && limit < max_limit)
       limit += step;
-    // The last run may have succeeded. A run of many files would skip what is there.
+    // The run before may have succeeded, and a run of many files would skip its
+    // outputs: protect() removes them.
     for (protect(); limit < max_limit; limit += step) {
       SCOPED_TRACE (std::to_string (limit) + " kB");
       const Outcome done = runWithLimit();
@@ -201,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P (All,
 
 } // namespace
 
-TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
+TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsReportedAndHarmsNothing)
 {
   expectAtEveryWrite ("FULL_AT_WRITE=", [this] (const Outcome& ending) {
     expectPromise (ending, file_);
@@ -223,7 +224,7 @@ TEST_P (Failures, AFolderThatCannotBeWrittenToIsNamed)
   expectPromise (failing ("READ_ONLY=1"), file_);
 }
 
-TEST_P (Failures, ANameIsAsLongAsTheFolderTakesOrSaidToBeTooLong)
+TEST_P (Failures, ANameThatIsTooLongIsReportedAndTheLongestPossibleOneIsTaken)
 {
   constexpr std::size_t longest = 255;
   const std::string name = nameOfLength (longest + 1);
@@ -239,29 +240,29 @@ TEST_P (Failures, AnEmptyNameIsWrongUsage)
   expectPromise (failing ("", "", ""), "", wrong_usage);
 }
 
-TEST_P (Failures, TooLittleMemoryIsSaidAndHarmsNothing) { expectMemoryIsMissed(); }
+TEST_P (Failures, TooLittleMemoryIsReportedAndHarmsNothing) { expectMemoryIsMissed(); }
 
-TEST_P (Failures, NoThreadIsNoFailure)
+TEST_P (Failures, AProgramThatCanStartNoThreadSucceeds)
 {
   const Outcome ending = failing ("THREADS_TO_START=0");
   EXPECT_EQ (ending.exit_code, 0) << ending.err;
   EXPECT_FALSE (isAsBefore());
 }
 
-TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)
+TEST_F (Failing, TooLittleMemoryIsNotTakenForADamagedCloud)
 {
   command_ = "pcl_ops_segment in.pcd OUT --quiet";
   pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall (250));
   expectMemoryIsMissed();
 }
 
-TEST_F (Failing, LimitOfTheUserForFilesIsNotTheProgramsEnd)
+TEST_F (Failing, ALimitOfTheSizeOfFilesIsReported)
 {
   command_ = "pcl_ops_segment in.pcd OUT";
   expectPromise (failing ("", "ulimit -f 1"), "a.pcd");
 }
 
-TEST_F (Failing, PipeIsSaidToNeedRoomForTemporaryFiles)
+TEST_F (Failing, APipeWithoutRoomForItsTemporaryFileIsNamed)
 {
   command_ = "pcl_ops_segment - OUT <in.pcd";
   expectPromise (failing ("FULL_AT_WRITE=1", "export TMPDIR=."), "standard input");

@@ -55,7 +55,7 @@ TEST (LasCrs, IsTheNumberOfAProjectedOrAGeographicSystemInTheKeys)
              "EPSG:4326");
 }
 
-TEST (LasCrs, IsNoneOfASystemOfTheUsersOwnOrOfNone)
+TEST (LasCrs, IsEmptyWhereTheSystemHasNoNumberOrIsMissing)
 {
   EXPECT_EQ (crsOfRecords ({geoKeys (
                  {{projected_system, user_defined}, {geographic_system, 4152}})}),
@@ -64,7 +64,7 @@ TEST (LasCrs, IsNoneOfASystemOfTheUsersOwnOrOfNone)
   EXPECT_EQ (crsOfRecords ({lasVlr (projection, geo_keys_id, "short")}), "");
 }
 
-TEST (LasCrs, IsTheNumberAtTheEndOfATextThatEndsInZeros)
+TEST (LasCrs, IsTheLastNumberOfATextWithZeroBytesBehindIt)
 {
   const std::string text = R"(PROJCS["UTM 32",GEOGCS["WGS",AUTHORITY["EPSG","4258"]],)"
                            R"(UNIT["metre",1],AUTHORITY["EPSG","25832"]])";
@@ -72,7 +72,7 @@ TEST (LasCrs, IsTheNumberAtTheEndOfATextThatEndsInZeros)
              "EPSG:25832");
 }
 
-TEST (LasCrs, InTextIsThatOfXAndY)
+TEST (LasCrs, InTextIsTheSystemOfXAndYNotOfHeights)
 {
   EXPECT_EQ (crsInWkt (R"(COMPD_CS["a",PROJCS["b",AUTHORITY["EPSG","2992"]],)"
                        R"(VERT_CS["c",AUTHORITY["EPSG","5703"]]])"),
@@ -84,7 +84,7 @@ TEST (LasCrs, InTextIsThatOfXAndY)
   EXPECT_EQ (crsInWkt ("PROJCRS[\"b\",\n  ID[\"EPSG\", 25832]\n]"), "EPSG:25832");
 }
 
-TEST (LasCrs, InTextIsNoneWhereOnlyAPartHasANumber)
+TEST (LasCrs, InTextIsEmptyWhereOnlyAPartHasANumber)
 {
   EXPECT_EQ (crsInWkt (R"(PROJCS["b",UNIT["foot",0.3048,AUTHORITY["EPSG","9002"]]])"),
              "");

@@ -80,7 +80,7 @@ const std::string geographic =
 
 } // namespace
 
-TEST_F (LasUnitTest, IsThatOfLengthsOfAProjectedSystem)
+TEST_F (LasUnitTest, IsTheUnitOfXAndY)
 {
   EXPECT_EQ (unitInWkt ("PROJCS[\"UTM\"," + geographic + ",UNIT[\"metre\",1]]"),
              LasUnit::Meter);
@@ -92,14 +92,14 @@ TEST_F (LasUnitTest, IsThatOfLengthsOfAProjectedSystem)
   EXPECT_EQ (unitInWkt ("LOCAL_CS[\"mine\"]"), LasUnit::Unknown);
 }
 
-TEST_F (LasUnitTest, IsNotThatOfHeights)
+TEST_F (LasUnitTest, IsNotTheUnitOfHeights)
 {
   EXPECT_EQ (unitInWkt ("COMPD_CS[\"a\",PROJCS[\"b\",UNIT[\"metre\",1]],"
                         "VERT_CS[\"c\",UNIT[\"foot\",0.3048]]]"),
              LasUnit::Meter);
 }
 
-TEST_F (LasUnitTest, IsNotCutOffByANameThatTellsOfHeights)
+TEST_F (LasUnitTest, IsFoundBehindANameThatHasAWordOfHeights)
 {
   const std::string name = "California zone 6 (ftUS), vertical NAVD88, VERT_CS[";
   const std::string projected_part = "PROJCS[\"" + name + "\"," + geographic +
@@ -110,7 +110,7 @@ TEST_F (LasUnitTest, IsNotCutOffByANameThatTellsOfHeights)
              LasUnit::Foot);
 }
 
-TEST_F (LasUnitTest, IsNotThatOfTheHeightsWhereASystemIsUsed)
+TEST_F (LasUnitTest, IsNotTheUnitOfTheRangeOfHeightsInAUsage)
 {
   EXPECT_EQ (
       unitInWkt ("PROJCRS[\"a\",CS[Cartesian,2],LENGTHUNIT[\"foot\",0.3048],"
@@ -118,7 +118,7 @@ TEST_F (LasUnitTest, IsNotThatOfTheHeightsWhereASystemIsUsed)
       LasUnit::Foot);
 }
 
-TEST_F (LasUnitTest, OfHeightsIsThatOfTheVerticalSystem)
+TEST_F (LasUnitTest, OfHeightsIsTheUnitOfTheVerticalSystem)
 {
   const std::string begin = "COMPD_CS[\"VERT_CS[\",PROJCS[\"b\",UNIT[\"metre\",1]]";
   const std::string end = "[\"c\",VERT_DATUM[\"d\",2005],UNIT[\"foot\",0.3048]]]";

@@ -27,9 +27,9 @@ floorOfPoints ()
   return cloud;
 }
 
-/** \brief Moves a share of a cloud's points, spread over it, to other positions.
+/** \brief Moves some points, spread over the cloud, to other positions.
  * \param[in] one_of one of this many points is moved
- * \param[in] first new position of the first of them
+ * \param[in] first new position of the first moved point
  * \param[in] step distance along x from each new position to the next one [m] */
 XyzCloud
 withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& first, float step)
@@ -112,7 +112,7 @@ TEST (CloudDamage, IsNoneWhereOnePerCentIsAKilometerAway)
 
 TEST (CloudDamage, IsSeenWhereOnePerCentIsAThousandKilometersAway)
 {
-  // They are a kilometer from each other.
+  // The far points are a kilometer from each other.
   EXPECT_EQ (damage (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f)),
              "looks damaged: 1 % of its points are more than 1000 times as far away as "
              "the rest is wide; leave them out");
@@ -151,7 +151,7 @@ TEST (CloudDamage, IsSeenWhereMostReadingsAreZero)
   EXPECT_EQ (damage (cloud), atOnePlace ("75", "(0, 0, 0)"));
 }
 
-TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
+TEST (CloudDamage, CountsMissingReadingsAtZeroIfTheyAreAPercentOrMore)
 {
   const auto said = [] (const std::string& share) {
     return "is missing readings: " + share +

@@ -60,7 +60,7 @@ viewOf (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes = {})
 
 } // namespace
 
-TEST (View, HasTheSensorsRightAndDownOrGravity)
+TEST (View, HasRightAndDownOfTheSensorOrDownAlongGravity)
 {
   constexpr float pi = 3.1415927f;
   const Eigen::Vector3f x_axis (1, 0, 0), y_axis (0, 1, 0);
@@ -125,7 +125,7 @@ TEST (View, LooksFromBelowAtCeilingsAroundTheSensor)
   EXPECT_LT (view.eye.z(), -1.0f);
 }
 
-TEST (View, LeavesNothingOutWhereThatWouldBeMostFromAboveAndFromBelow)
+TEST (View, HidesNoBacksWhereItWouldHideMostPlanesFromAboveAndFromBelow)
 {
   XyzCloud walls;
   std::vector<PlaneSegment> planes;
@@ -162,7 +162,7 @@ TEST (View, ExistsForACloudOfNothingOrOfOnePoint)
   EXPECT_TRUE (pixel.allFinite()) << pixel.transpose();
 }
 
-TEST (Raster, ShowsTheNearestOfAllPointsWithoutGapsAndNoneOfThoseNotShown)
+TEST (Raster, HasTheNearestOfThePointsThatAreShownWithoutGaps)
 {
   XyzCloud cloud;
   addSquare (cloud, {0, 0, 4}, {1, 0, 0}, {0, 1, 0});
@@ -182,7 +182,7 @@ TEST (Raster, ShowsTheNearestOfAllPointsWithoutGapsAndNoneOfThoseNotShown)
   EXPECT_TRUE ((draw (false).points == Raster::nothing).all());
 }
 
-TEST (Colors, TellNeighboringLabelsAndNoPlaneApart)
+TEST (Colors, OfLabelsUpTo100AndOfNoPlaneAllDiffer)
 {
   std::set<std::uint32_t> seen;
   for (std::uint32_t label = 0; label <= 100; ++label)
@@ -221,7 +221,7 @@ TEST (ColorScale, GoesFromTheSmallestToTheLargestValueByTheLogarithm)
   EXPECT_EQ (scale (NAN).rgba, colorOfLabel (0).rgba);
 }
 
-TEST (ColorScale, HasColorsWhereAllValuesAreOneOrNone)
+TEST (ColorScale, HasColorsWhereAllValuesAreEqualOrThereAreNone)
 {
   EXPECT_NE (ColorScale ({0.2f, 0.2f}) (0.2f).rgba, colorOfLabel (0).rgba);
   EXPECT_NE (ColorScale ({}) (0.0f).rgba, colorOfLabel (0).rgba);
@@ -247,7 +247,7 @@ TEST (CloudPicture, ShowsAPointInEachPixelOfItsSurface)
   EXPECT_EQ (shown.size(), wall.inliers.size());
 }
 
-TEST (CloudPicture, IsSavedInAnyColorsAsOnePicture)
+TEST (CloudPicture, IsSavedAsOnePictureWithOrWithoutAScale)
 {
   XyzCloud cloud;
   const PlaneSegment wall = addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, -1, 0});
@@ -296,7 +296,7 @@ TEST (MapPicture, ShowsTheUpperPlaneInBothColorsAndWhatIsInItsHole)
 
 namespace {
 
-/** \brief The number in a line of /proc/self/status, which has kB [byte]. */
+/** \brief The number in a line of /proc/self/status [byte]; the line says it in kB. */
 std::size_t
 statusBytes (const std::string& name)
 {
@@ -309,7 +309,7 @@ statusBytes (const std::string& name)
 
 } // namespace
 
-TEST (LabelledCloud, IsSavedWithoutRoomForAnother)
+TEST (LabelledCloud, IsSavedWithoutMemoryForACopy)
 {
 #ifdef PCL_OPS_SANITIZED
   GTEST_SKIP() << "sanitizers keep what is freed";

@@ -218,7 +218,7 @@ protected:
   {
     const InputCloud room = roomLyingOnItsSide();
     save ("lying.pcd", room);
-    // A sensor below the floor (up is x), which would hide all the rest from it.
+    // A sensor below the floor (up is x): the floor would hide the rest of the room.
     save ("elsewhere.pcd", room, Vector3f (-2.0f, 2.0f, 1.0f));
     Eigen::Matrix3f turn;
     turn << 0, 1, 0, 0, 0, 1, 1, 0, 0; // x, which is up, becomes z
@@ -334,8 +334,8 @@ TEST_F (Segment, WritesDistancesBehindTheRecordsOfALas)
 
 TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
 {
-  // pcl_viewer moves a cloud by the pose of its sensor, but not a mesh in .vtk: that
-  // one has to be written with the pose applied.
+  // pcl_viewer moves a cloud by the pose of its sensor, but not a mesh in .vtk. So the
+  // mesh has to be written with the pose applied.
   InputCloud posed = floorAndWall();
   posed.sensor_orientation_ = Eigen::AngleAxisf (0.5f, Eigen::Vector3f::UnitY());
   save ("posed.pcd", posed);

@@ -162,10 +162,11 @@ TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
 
 TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
 {
-  // The outline of a square of 10 m goes to a tip, first outside and then inside the
-  // square, and back to a point 1 cm beside the one it left, as if another tile had
-  // rounded that differently. A ring begins at its corner with the least x, then the
-  // least y: at the first tip, and at zero, where the second spike ends.
+  // The outline of a square of 10 m has a spike: it leaves a side, goes to a tip, and
+  // returns to a point 1 cm beside the point that it left, as if another tile had
+  // rounded that point differently. The tip is outside the square in the first turn of
+  // the loop, inside in the second. A ring begins at its corner with the least x, then
+  // the least y: at the tip outside, and at zero, where the spike inside ends.
   using Ring = std::vector<LatticePoint>;
   for (const Ring& spike : {Ring{{0, 501, 0}, {-500, 500, 0}, {0, 500, 0}, {0, 0, 0}},
                             Ring{{0, 1, 0}, {500, 500, 0}, {0, 0, 0}}}) {

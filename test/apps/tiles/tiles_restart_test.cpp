@@ -43,7 +43,7 @@ protected:
     EXPECT_TRUE (contains (done.err, complaint));
   }
 
-  /** \brief A command that runs another one, and kills that before its n-th write to a
+  /** \brief A command that runs \p command and kills it before its n-th write to a
    * file, from 1 on (failing_calls.cpp). */
   static std::string
   killedAt (int write, const std::string& command)
@@ -52,9 +52,8 @@ protected:
            std::to_string (write) + " " + command;
   }
 
-  /** \brief Leaves the folder "out" as a command leaves it that began anew and was
-   * killed soon after a file was there. Finds out by trials at which write to kill it.
-   */
+  /** \brief Runs a command without the folder "out", and kills it soon after \p file is
+   * there. Trials tell at which write to kill it. */
   void
   stopOnceThereIs (const std::string& file, const std::string& command) const
   {
@@ -73,7 +72,7 @@ protected:
   }
 
   /** \brief Removes the folder "out" and runs a command, which is killed before the
-   * n-th write. Returns whether the run succeeds, as it has fewer writes. */
+   * n-th write. Returns whether the command succeeds, because it has fewer writes. */
   bool
   hasEndedAt (int write, const std::string& command) const
   {
