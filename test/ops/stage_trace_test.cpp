@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "presets.h"
 #include "scene.h"
 #include <pcl_ops/detect_planes.h>
 
@@ -18,8 +19,8 @@ using TracedParameters = pcl_ops::OrientedPointSamplingParameters;
 /** \brief The y coordinate of a point without a reading. */
 constexpr float not_read = std::numeric_limits<float>::quiet_NaN();
 
-/** \brief A floor and a wall. Every tenth point has no reading. Behind all points every
- * second one comes again, so that two thirds are no copies. */
+/** \brief A floor and a wall, and behind their points a copy of every second one: two
+ * thirds of the cloud are no copies. Every tenth point has no reading. */
 Cloud
 floorAndWallWithCopies ()
 {
