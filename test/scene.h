@@ -44,7 +44,8 @@ constexpr double operator"" _deg (unsigned long long degrees) { return static_ca
 std::uint32_t
 seedOfTest ();
 
-/** \brief Draw from the normal distribution of mean 0 and variance 1 (Box & Muller). */
+/** \brief A number drawn from the normal distribution of mean 0 and variance 1 (Box &
+ * Muller). */
 double
 drawGaussian (RandomGenerator& generator);
 

@@ -23,8 +23,9 @@ countVoxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& plane
 
 /** \brief Points in voxels of 10 cm. Each voxel has the plane of its first point. */
 struct VoxelScene {
-  /** \param[in] surfaces one list of surfaces for each plane, which goes through the
-   * first of them; each surface has a grid of grid_steps x grid_steps points
+  /** \param[in] surfaces one list of surfaces for each plane; the plane goes through
+   * the first surface of its list; each surface has a grid of grid_steps x grid_steps
+   * points
    * \param[in] max_offset of points along the normal, as in \ref addGrid [m] */
   explicit VoxelScene (const std::vector<std::vector<Surface>>& surfaces,
                        double max_offset = 0.0)

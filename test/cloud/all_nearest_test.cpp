@@ -83,7 +83,7 @@ TEST (AllNearest, AreFoundWhereTheDensityJumps)
   expectAllNearest (points, 12);
 }
 
-TEST (AllNearest, AreFoundAroundAPlaceThatIsDenserTheNearerOneComes)
+TEST (AllNearest, AreFoundAroundAPlaceWhereTheDensityGrowsWithoutEnd)
 {
   Coordinates points;
   for (float size = 1e-4f; size < 1e4f; size *= 2.0f)
@@ -127,7 +127,7 @@ TEST (AllNearest, AreFoundBesideManyEqualPoints)
   expectAllNearest (points, 5);
 }
 
-TEST (AllNearest, AreFoundBesidePointsThatAreApartByLessThanTheRootOfTheLeastNumber)
+TEST (AllNearest, AreFoundBesidePointsWhoseSquaredDistanceIsRoundedToZero)
 {
   Coordinates points;
   for (int i = 0; i < 64; ++i)

@@ -21,7 +21,7 @@ keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 
 } // namespace
 
-TEST (VoxelKeys, AreRoundedDownAndEndWhereTheirRangeEnds)
+TEST (VoxelKeys, AreRoundedDownAndClampedToTheirRange)
 {
   EXPECT_EQ (keyOfCoordinate (0.05f), 0);
   EXPECT_EQ (keyOfCoordinate (0.15f), 1);
@@ -31,7 +31,7 @@ TEST (VoxelKeys, AreRoundedDownAndEndWhereTheirRangeEnds)
   EXPECT_EQ (keyOfCoordinate (-1e9f), -key_limit);
 }
 
-TEST (VoxelKeys, EndTheirRangeWhereVoxelsAreTooSmallForAnInverse)
+TEST (VoxelKeys, AreAtTheEndsOfTheirRangeWhereTheInverseOfTheEdgeIsInfinite)
 {
   const float infinite = std::numeric_limits<float>::infinity();
   EXPECT_EQ (keyOfCoordinate (1.0f, infinite), key_limit);
@@ -47,13 +47,13 @@ TEST (MortonCode, InterleavesTheBitsOfCoordinates)
   EXPECT_EQ (mortonCode (0b101, 0b010, 0b111) - mortonCode (0, 0, 0), 0b101110101u);
 }
 
-TEST (MortonCode, WithoutItsLast3BitsIsOneOfVoxelsOfTwiceTheEdge)
+TEST (MortonCode, WithoutItsLast3BitsIsTheCodeOfAVoxelOfTwiceTheEdge)
 {
   EXPECT_EQ (mortonCode (10, 22, 32) >> 3, mortonCode (11, 23, 33) >> 3);
   EXPECT_NE (mortonCode (10, 22, 32) >> 3, mortonCode (9, 22, 32) >> 3);
 }
 
-TEST (MortonCode, WithoutItsLast12BitsIsOneOfVoxelsOf16TimesTheEdge)
+TEST (MortonCode, WithoutItsLast12BitsIsTheCodeOfAVoxelOf16TimesTheEdge)
 {
   EXPECT_EQ (mortonCode (0, 0, 0) >> 12, mortonCode (15, 15, 15) >> 12);
   EXPECT_NE (mortonCode (0, 0, 0) >> 12, mortonCode (-1, 0, 0) >> 12);

@@ -182,8 +182,8 @@ const Method methods[] = {
     {"fspf", [] (const auto& v) { return planesBy (Fspf(), v); }, 99_percent},
     {"kht", [] (const auto& v) { return planesBy (Kht(), v); }, 98_percent}};
 
-/** \brief Share of the points on \p planes that stay together: of each plane those
- * points count that are on the one plane of the variant with most of them. */
+/** \brief Share of the points on \p planes that stay together: of the points of a plane
+ * those count that are on one plane of the variant, the one that has most of them. */
 double
 agreement (const Planes& planes, const Planes& of_variant, const Variant& variant)
 {

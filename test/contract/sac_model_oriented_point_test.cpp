@@ -145,7 +145,7 @@ TEST (OrientedPointModel, RefitsToInliersOnTheSideOfTheModel)
   }
 }
 
-TEST (OrientedPointModel, KeepsItsHypothesisWhereInliersHaveNoPlaneOrOneTheyMayNot)
+TEST (OrientedPointModel, KeepsItsHypothesisWhereNoPlaneFitsOrAConstraintForbidsIt)
 {
   const auto cloud = pcl::make_shared<Cloud>();
   for (const float i : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f})

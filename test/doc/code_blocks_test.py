@@ -81,7 +81,7 @@ class Blocks(unittest.TestCase):
             with self.subTest(page.name, block=block.splitlines()[0]):
                 self.assertCompiles(block)
 
-    def test_a_block_without_its_header_does_not(self):
+    def test_a_block_without_its_header_does_not_compile(self):
         outlines = next(block for block in blocks_of(SOURCES / "src/doc/library.md")
                         if block.startswith("#include <pcl_ops/plane_extent.h>\n"))
         self.assertCompiles(outlines)

@@ -50,7 +50,7 @@ drawnOnABall (const Eigen::Vector3d& center, int number)
 
 } // namespace
 
-TEST (ShareOfCommonSteps, IsOneOfALidarWithStepsOfOneOrTwoKinds)
+TEST (ShareOfCommonSteps, IsNearly1ForALidarWithOneOrTwoSizesOfSteps)
 {
   for (const double odd_step : {0.2, 0.3})
     EXPECT_NEAR (shareOfCommonSteps (roomSeenInSteps (0.2, odd_step), lidar_position),
@@ -59,7 +59,7 @@ TEST (ShareOfCommonSteps, IsOneOfALidarWithStepsOfOneOrTwoKinds)
         << odd_step;
 }
 
-TEST (ShareOfCommonSteps, IsLowAwayFromTheLidarAndOfPointsAnywhere)
+TEST (ShareOfCommonSteps, IsLowBesideTheLidarAndForPointsWithoutSteps)
 {
   const Eigen::Vector3d beside = lidar_position + Eigen::Vector3d (2, 1, 0);
   EXPECT_LT (shareOfCommonSteps (roomSeenInSteps (0.2, 0.2), beside), 50_percent);
@@ -67,14 +67,14 @@ TEST (ShareOfCommonSteps, IsLowAwayFromTheLidarAndOfPointsAnywhere)
              30_percent);
 }
 
-TEST (ShareOfCommonSteps, IsNoneOfPointsTooFewToTell)
+TEST (ShareOfCommonSteps, IsZeroForTooFewPoints)
 {
   EXPECT_EQ (shareOfCommonSteps (drawnOnABall (lidar_position, 50), lidar_position),
              0.0);
   EXPECT_EQ (shareOfCommonSteps (Coordinates(), lidar_position), 0.0);
 }
 
-TEST (ShareOfCommonSteps, IsNoneOfMoreThanFourPointsBehindEachOther)
+TEST (ShareOfCommonSteps, IsZeroForMoreThanFourPointsBehindEachOther)
 {
   const auto shareOfLayers = [] (int layers) {
     const Coordinates room = roomSeenInSteps (0.2, 0.2);
@@ -93,7 +93,7 @@ TEST (ShareOfCommonSteps, IsNoneOfMoreThanFourPointsBehindEachOther)
   EXPECT_EQ (shareOfLayers (6), 0.0);
 }
 
-TEST (SeenByItsSteps, IsALidarAtItsPlaceAloneAndNothingAnywhere)
+TEST (SeenByItsSteps, SaysYesAtTheLidarAloneAndCannotTellWithoutSteps)
 {
   const Coordinates room = roomSeenInSteps (0.2, 0.2);
   EXPECT_EQ (seenByItsSteps (room, lidar_position), StepsSay::Yes);

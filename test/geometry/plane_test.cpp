@@ -84,7 +84,7 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
   }
 }
 
-TEST (FitPlane, HasAUnitNormalWhereManyWouldDo)
+TEST (FitPlane, HasAUnitNormalWhereSeveralPlanesFitAlike)
 {
   // The corners of a cube, and of a rod of length 5 with a section of 1 x 1.
   for (const double length : {1.0, 5.0}) {
@@ -99,7 +99,7 @@ TEST (FitPlane, HasAUnitNormalWhereManyWouldDo)
   }
 }
 
-TEST (FitPlane, HasNothingToSayOfPointsThatSpanNoPlane)
+TEST (FitPlane, IsNothingForPointsThatSpanNoPlane)
 {
   PointList line, equal, broken = noisyPatch ({0, 0, 0}), infinite = broken;
   for (int i = 0; i < 50; ++i) {

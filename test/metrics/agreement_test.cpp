@@ -29,8 +29,9 @@ const Case cases[] = {
      2. / 3},
     {"of a plane in two the larger part", {1, 1, 1, 1, 1}, {1, 1, 1, 2, 2}, 3. / 5},
     {"of two planes in one the larger", {1, 1, 1, 2, 2}, {4, 4, 4, 4, 4}, 3. / 5},
-    // Plane 1 and plane 1 share three points and are matched; plane 2 may be matched
-    // with plane 2 only, and they share none.
+    // Plane 1 of the first labeling shares three points with plane 1 of the second and
+    // is matched with it. So plane 2 of the first can only be matched with plane 2 of
+    // the second, with which it shares none.
     {"the largest overlap first", {1, 1, 1, 1, 1, 2, 2}, {1, 1, 1, 2, 2, 1, 1}, 3. / 7},
     {"then the next one", {1, 1, 1, 1, 1, 2, 2}, {1, 1, 1, 2, 2, 2, 1}, 4. / 7},
 };

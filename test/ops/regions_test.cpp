@@ -17,7 +17,7 @@ namespace {
 const Surface wall_on_ground = {{0, 0, 0}, {2, 0, 0}, {0, 0, 2}};
 const Surface ground_beyond_gap = {{3, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 
-/** \brief Number of points of such a square with a spacing of 2 cm. */
+/** \brief Number of points of one of these squares with a spacing of 2 cm. */
 constexpr std::size_t points_of_square = 10'000;
 /** \brief The size of a region may differ by this many points, e.g. where it takes some
  * of a wall that it meets. */
@@ -25,7 +25,7 @@ constexpr std::size_t points_at_rim = 500;
 constexpr std::size_t most_of_one_square = points_of_square + points_at_rim;
 constexpr std::size_t least_of_two_squares = 2 * points_of_square - points_at_rim;
 
-/** \brief Number of points of such a square with a spacing of 3 cm, and some more. */
+/** \brief More points than one of these squares has with a spacing of 3 cm. */
 constexpr std::size_t most_of_one_sparse_square = 5'000;
 
 const pcl_ops::MergingParameters usual_joins;
@@ -124,7 +124,7 @@ TEST (JoinTouching, MakesOneOfPiecesOfAPlane)
   PlaceScene scene = groundInTwo();
   joinTouching (scene.places, one_thread, scene.regions);
   EXPECT_EQ (scene.sizes(), std::vector<std::size_t>{scene.places.size()});
-  // The right one took the other.
+  // The right region took the left one.
   EXPECT_EQ (scene.regions.of_place, pcl_ops::Labels (scene.places.size(), 1));
 }
 

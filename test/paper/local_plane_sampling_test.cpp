@@ -203,9 +203,9 @@ TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
   constexpr std::size_t size = 200;
   Coordinates points;
   addLonePoints (size, points);
-  // Like a search whose voxels hold many points: it examines 900 and finds one. A third
-  // of them counts as visits, and 100 more: a sphere costs 400 of the 200 * size
-  // visits.
+  // Like a search whose voxels hold many points: it examines 900 and finds one. A
+  // sphere costs 400 visits, a third of the examined points and 100 more, and there are
+  // 200 * size visits.
   const auto findItself = [] (std::uint32_t center, Indices& sphere) {
     sphere = {center};
     return std::size_t (3 * 300);

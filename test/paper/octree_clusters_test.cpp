@@ -77,7 +77,7 @@ TEST (RootCube, HoldsAllPointsAroundTheirCentroidButForOneFarAway)
   }
 }
 
-TEST (RootCube, HoldsAStepAsWideAsTheRestAndAllWhereNearlyAllAreEqual)
+TEST (RootCube, HoldsAPointThatIsNotFarAwayAndAllPointsWhereNearlyAllAreEqual)
 {
   Coordinates points = cornersOfACube(), equal;
   points.add (4.5f, 2.0f, 2.0f);

@@ -32,7 +32,7 @@ edgesOf (const LabelledScene& scene, const PlaneEdgeParameters& parameters = {})
   return findPlaneEdges (*scene.cloud, planesOf (scene), parameters);
 }
 
-/** \brief Builds a scene and gives the points of its last surface to a plane before it.
+/** \brief Builds a scene and gives the points of its last surface to an earlier plane.
  */
 LabelledScene
 withLastSurfaceOnPlane (int plane, Scene scene)
@@ -154,9 +154,11 @@ TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
 
 TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
 {
-  Scene scene; // the second wall ends 1 m before the first one, which it would meet
+  // The second wall ends 1 m before the first one, except for its upper end, which
+  // reaches the first one.
+  Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
-  scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // but for its upper end
+  scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // the upper end
   const LabelledScene built = withLastSurfaceOnPlane (2, scene);
   std::vector<PlaneSegment> planes = planesOf (built);
   for (int order = 0; order < 3; ++order) {

@@ -68,7 +68,7 @@ TEST (MatchPlanes, FindsEachPlaneOfAFrameInItselfInAnyOrder)
              each_itself);
 }
 
-TEST (MatchPlanes, TakesThePoseAsThatOfTheCurrentFrameInThePrevious)
+TEST (MatchPlanes, TakesThePoseOfTheCurrentFrameInThePreviousOneNotItsInverse)
 {
   const Isometry3d pose = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
   const Planes current = seenFrom (pose, roomCorner());
@@ -80,9 +80,9 @@ TEST (MatchPlanes, TakesThePoseAsThatOfTheCurrentFrameInThePrevious)
   EXPECT_EQ (std::count (inverted.begin(), inverted.end(), no_plane), 5);
 }
 
-TEST (MatchPlanes, MendsAPoseThatIsOffUntilShelvesAreTheRightOnes)
+TEST (MatchPlanes, CorrectsAPoseByMoreThanFromOneShelfToTheNext)
 {
-  // 4 degrees are 0.33 m at the shelves: more than from one to the next.
+  // 4 degrees are 0.33 m at the shelves, which are 0.3 m above each other.
   const Isometry3d error = motion (4, Vector3d::UnitX(), {0.03, 0, 0.02});
   const PlaneMatches matches =
       matchPlanes (roomCorner(), seenFrom (error, roomCorner()));
@@ -90,7 +90,7 @@ TEST (MatchPlanes, MendsAPoseThatIsOffUntilShelvesAreTheRightOnes)
   EXPECT_TRUE (matches.pose.isApprox (error, 0.005)) << matches.pose.matrix();
 }
 
-TEST (MatchPlanes, LetsOnePlaneAloneOfTheCurrentFrameTellWhereAPreviousOneIs)
+TEST (MatchPlanes, CorrectsThePoseByOneCurrentPlaneForEachPreviousOne)
 {
   // A mat on the floor, 1 cm thick, that was not there before. The floor before matches
   // the floor now, and the mat tells nothing about the pose.
@@ -101,7 +101,7 @@ TEST (MatchPlanes, LetsOnePlaneAloneOfTheCurrentFrameTellWhereAPreviousOneIs)
   EXPECT_TRUE (matches.pose.isApprox (no_motion, 1e-6)) << matches.pose.matrix();
 }
 
-TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
+TEST (MatchPlanes, CorrectsPosesThatAreFarOffIfItsParametersAllowIt)
 {
   for (const double degrees : {5.0, 10.0, 15.0, 20.0})
     for (const Vector3d& axis : {Vector3d (1, 0, 0), {0, 1, 0}, {0, 0, 1}, {1, 2, 3}}) {
@@ -365,7 +365,7 @@ TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
       << extent.center.transpose();
 }
 
-TEST (PlaneTracker, KeepsAPlaneWhoseNearestPartMayBeWithinTheDistance)
+TEST (PlaneTracker, KeepsAPlaneAsLongAsACornerOfItMayBeWithinTheDistance)
 {
   // A board of 4 m x 3 m reaches up to 2.5 m from its middle.
   constexpr double max_distance = 5_m;
@@ -381,7 +381,7 @@ TEST (PlaneTracker, KeepsAPlaneWhoseNearestPartMayBeWithinTheDistance)
   }
 }
 
-TEST (PlaneTracker, ForgetsPlanesFartherThanTold)
+TEST (PlaneTracker, ForgetsPlanesBeyondTheGivenDistance)
 {
   constexpr double max_distance = 5_m;
   PlaneTracker tracker ({}, never_by_frames, max_distance);

@@ -92,7 +92,7 @@ TEST (UpAxis, IsTakenByADetectorInEitherPrecision)
   EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (0, 2, 0));
 }
 
-TEST (UpAxis, FollowsThePlanesNotOneTiltedOne)
+TEST (UpAxis, FollowsMostPlanesAndNotASingleTiltedOne)
 {
   std::vector<PlaneSegment> planes = furnishedRoom();
   const Surface ramp{{2, 0.5, 0}, {1, 0, 0.3}, {0, 1, 0}}; // 17 degrees

@@ -647,7 +647,7 @@ class Mistakes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "min_point: .*did you mean min_points"):
             pcl_ops.filter_planes(planes, min_point=100)
 
-    def test_of_a_cloud_for_its_points_are_named(self):
+    def test_a_cloud_in_place_of_its_points_is_named(self):
         class PointCloud:
             points = [[0.0, 0.0, 0.0]]
 
@@ -655,7 +655,7 @@ class Mistakes(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, "give its .points"):
                 pcl_ops.segment(cloud)
 
-    def test_of_a_number_for_a_file_leave_the_file_open(self):
+    def test_a_number_in_place_of_a_file_leaves_its_file_open(self):
         with tempfile.TemporaryFile() as file:
             with self.assertRaises(ValueError):
                 pcl_ops.read(file.fileno())
@@ -663,13 +663,13 @@ class Mistakes(unittest.TestCase):
         with self.assertRaises(ValueError):
             pcl_ops.read(True)
 
-    def test_of_an_up_without_direction_are_refused(self):
+    def test_an_up_without_direction_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             for up in ((0, 0, 0), (0, 0, 1e-320)):
                 with self.assertRaisesRegex(ValueError, "up: has no direction"):
                     pcl_ops.write_planes(f"{folder}/p.csv", planes, up=up)
 
-    def test_of_length_of_up_change_nothing(self):
+    def test_an_up_of_any_length_is_none(self):
         self.assertEqual(floor.as_dict((0, 0, 1e300))["slope"], floor.as_dict()["slope"])
 
 

@@ -122,7 +122,7 @@ class SameLabels(unittest.TestCase):
         points = points[np.isfinite(points).all(axis=1)]
         in_single = pcl_ops.segment(points.astype(np.float32))[0]
         zeros = np.zeros((len(points) // 10, 3))
-        # Moved by a power of two single precision has no digits for millimeters.
+        # After a move by powers of two, single precision has no digits for millimeters.
         for name, cloud in (("near zero", np.round(points, 6)),
                             ("far", points + (2**19, 2**22, 256)),
                             ("far, with missing readings",

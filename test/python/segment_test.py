@@ -219,7 +219,7 @@ class FarAway(unittest.TestCase):
 
 
 class Memory(unittest.TestCase):
-    def test_rows_in_order_alone_are_not_copied(self):
+    def test_only_rows_in_order_are_not_copied(self):
         wide = np.zeros((100, 9), np.float32)
         for rows in (wide[:, :3], wide[:, 2:5], wide[::2, :3], wide[:, 6:].copy()):
             self.assertIs(single_precision(points_array(rows))[0], rows)
@@ -329,7 +329,7 @@ class BadInput(unittest.TestCase):
                     bad_call()
                 self.assertTrue(str(raised.exception).startswith(beginning), raised.exception)
 
-    def test_is_no_number_of_numpy(self):
+    def test_does_not_include_numbers_of_numpy(self):
         for number in (np.float32, np.float64, np.int8, np.int64):
             self.assertEqual(pcl_ops.plane_kinds(planes, meter=number(1)), pcl_ops.plane_kinds(planes))
             planes[0].concave_outline(number(0))
@@ -388,7 +388,7 @@ def ticks_during(call):
 
 
 class Threads(unittest.TestCase):
-    def test_others_work_during_segment_and_evaluate(self):
+    def test_other_threads_work_during_segment_and_evaluate(self):
         truth = pcl_ops.segment(large_cloud(np.float32))[0]
         for kind in (np.float32, np.float64):
             cloud = large_cloud(kind)

@@ -223,7 +223,8 @@ TEST (VoxelExtraction, LeavesOutThickSurfelsAndVoxelsWithoutOne)
 
 TEST (VoxelExtraction, RefitsAPlaneOnItsWay)
 {
-  // Every surfel leans by 3 degrees: the plane of any leaves the ground after 20 cm.
+  // Every surfel leans by 3 degrees: the plane of a single surfel leaves the ground
+  // after 20 cm.
   const VoxelGrid grid = gridOf ({ground});
   const auto surfels = surfelsWith (grid, [] (Surfel& surfel, const auto&) {
     surfel.plane.normal = leaning (3_deg);
@@ -240,7 +241,7 @@ TEST (VoxelExtraction, TakesNoMoreThanHalfAgainTheNoiseOfTheVoxelBefore)
 {
   // 79 rows of voxels have surfels with a noise of 1 cm. The last row has surfels with
   // a noise of 10 cm, as next to another surface, which counts as 1.5 cm. It lies off
-  // the plane by less or more than twice that.
+  // the plane by less than twice 1.5 cm, or by more.
   for (const double distance : {2_cm, 4_cm}) {
     const VoxelGrid grid =
         gridOf ({{{0, 0, 0.05}, {7.9, 0, 0}, {0, 2, 0}},

@@ -119,7 +119,7 @@ TEST (OrientedVoxels, TakeACoarserNeighborhoodWhereNoiseHidesTheFinest)
 
 TEST (OrientedVoxels, TakeTheCoarserNeighborhoodThatTheyLieIn)
 {
-  // Noise hides the finest one, on a floor and on a wall far from it.
+  // Noise hides the finest neighborhood, on a floor and on a wall far from the floor.
   const Surface far_wall = {{4, 0, 0}, {0, 2, 0}, {0, 0, 2}};
   const VoxelGrid grid =
       connectedGrid (gridsOf ({floor_of_the_scene, far_wall}, 200, 5_cm), 0.05);
@@ -157,7 +157,8 @@ TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 
 TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighborhood)
 {
-  // Half as uneven as that roof, but each point has an offset of its own.
+  // Half as uneven as the roof of the test before, but each point has an offset of its
+  // own.
   for (const std::optional<Surfel>& surfel : surfelsOf (floorOf (200, 2_cm)))
     EXPECT_TRUE (surfel);
 }
