@@ -40,8 +40,8 @@ wrapped (std::string line,
   return text + line + "\n";
 }
 
-/** \brief Returns the help on one option or argument: its name, and its meaning from a
- * column on. A name that reaches there has a line of its own. */
+/** \brief Returns the help on one option or argument: its name, and from \p column
+ * on its meaning. A name that reaches this column has a line of its own. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {

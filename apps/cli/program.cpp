@@ -44,12 +44,12 @@ void
 noteSignal (int signal)
 {
   // timeout and others signal twice: the program, then its process group.
-  constexpr std::int64_t same_wish = 500; // [ms] longest time between the two
+  constexpr std::int64_t max_between_both = 500; // [ms]
   if (noted_signal == 0) {
-    noted_at = milliseconds(); // before noted_signal, which tells that it is set
+    noted_at = milliseconds(); // first, as noted_signal tells that both are set
     noted_signal = signal;
   }
-  else if (milliseconds() - noted_at > same_wish) {
+  else if (milliseconds() - noted_at > max_between_both) {
     std::signal (signal, SIG_DFL);
     std::raise (signal);
   }

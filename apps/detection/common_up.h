@@ -19,9 +19,9 @@ struct CommonUp {
   std::size_t agreeing;
 };
 
-/** \brief Returns the mean, weighted by confidence, of a group of up axes: those within
- * 15 degrees of one of them. Of all such groups it takes the one with the largest sum
- * of confidences. The axes of this group are those that agree.
+/** \brief Returns the mean, weighted by confidence, of the up axes that agree. Each
+ * axis has a group: all axes within 15 degrees of it. Those of the group with the
+ * largest sum of confidences agree.
  * \param[in] axes of single clouds, in one common frame
  * \return nothing if the agreeing axes are half of all or fewer, or have half of the
  * total confidence or less */

@@ -25,8 +25,8 @@ using Eigen::Vector3f;
  * boxes take hardly longer to compute than the points take to read. */
 class BlockSearch {
 public:
-  /** \brief Order of the points in blocks. Sorted points, which a k-d tree would divide
-   * in the same way, have small boxes. To sort them saves time if queries are many. */
+  /** \brief Order of the points in blocks. Sorted points, as the leaves of a k-d tree
+   * have them, have small boxes. To sort them saves time if queries are many. */
   enum class Order { AsInCloud, Sorted };
 
   BlockSearch (const XyzCloud& cloud, Order order)

@@ -15,10 +15,10 @@ struct Numbers {
 };
 
 /** \brief The 933 projected systems of the EPSG Geodetic Parameter Dataset, version
- * 10.076, whose axes are in feet or US survey feet (units 9002 and 9003). Numbers in
- * between that the dataset does not give to a projected system are there, too, as this
- * makes fewer rows; those of projected or compound systems in other units are
- * not. */
+ * 10.076, whose axes are in feet or US survey feet (units 9002 and 9003). To have
+ * fewer rows, the table includes numbers in between that the dataset does not give to a
+ * projected system; it includes no number of a projected or compound system in another
+ * unit. */
 constexpr Numbers systems_in_feet[] = {
     {2155, 2155, 1},   {2194, 2194, 1},   {2204, 2204, 1},   {2222, 2289, 1},
     {2867, 2930, 1},   {2964, 2968, 1},   {2992, 2994, 2},   {3080, 3080, 1},

@@ -72,7 +72,7 @@ offsetOf (const LasField& field, const LasFile& las)
 }
 
 /** \brief Returns the descriptions to append to the Extra Bytes VLR for added fields.
- * Those of bytes that it does not describe yet come first. */
+ * Descriptions of bytes that the VLR does not describe yet come first. */
 std::string
 descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
 {

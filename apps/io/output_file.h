@@ -20,8 +20,9 @@ checkWritable (const std::string& file);
 
 /** \brief Writes a file in one step: \p write fills a temporary file in the same
  * folder, which is renamed to \p file once all bytes are written. If anything fails, an
- * existing \p file does not change; else the new one gets its permissions. If \p file
- * is a link, the file that it leads to is written. All outputs are written this way.
+ * existing \p file does not change. If nothing fails, the new file gets the permissions
+ * of the existing one. If \p file is a link, the file that it leads to is written. All
+ * outputs are written this way.
  * \param[in] write need not check the state of the stream
  * \throws WorkError as \ref checkWritable, OutputError if the bytes cannot be written,
  * and whatever \p write throws */

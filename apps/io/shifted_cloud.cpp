@@ -61,9 +61,9 @@ mostSharedPlace (const Positions& positions)
 }
 
 /** \brief Returns the number of outliers. The points are sorted by their distance from
- * the median. In the farther half, the first point that is farther from it than a
- * thousand diagonals of the bounding box of all nearer ones is an outlier, and so are
- * all behind it. */
+ * the median. In the farther half, a point is an outlier if it is farther from the
+ * median than a thousand diagonals of the bounding box of all nearer points; so are all
+ * points behind the first outlier. */
 std::size_t
 countFar (Positions positions)
 {

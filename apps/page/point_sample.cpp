@@ -50,8 +50,8 @@ PointSample::keepFirst (Group& group)
 void
 PointSample::add (std::size_t group_index, const Eigen::Vector3d& position)
 {
-  // Points are dropped when there are twice as many as are kept, and these further
-  // ones: without them a small group would drop points often.
+  // Points are dropped when there are twice as many as are kept, plus these: without
+  // them a small group would drop points often.
   constexpr std::size_t further_points = 100;
   if (!position.allFinite())
     return;
