@@ -142,7 +142,7 @@ TEST (Merge, IsTheFitOfAllPoints)
              1e-12);
 }
 
-TEST (Merge, ChainsThroughPlanesThatPassOnlyPairwise)
+TEST (Merge, JoinsAChainOfPlanesWhoseEndsAloneWouldNotPass)
 {
   // The first and the last lean by 8 degrees to each other, which is too much;
   // neighbors by 5 and by 3 degrees.
@@ -179,7 +179,7 @@ TEST (Merge, LeavesPlanesAloneWhereDisabled)
       << "sorted by falling size all the same";
 }
 
-TEST (Merge, SortsPlanesByFallingSizeAndDropsSetsThatAreNone)
+TEST (Merge, SortsPlanesByFallingSizeAndDropsPointsThatSpanNoPlane)
 {
   const Surface line = {{0, 0, 0}, {10, 20, 30}, {0, 0, 0}};
   const auto merged = mergePlanes ({exactSquare ({0, 0, 0}, 0_deg, 5),

@@ -121,7 +121,7 @@ TEST (DepthLevels, AreNoneOfWhiteNoiseOfFacesAndOfFewPoints)
   EXPECT_TRUE (levelsOf (floor).step.empty());
 }
 
-TEST (DepthLevels, FarFromAllOthersAreNoFartherApartThanThose)
+TEST (DepthLevels, FarBehindAllOthersGetNoLargerStepThanTheOthers)
 {
   Coordinates points = onSteps (4_cm);
   // All points of a wall 1.4 m and more behind the slanted one are on one level.

@@ -50,7 +50,7 @@ TEST (PlaceNoise, IsThatOfLargeSupportsWhereNeighborsErrAlike)
   EXPECT_GT (scene.noise.cloud.common_errors, 5.0);
 }
 
-TEST (PlaceNoise, IsHardlyLessThanUsualInTheCloudThatPlacesAreAPartOf)
+TEST (PlaceNoise, IsHardlyLessThanUsualInTheWholeCloud)
 {
   const PlaceScene whole (drawnOn ({square_of_ground}, 2_cm, 1_cm));
   const PlaceScene part (drawnOn ({square_of_ground}, 2_cm, 1_mm));

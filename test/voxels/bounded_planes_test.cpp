@@ -47,7 +47,7 @@ planesOf (const VoxelGrid& grid, const Labels& plane_of_point)
 
 } // namespace
 
-TEST (Refitting, FitsEachPlaneToItsVoxelsAndLeavesOneWithoutAsItIs)
+TEST (Refitting, FitsEachPlaneToItsVoxelsAndLeavesAPlaneWithoutVoxelsAsItIs)
 {
   VoxelScene scene ({{ground}, {wall}});
   scene.planes.planes = {tilted, tilted, tilted};
@@ -75,7 +75,7 @@ TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxelsAndWhatTheyHaveElsewhere)
   }
 }
 
-TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
+TEST (MomentsOf, SomeVoxelsAddUpTheirPoints)
 {
   const VoxelGrid three = threeVoxels();
   const Moments moments = momentsOf (three.moments, Indices{0, 1});
@@ -83,7 +83,7 @@ TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
   EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
 }
 
-TEST (Renumbering, PutsVoxelsAndMomentsOnThePlanesTheirsWereMergedInto)
+TEST (Renumbering, MovesVoxelsAndMomentsToTheMergedPlanes)
 {
   BoundedPlanes planes;
   planes.planes = {atHeight (0), atHeight (1), atHeight (2), atHeight (3)};

@@ -5,7 +5,7 @@
 
 using namespace pcl_ops::internal;
 
-TEST (Noise, IsThatOfTheOwnPlanesVoxelsAloneAndNoLessThanAShareOfTheirSize)
+TEST (Noise, IsMeasuredOnThePlanesOwnVoxelsAndIsAtLeastAShareOfTheirSize)
 {
   // Two halves of a ground, the plane of the right one 4 cm off its points.
   VoxelScene scene ({{ground}, {{{2, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}}});
@@ -15,7 +15,7 @@ TEST (Noise, IsThatOfTheOwnPlanesVoxelsAloneAndNoLessThanAShareOfTheirSize)
   EXPECT_NEAR (scene.planes.noise.at (1), 4_cm, 1e-6);
 }
 
-TEST (Noise, IsThatOfMostOfThePlaneAndOfOneWithoutVoxelsIsKept)
+TEST (Noise, IsThatOfMostOfThePlaneAndStaysForAPlaneWithoutVoxels)
 {
   // A tenth of the ground lies under a carpet of 3 cm.
   VoxelScene scene ({{{{0, 0, 0.05}, {1.8, 0, 0}, {0, 2, 0}},

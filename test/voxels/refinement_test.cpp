@@ -32,7 +32,7 @@ refined (const VoxelScene& scene)
 
 } // namespace
 
-TEST (Refinement, IsOfVoxelsWithoutAPlaneAndOfThoseNextToThem)
+TEST (Refinement, IsOfVoxelsWithoutAPlaneAndTheirNeighbors)
 {
   const VoxelScene scene = halfExplained();
   const Refinement refinement = refined (scene);
@@ -41,7 +41,7 @@ TEST (Refinement, IsOfVoxelsWithoutAPlaneAndOfThoseNextToThem)
     EXPECT_EQ (refinement.is_refined[i] != 0, scene.centroid (i).x() > 0.9);
 }
 
-TEST (Refinement, HasThePointsOfThoseVoxels)
+TEST (Refinement, HasThePointsOfItsVoxels)
 {
   const VoxelScene scene = halfExplained();
   const VoxelGrid finer = refined (scene).grid;
@@ -108,7 +108,7 @@ TEST (Refinement, LosesNoPointOfAPlane)
   EXPECT_LT ((all.sum - sum).norm(), 1e-3);
 }
 
-TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
+TEST (Refinement, IsEmptyWhereAllVoxelsAreOnPlanes)
 {
   const Refinement refinement = refined (VoxelScene ({{ground}}));
   EXPECT_EQ (refinement.grid.size(), 0u);
@@ -116,7 +116,7 @@ TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
   EXPECT_EQ (refinement.planes.moments_elsewhere.at (0).count, points_of_surface);
 }
 
-TEST (Refinement, KeepsTheCoarsePlanesAndThatOfTheVoxelThatHoldsAFinerOne)
+TEST (Refinement, GivesFinerVoxelsThePlaneOfTheirCoarseVoxel)
 {
   const VoxelScene scene = halfExplained();
   const Refinement refinement = refined (scene);
@@ -128,7 +128,7 @@ TEST (Refinement, KeepsTheCoarsePlanesAndThatOfTheVoxelThatHoldsAFinerOne)
                isRight (grid.moments[i].centroid()) ? no_plane : 0);
 }
 
-TEST (Refinement, KeepsNoPlaneThatTheFinerPointsAreNotOn)
+TEST (Refinement, GivesFinerVoxelsNoPlaneThatTheirPointsAreNotOn)
 {
   // An object of 5 x 5 cm lies 4 cm above the ground, within a voxel of the tenth row.
   VoxelScene scene ({{ground}});

@@ -34,7 +34,7 @@ sparseAmong (const VoxelGrid& grid, std::int32_t label = no_plane)
 
 } // namespace
 
-TEST (SparsePoints, AreThoseWithFewAround)
+TEST (SparsePoints, AreThosePointsThatHaveFewPointsAround)
 {
   Indices sparse (20 * 20);
   std::iota (sparse.begin(), sparse.end(), static_cast<std::uint32_t> (dense_points));
