@@ -70,7 +70,7 @@ TEST (VoxelGrid, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST (CoarseVoxels, HoldsEightVoxelsEachAndLosesNoPoint)
+TEST (CoarseVoxels, HoldEightFineVoxelsEachAndLoseNoPoint)
 {
   const VoxelGrid fine = voxelize (pointsInACube (3000, 4.0), 0.25, one_thread);
   const VoxelLevels levels = coarsen (fine);
@@ -81,11 +81,12 @@ TEST (CoarseVoxels, HoldsEightVoxelsEachAndLosesNoPoint)
     const VoxelKey parent =
         shiftedKeyOf (levels.coarse.codes[levels.coarse_of_finest[voxel]]);
     EXPECT_EQ (parent.x, child.x >> 1);
+    EXPECT_EQ (parent.y, child.y >> 1);
     EXPECT_EQ (parent.z, child.z >> 1);
   }
 }
 
-TEST (CoarseVoxels, IsTheGridOfTwiceTheEdgeWhereverTheCloudBegins)
+TEST (CoarseVoxels, AreTheGridOfTwiceTheEdgeWhereverTheCloudBegins)
 {
   for (const float shift : {0.0f, 0.25f, 0.5f, 0.75f}) {
     Coordinates points = pointsInACube (3000, 4.0);

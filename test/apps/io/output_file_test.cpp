@@ -15,7 +15,7 @@ protected:
   TemporaryFolder folder_;
 };
 
-TEST_F (OutputFile, WritesManyFilesOfAFolderAtOnceEachInOneStep)
+TEST_F (OutputFile, IsWrittenInOneStepByEachOfTwoThatWriteAtOnce)
 {
   writeFile (folder_ / "a.json", [&] (std::ostream& outer) {
     writeFile (folder_ / "a.json", [] (std::ostream& inner) { inner << "inner"; });
@@ -39,7 +39,7 @@ TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
     EXPECT_EQ (contentOf (folder_ / (start + std::to_string (i))), "precious");
 }
 
-TEST_F (OutputFile, IsWrittenThroughLinksBeforeItExistsAndAfterAndKeepsPermissions)
+TEST_F (OutputFile, IsWrittenThroughLinksWhetherItExistsOrNotAndKeepsPermissions)
 {
   fs::create_symlink ("second.csv", folder_ / "first.csv");
   fs::create_symlink (folder_ / "real.csv", folder_ / "second.csv");

@@ -116,7 +116,7 @@ TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
                row[0].pieces[0].own_moments.sums + row[1].pieces[0].own_moments.sums);
 }
 
-TEST (PlaneJoining, LeavesPlanesThatAreApartOrShareHardlyACell)
+TEST (PlaneJoining, JoinsNoPlanesThatAreApartOrShareHardlyACell)
 {
   EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u) << "10 cm";
   Row row = twoTiles (5.0, 5.0);

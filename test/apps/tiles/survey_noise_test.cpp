@@ -10,7 +10,7 @@
 
 using namespace pcl_ops::apps;
 
-TEST (TilesThatTell, AreAllOfASmallSurveyAndEvenlySpreadInALargeOne)
+TEST (TilesToMeasure, AreAllOfASmallSurveyAndEvenlySpreadInALargeOne)
 {
   EXPECT_EQ (tilesToMeasure ({1000, 5, 300}), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ (tilesToMeasure (std::vector<std::uint64_t> (8, 200'000)),

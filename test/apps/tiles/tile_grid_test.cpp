@@ -24,7 +24,7 @@ tilesAround (double x, double y)
   return tiles;
 }
 
-TEST (TileGrid, HasABorderInTheTileThatBeginsThere)
+TEST (TileGrid, PutsABorderIntoTheTileThatBeginsThere)
 {
   const double east = 500'004.0, north = 5'400'000.0; // borders of tiles [m]
   const std::tuple<double, double, TileKey> rows[] = {
