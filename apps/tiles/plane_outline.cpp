@@ -55,7 +55,8 @@ struct Corner {
 
 /** \brief Follows edges from a corner until a corner has none left. Whenever the path
  * comes back to one of its corners, the loop is removed from the path and becomes a
- * ring. */
+ * ring. If as many edges end at each corner as begin there, the path ends where it
+ * began, and all its edges are in rings; else edges remain on the path and are lost. */
 void
 follow (Corner* corner, std::vector<PlanarPoints>& rings)
 {
@@ -82,7 +83,7 @@ follow (Corner* corner, std::vector<PlanarPoints>& rings)
 }
 
 /** \brief Returns the rings along the edges that remain after opposite ones cancel. A
- * ring visits no corner twice.
+ * ring visits no corner twice. Edges that are in no ring are left out (\ref follow).
  * \param[in] unit spacing of the lattice [m] */
 std::vector<PlanarPoints>
 ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, double unit)
@@ -121,6 +122,8 @@ ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, doub
 PlanarPoints
 withoutSpikes (const PlanarPoints& ring, double unit)
 {
+  // Each coordinate may be rounded to two neighboring numbers, so the two points are up
+  // to sqrt (3) units apart. The rest is a margin.
   constexpr double max_rounding = 4.0; // [unit]
   const auto are_same = [unit] (const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return (a - b).norm() < max_rounding * unit;
@@ -131,11 +134,15 @@ withoutSpikes (const PlanarPoints& ring, double unit)
     while (kept.size() > 2 && are_same (kept[kept.size() - 3], kept.back()))
       kept.resize (kept.size() - 2);
   }
-  // The ring is closed: its last or first corner may be the tip of a spike.
-  while (kept.size() > 2 && are_same (kept[kept.size() - 2], kept.front()))
-    kept.resize (kept.size() - 2);
-  while (kept.size() > 2 && are_same (kept.back(), kept[1]))
-    kept.erase (kept.begin(), kept.begin() + 2);
+  // The ring is closed: its last or its first corner may be the tip of a spike, and
+  // once a tip is removed, the one or the other may be the next tip.
+  while (kept.size() > 2)
+    if (are_same (kept[kept.size() - 2], kept.front()))
+      kept.resize (kept.size() - 2);
+    else if (are_same (kept.back(), kept[1]))
+      kept.erase (kept.begin(), kept.begin() + 2);
+    else
+      break;
   return kept;
 }
 

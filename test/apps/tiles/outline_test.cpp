@@ -165,11 +165,19 @@ TEST (Outline, HasNoSpikesWhereItsRingBeginsAndEnds)
   // The outline of a square of 10 m has a spike: it leaves a side, goes to a tip, and
   // returns to a point 1 cm beside the point that it left, as if another tile had
   // rounded that point differently. The tip is outside the square in the first turn of
-  // the loop, inside in the second. A ring begins at its corner with the least x, then
-  // the least y: at the tip outside, and at zero, where the spike inside ends.
+  // the loop, inside in the second. In the third turn the spike outside has two edges
+  // on its way to the tip and two on its way back. A ring begins at its corner with the
+  // least x, then the least y: at the tip outside, and at zero, where the spike inside
+  // ends.
   using Ring = std::vector<LatticePoint>;
   for (const Ring& spike : {Ring{{0, 501, 0}, {-500, 500, 0}, {0, 500, 0}, {0, 0, 0}},
-                            Ring{{0, 1, 0}, {500, 500, 0}, {0, 0, 0}}}) {
+                            Ring{{0, 1, 0}, {500, 500, 0}, {0, 0, 0}},
+                            Ring{{0, 501, 0},
+                                 {-400, 501, 0},
+                                 {-500, 500, 0},
+                                 {-400, 500, 0},
+                                 {0, 500, 0},
+                                 {0, 0, 0}}}) {
     Ring ring{{1000, 0, 0}, {1000, 1000, 0}, {0, 1000, 0}};
     ring.insert (ring.end(), spike.begin(), spike.end());
     std::vector<OutlineEdge> edges;
