@@ -293,7 +293,7 @@ readNpyNumbers (const std::string& file)
     throw WorkError (file,
                      "has an array of another shape than (N,); save a number for each "
                      "point");
-  const std::uint64_t count = *std::max_element (shape.begin(), shape.end());
+  const std::uint64_t count = shape[0] * (shape.size() == 2 ? shape[1] : 1);
   const std::uint64_t bytes = reader.bytesLeft();
   if (count > bytes / type.size)
     reader.failTruncated();

@@ -173,7 +173,9 @@ TEST_F (OwnLabelsTest, OfArraysOfOtherShapesOrSizesAreRefused)
         << shape;
   EXPECT_TRUE (contains (complaint ("(4,)", {1, 1, 1}), "is truncated"));
   EXPECT_TRUE (contains (complaint ("(2,)", {1, 1, 1}), "more numbers than its shape"));
-  EXPECT_TRUE (contains (complaint ("(0,)", {}), "has 0 labels, the cloud 3"));
+  for (const char* shape : {"(0,)", "(0, 1)", "(1, 0)"})
+    EXPECT_TRUE (contains (complaint (shape, {}), "has 0 labels, the cloud 3"))
+        << shape;
 }
 
 } // namespace
