@@ -12,6 +12,9 @@ matplotlib.use("Agg")  # without a display
 import matplotlib.pyplot as plt
 
 
+in_box_room = (2.5, 1, 1.6)  # a position of a sensor
+
+
 def box_room(points_per_side=15000):
     """A room of 5 m x 4 m x 2.5 m with a table, each surface with 3 mm of noise."""
     random = np.random.default_rng(1)
@@ -24,7 +27,11 @@ def box_room(points_per_side=15000):
 
 
 def load(file):
-    return np.load(file) if file.endswith(".npy") else pcl_ops.read(file).points
+    """The points of a file and the position of the sensor: zero if the file does not say it."""
+    if file.endswith(".npy"):
+        return np.load(file), (0, 0, 0)
+    cloud = pcl_ops.read(file)
+    return cloud.points, cloud.viewpoint
 
 
 def draw(axes, points, labels, planes):
@@ -43,10 +50,9 @@ def draw(axes, points, labels, planes):
 def main():
     if not 2 <= len(sys.argv) <= 3 or sys.argv[1].startswith("-"):
         sys.exit("Usage: plane_picture.py PICTURE.png [CLOUD.npy|CLOUD.pcd|...]")
-    points = load(sys.argv[2]) if len(sys.argv) == 3 else box_room()
+    points, viewpoint = load(sys.argv[2]) if len(sys.argv) == 3 else (box_room(), in_box_room)
 
-    # Normals point to the viewpoint, which is in the room.
-    labels, planes = pcl_ops.segment(points, viewpoint=(2.5, 1, 1.6))
+    labels, planes = pcl_ops.segment(points, viewpoint=viewpoint)  # normals point to the viewpoint
 
     for plane in planes:
         print(f"{len(plane.inliers):7d} points, {plane.orientation}, {plane.area:.2f} m2, "

@@ -45,6 +45,16 @@ class Example(unittest.TestCase):
                 colors = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
                 self.assertGreater(len(colors), 100)
 
+    def test_finds_planes_with_normals_towards_the_sensor_of_the_file(self):
+        with tempfile.TemporaryDirectory() as name:
+            for height, normal in ((1.5, r"1\."), (-9.0, r"-1\.")):
+                cloud = pcl_ops.Cloud(room(), np.array([2.0, 1.5, height]), {})
+                pcl_ops.write(pathlib.Path(name) / "room.pcd", cloud)
+                run = subprocess.run([sys.executable, "-B", script, "picture.png", "room.pcd"],
+                                     check=True, capture_output=True, text=True, cwd=name,
+                                     env={**os.environ, "MPLCONFIGDIR": name})
+                self.assertRegex(run.stdout, rf"horizontal, .* {normal} *\]\n")
+
     def test_writes_no_picture_that_is_called_as_an_option(self):
         for example in (script, examples / "noise_picture.py", examples / "plan_picture.py"):
             with tempfile.TemporaryDirectory() as name:
