@@ -58,28 +58,45 @@ struct Laszip {
   {
     if (failed == 0)
       return;
+    throwIfOutOfMemory();
+    failDamagedPoints (file);
+  }
+
+  /** \throws std::bad_alloc, or WorkError if LASzip does not know the point format */
+  void
+  setPointFormat (const LasHeader& header) const
+  {
+    const bool is_known = laszip_set_point_type_and_size (
+                              handle, header.pointFormat(), header.record_length) == 0;
+    if (is_known)
+      return;
+    throwIfOutOfMemory();
+    throw WorkError (file,
+                     "has points of format " + std::to_string (header.pointFormat()) +
+                         " in " + std::to_string (header.record_length) +
+                         " bytes, which this LASzip does not know; build with a newer "
+                         "one");
+  }
+
+  std::string file;
+  laszip_POINTER handle = nullptr;
+
+private:
+  /** \brief To be called when a function of LASzip has failed. */
+  void
+  throwIfOutOfMemory () const
+  {
     laszip_CHAR* reason = nullptr;
     laszip_get_error (handle, &reason);
     // LASzip reports a failed allocation like this.
     if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
       throw std::bad_alloc();
-    failDamagedPoints (file);
   }
-
-  void
-  setPointFormat (const LasHeader& header) const
-  {
-    check (laszip_set_point_type_and_size (
-        handle, header.pointFormat(), header.record_length));
-  }
-
-  std::string file;
-  laszip_POINTER handle = nullptr;
 };
 
 /** \brief Returns the bytes of the LASzip VLR that LASzip writes for the point format
  * of a file.
- * \throws WorkError if LASzip cannot compress points of this format */
+ * \throws WorkError if LASzip does not know this format */
 std::string
 newLaszipVlr (const LasFile& las)
 {
@@ -94,7 +111,8 @@ newLaszipVlr (const LasFile& las)
 enum class Conversion { Compress, Decompress };
 
 /** \brief Writes the points of a file, compressed or not.
- * \throws WorkError if the points are damaged, Interrupted */
+ * \throws WorkError if the points are damaged, Interrupted; std::bad_alloc if LASzip
+ * fails to write while the stream is good */
 void
 convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
 {
@@ -111,19 +129,17 @@ convertPoints (const LasFile& las, Conversion conversion, std::ostream& stream)
       laszip_open_writer_stream (writer.handle, stream, compresses, write_no_header));
   laszip_point* point = nullptr;
   reader.check (laszip_get_point_pointer (reader.handle, &point));
-  for (std::uint64_t i = 0; i < las.size(); ++i) {
+  bool is_written = !stream.fail();
+  for (std::uint64_t i = 0; i < las.size() && is_written; ++i) {
     if (i % points_between_checks == 0)
       stopIfInterrupted();
     reader.check (laszip_read_point (reader.handle));
     writer.check (laszip_set_point (writer.handle, point));
-    const laszip_I32 failed = laszip_write_point (writer.handle);
-    if (!stream)
-      break;
-    writer.check (failed);
+    is_written = laszip_write_point (writer.handle) == 0 && !stream.fail();
   }
-  if (stream && laszip_close_writer (writer.handle) == 0)
+  if (is_written && laszip_close_writer (writer.handle) == 0)
     return;
-  // LASzip would crash if ~Laszip closed a writer that failed.
+  // LASzip would crash if ~Laszip closed a writer that failed. Its memory is lost.
   writer.handle = nullptr;
   if (stream) // else the owner of the stream reports its failure
     throw std::bad_alloc();
