@@ -40,15 +40,21 @@ hasTwin (const Places& places,
 
 // Returns for each region the step of rounded coordinates along its normal [m]:
 // rounding puts a surface into layers that far apart. The step is 0 if coordinates were
-// not rounded. It is also 0 if nearly all places of the region have a twin: the places
-// of the two sides of a body on an exact grid do, those of a surface that was rounded
-// do not.
+// not rounded.
+//
+// Exception: layers one step apart may be the two sides of a thin body whose points lie
+// on an exact grid. Then nearly every place has another one exactly one step away
+// across the plane (hasTwin). Rounding a single surface puts each place into only one
+// layer. For such bodies the step is 0, so that splitThinWalls may separate the sides.
+// \param[in] distinct coordinates of the places
 std::vector<double>
-roundingSteps (const Coordinates& points, const Places& places, const Regions& regions)
+roundingSteps (const Coordinates& distinct,
+               const Places& places,
+               const Regions& regions)
 {
   constexpr double min_share_of_twins = 0.9;
   std::vector<double> step (regions.list.size(), 0.0);
-  const Eigen::Vector3d steps = coordinateSteps (points);
+  const Eigen::Vector3d steps = coordinateSteps (distinct);
   if (steps.isZero (0.0))
     return step;
   std::vector<double> twins (step.size(), 0.0);
@@ -66,9 +72,10 @@ roundingSteps (const Coordinates& points, const Places& places, const Regions& r
 
 // Splits each region that grew over both sides of a thin wall into two planes. The new
 // planes have the indices after the last region.
+// \param[in] distinct coordinates of the places
 // \param[in,out] labels of the places
 void
-splitThinWalls (const Coordinates& points,
+splitThinWalls (const Coordinates& distinct,
                 const Places& places,
                 const Regions& regions,
                 std::optional<double> distance_threshold,
@@ -79,7 +86,7 @@ splitThinWalls (const Coordinates& points,
   // measured over both sides of a wall is half of their distance.
   constexpr double noises_apart = 1.7;
   constexpr double steps_apart = 1.5; // above 1, the distance of layers by rounding
-  const std::vector<double> step = roundingSteps (points, places, regions);
+  const std::vector<double> step = roundingSteps (distinct, places, regions);
   std::vector<Plane> planes;
   std::vector<double> min_apart;
   for (std::size_t r = 0; r < regions.list.size(); ++r) {
@@ -88,7 +95,7 @@ splitThinWalls (const Coordinates& points,
                                     steps_apart * step[r],
                                     distance_threshold.value_or (0.0)}));
   }
-  splitLayers (points, planes, min_apart, labels, is_plane);
+  splitLayers (distinct, planes, min_apart, labels, is_plane);
 }
 
 // Returns for each plane the noises of all items with its label.
@@ -110,15 +117,17 @@ noisesOfPlanes (const Labels& labels,
 // Drops planes whose rms distance is far above their noise, such as hills joined from
 // thin pieces. If the noise is near 0, the limit is max_exact_thickness times the
 // width.
+// \param[in] distinct coordinates of the places
+// \param[in] labels of the places
 void
-dropThickPlanes (const Coordinates& places,
+dropThickPlanes (const Coordinates& distinct,
                  const PlaceNoise& noise,
                  const Labels& labels,
                  unsigned threads,
                  std::vector<char>& is_plane)
 {
   const std::vector<Moments> moments =
-      momentsOfLabels (places, labels, is_plane.size(), threads);
+      momentsOfLabels (distinct, labels, is_plane.size(), threads);
   std::vector<std::vector<float>> noises =
       noisesOfPlanes (labels, is_plane.size(), [&] (std::size_t place) {
         return noise.of_place[place];

@@ -19,10 +19,12 @@ void
 joinTouching (const Places& places, unsigned threads, Regions& regions);
 
 /** \brief Joins regions that are pieces of one plane but do not touch each other, such
- * as the pieces of a wall behind a cupboard. Works in rounds as \ref joinTouching.
+ * as the pieces of a wall behind a cupboard. Works in rounds as \ref joinTouching, but
+ * each region picks the larger one with most points per squared distance of the
+ * centroids, over a limited gap. Only the 5000 largest regions are compared.
  * \param[in] merging its angle_threshold is the largest angle between normals [rad].
- * Its noise_factor is the largest distance in units of the noise, by default
- * PlaceConstants::noises_of_join. Other members are not used */
+ * Its noise_factor limits the distance of a region from the plane it joins, in units of
+ * the noise; by default PlaceConstants::noises_of_join. Other members are not used */
 void
 joinOverGaps (const MergingParameters& merging, Regions& regions);
 

@@ -16,8 +16,10 @@ namespace pcl_ops::internal {
  * around it gives all its points to this plane
  * \param[in] noise_factor largest distance in units of the plane's noise
  * \param[in] is_left_out not 0 for voxels whose points keep their labels; empty: none
- * \param[in,out] assigned labels are overwritten, but for points in voxels left out or
- * without a plane around; points are added to the moments of their planes */
+ * \param[in,out] assigned its labels must have an entry for each point. They are
+ * overwritten, except those of points in voxels that are left out or have no plane
+ * around. Its moments are resized to the number of planes. Points are added to the
+ * moments of their planes */
 void
 assignToBoundedPlanes (const Coordinates& points,
                        const VoxelGrid& grid,

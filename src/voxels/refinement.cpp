@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
 namespace {
 
 // Marks voxels without a plane that hold enough points for one, and their neighbors, so
-// that finer voxels have neighbors.
+// that finer voxels have neighbors. The neighbors of a voxel include itself.
 std::vector<char>
 voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_voxel)
 {

@@ -24,11 +24,11 @@ momentsOf (const PointList& points, const Eigen::Vector3d& origin)
 }
 
 /** \brief 200 points of a tilted, noisy, elongated patch.
- * \param[in] center one corner of the patch */
+ * \param[in] corner where both sides of the patch begin [m] */
 PointList
-noisyPatch (const Eigen::Vector3d& center)
+noisyPatch (const Eigen::Vector3d& corner)
 {
-  const Surface patch{center, {3, 0.2, 1}, {-0.1, 1, 0.4}};
+  const Surface patch{corner, {3, 0.2, 1}, {-0.1, 1, 0.4}};
   RandomGenerator generator (seedOfTest());
   PointList points;
   for (int i = 0; i < 200; ++i)
@@ -61,7 +61,7 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
 {
   // Near zero, a thousand kilometers away, and in other units.
   const struct {
-    Eigen::Vector3d center;
+    Eigen::Vector3d corner;     // of the patch
     double unit;                // factor of all coordinates
     double max_angle;           // of the normals [rad]
     double max_length;          // of differences of positions, before scaling [m]
@@ -71,7 +71,7 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCenteredPoints)
               {{1, 2, 3}, 1e-6, 1e-8, 1e-12, 1e-9},
               {{1, 2, 3}, 1e3, 1e-8, 1e-12, 1e-9}};
   for (const auto& row : rows) {
-    PointList points = noisyPatch (row.center);
+    PointList points = noisyPatch (row.corner);
     for (Eigen::Vector3d& point : points)
       point *= row.unit;
     const PlaneFit fit = fitPlane (momentsOf (points, points.front())).value();

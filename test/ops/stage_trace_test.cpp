@@ -20,7 +20,8 @@ using TracedParameters = pcl_ops::OrientedPointSamplingParameters;
 constexpr float not_read = std::numeric_limits<float>::quiet_NaN();
 
 /** \brief A floor and a wall, and behind their points a copy of every second one: two
- * thirds of the cloud are no copies. Every tenth point has no reading. */
+ * thirds of the cloud are no copies. Every tenth original, and so every fifth copy, has
+ * no reading. */
 Cloud
 floorAndWallWithCopies ()
 {
