@@ -13,9 +13,9 @@ struct CellEvidence {
    */
   double covered = 0.0;
   double uncovered = 0.0;
-  /** \brief Length of the cell's border on the rim of the plan, the border of the box
-   * that holds all cells [m]; for a cell within a
-   * wall the length of its whole border. */
+  /** \brief Length of the part of the cell's border that is on the rim of the plan,
+   * the border of the box that holds all cells [m]. For a cell within a wall it is the
+   * length of the whole border of the cell. */
   double rim = 0.0;
 };
 

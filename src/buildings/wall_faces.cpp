@@ -28,8 +28,10 @@ spacingOf (const std::vector<FacePoint>& points)
                     static_cast<double> (std::max<std::size_t> (1, points.size())));
 }
 
+/** \brief Whether two faces are parallel and have their fronts on the same side. The
+ * two sides of a wall do not. */
 bool
-isParallel (const WallFace& first, const WallFace& second)
+facesSameWay (const WallFace& first, const WallFace& second)
 {
   return first.line.along.dot (second.line.along) >= constants.min_cosine_of_parallel;
 }
@@ -57,7 +59,7 @@ maxClosedGap (const WallFace& face)
 bool
 continues (const WallFace& part, const WallFace& face)
 {
-  if (!isParallel (part, face))
+  if (!facesSameWay (part, face))
     return false;
   for (const double end : {part.seen.front().from, part.seen.back().to})
     if (std::abs (face.line.distance (part.line.at (end))) > constants.max_off_line)
@@ -65,7 +67,7 @@ continues (const WallFace& part, const WallFace& face)
   return true;
 }
 
-/** \brief Adds a face that continues \p face to it. */
+/** \brief Adds \p part, which continues \p face, to \p face. */
 void
 addPart (WallFace& face, const WallFace& part)
 {
@@ -142,7 +144,7 @@ insideOf (const Intervals& intervals)
 bool
 isRecessOf (const WallFace& leaf, const WallFace& wall)
 {
-  if (!isParallel (leaf, wall) || leaf.points.size() >= wall.points.size())
+  if (!facesSameWay (leaf, wall) || leaf.points.size() >= wall.points.size())
     return false;
   const Interval whole{leaf.seen.front().from, leaf.seen.back().to};
   const double behind =
@@ -167,9 +169,9 @@ topOf (const WallFace& face)
   return top;
 }
 
-/** \brief Returns whether a front stands before a wall that is seen above most of the
- * length of the front. A wall without points at the cut is of another story and does
- * not count. */
+/** \brief Returns whether a front stands before a wall, and points of the wall were
+ * seen above the front along most of its length. A wall without points at the cut is of
+ * another story and does not count. */
 bool
 isFrontBefore (const WallFace& front, const WallFace& wall)
 {
@@ -199,7 +201,7 @@ WallFace
 faceOf (const Eigen::Vector3d& normal,
         const PlanPoints& points,
         std::size_t plane,
-        double cut_height)
+        double height_of_cut)
 {
   WallFace face;
   face.planes = {plane};
@@ -218,7 +220,7 @@ faceOf (const Eigen::Vector3d& normal,
   std::vector<double> cut;
   for (const FacePoint& point : face.points) {
     seen.push_back (point.position);
-    if (std::abs (point.height - cut_height) <= half_band)
+    if (std::abs (point.height - height_of_cut) <= half_band)
       cut.push_back (point.position);
   }
   face.seen = intervalsOf (seen, maxClosedGap (face));

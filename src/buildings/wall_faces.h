@@ -71,12 +71,12 @@ struct WallFace {
  * \param[in] normal of the plane, in the frame of the plan; points to the front
  * \param[in] points inliers of the plane, at least one, in the frame of the plan
  * \param[in] plane index in the list of planes
- * \param[in] cut_height height of the cut [m] */
+ * \param[in] height_of_cut in the frame of the plan [m] */
 WallFace
 faceOf (const Eigen::Vector3d& normal,
         const PlanPoints& points,
         std::size_t plane,
-        double cut_height);
+        double height_of_cut);
 
 /** \brief Joins faces that lie on one line and face the same way. The joined face has
  * the line of the face with most points. Faces are returned in order of their planes.
@@ -85,8 +85,8 @@ std::vector<WallFace>
 joinFaces (std::vector<WallFace> faces);
 
 /** \brief Returns the faces without fronts of furniture. A face is such a front if it
- * stands before a wall that faces the same way and is seen above most of the length of
- * the front. */
+ * stands before a wall that faces the same way, and points of this wall were seen above
+ * the front along most of its length. */
 std::vector<WallFace>
 withoutFurniture (const std::vector<WallFace>& faces);
 
