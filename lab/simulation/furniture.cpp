@@ -330,7 +330,8 @@ drawRoundClutter (Random& random)
 Body
 drawAtWall (Random& random)
 {
-  constexpr DrawFurniture* draw[] = {
+  using Draw = Body (*) (Random&);
+  constexpr Draw draw[] = {
       drawDesk, drawCupboard, drawShelf, drawBed, drawSofa, drawLeaningBoard};
   return draw[random.below (std::uint32_t (std::size (draw)))](random);
 }
@@ -338,7 +339,8 @@ drawAtWall (Random& random)
 Body
 drawAnywhere (Random& random)
 {
-  constexpr DrawFurniture* draw[] = {
+  using Draw = Body (*) (Random&);
+  constexpr Draw draw[] = {
       drawTable, drawChair, drawCartons, drawTiltedPanel, drawRoundClutter};
   return draw[random.below (std::uint32_t (std::size (draw)))](random);
 }

@@ -6,22 +6,34 @@
 
 namespace pcl_ops::simulation {
 
-/** Draws a piece of furniture that stands on z = 0 around the origin, with its back
- * towards -y. */
-using DrawFurniture = Body (Random& random);
+// Each of these draws a piece of furniture that stands on z = 0 around the origin, with
+// its back towards -y.
 
 /** A desk, a cupboard, a shelf, a bed, a sofa or a leaning board. */
-DrawFurniture drawAtWall;
+Body
+drawAtWall (Random& random);
 /** A table, a chair, cartons, a panel tilted by 25 to 75 degrees, or round things. */
-DrawFurniture drawAnywhere;
-/** A board against a wall, and a board on two posts, both tilted. */
-DrawFurniture drawLeaningBoard, drawRamp;
+Body
+drawAnywhere (Random& random);
+/** A tilted board against a wall. */
+Body
+drawLeaningBoard (Random& random);
+/** A tilted board on two posts. */
+Body
+drawRamp (Random& random);
 /** A ball, a bin, a lamp or a rolled carpet: nothing is planar. */
-DrawFurniture drawRoundClutter;
+Body
+drawRoundClutter (Random& random);
 
-/** Boards on four square posts; boards and posts are 2 to 6 cm thick. Each face is a
- * surface, however narrow. No two faces of a piece are coplanar: a detector would be
- * right to join such faces. */
-DrawFurniture drawBoardTable, drawBoardBench, drawBoardRack;
+// These have boards on four square posts; boards and posts are 2 to 6 cm thick. Each
+// face is a surface, however narrow. No two faces of a piece are coplanar: a detector
+// would be right to join such faces.
+
+Body
+drawBoardTable (Random& random);
+Body
+drawBoardBench (Random& random);
+Body
+drawBoardRack (Random& random);
 
 } // namespace pcl_ops::simulation

@@ -94,7 +94,7 @@ simulatePlaster (const Simulation& simulation)
 SimulatedCloud
 simulateSlabs (const Simulation& simulation)
 {
-  const double points = drawPointsOfSlabs (simulation.seed);
+  const double points = drawPointCountOfSlabs (simulation.seed);
   return scanSlabs (makeSlabs (simulation.seed),
                     pointsOr (points, simulation),
                     simulation.noise,

@@ -62,7 +62,7 @@ makeSlabs (Seed seed)
 }
 
 double
-drawPointsOfSlabs (Seed seed)
+drawPointCountOfSlabs (Seed seed)
 {
   constexpr double fewest = 1e4;
   constexpr double most = 3e5;

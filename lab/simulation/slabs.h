@@ -19,7 +19,7 @@ makeSlabs (Seed seed);
 /** Draws the number of points of a cloud: 10 to 300 thousand, with a uniform logarithm.
  */
 double
-drawPointsOfSlabs (Seed seed);
+drawPointCountOfSlabs (Seed seed);
 
 /** Spreads points evenly over all surfaces.
  * \param[in] noise factor on \ref slabs_sigma */

@@ -118,7 +118,7 @@ TEST (Corner, HasPiecesApartFromEachOtherWithinTheWalls)
     const Vector3d half (0.5 * corner.size.x(), 0.5 * corner.size.y(), 1e9);
     const Eigen::AlignedBox3d room (Vector3d (-half.x(), -half.y(), 0.0), half);
     std::vector<Eigen::AlignedBox3d> placed;
-    for (std::size_t i = 1; i < corner.scene.bodies.size(); ++i) {
+    for (std::size_t i = 1; i < corner.scene.bodies.size(); ++i) { // 0: floor, walls
       const Eigen::AlignedBox3d piece = boxAround (corner.scene.bodies[i], -corner.yaw);
       EXPECT_TRUE (room.intersection (piece).sizes().isApprox (piece.sizes(), 1e-6));
       for (const Eigen::AlignedBox3d& other : placed)
@@ -130,12 +130,14 @@ TEST (Corner, HasPiecesApartFromEachOtherWithinTheWalls)
 
 TEST (Survey, HasNoGroundInAHouseAndNothingOutOfTheRoof)
 {
-  const House house; // in the middle of its ground, with a ridge along x
+  constexpr double margin = 0.1; // [m]
+  const House house;             // in the middle of its ground, with a ridge along x
   const double rise = 2.0 * (house.ridge - house.eaves) / house.width;
   for (const auto& point : scanSurvey ({{house}, 30.0}, 5000, 0.0, 7).cloud) {
     EXPECT_GT (point.label, 0u);
-    const bool is_inside = std::abs (point.x) < 7.4f && std::abs (point.y) < 5.4f;
-    EXPECT_FALSE (is_inside && point.z < 4.9f);
+    const bool is_inside = std::abs (point.x) < 0.5 * house.length - margin &&
+                           std::abs (point.y) < 0.5 * house.width - margin;
+    EXPECT_FALSE (is_inside && point.z < house.eaves - margin);
     const double roof = house.ridge - rise * std::abs (point.y);
     EXPECT_TRUE (point.z == 0.0f || point.z < roof + 5.0 * rounding) << point.z;
   }
@@ -197,14 +199,20 @@ TEST (SurfacePoints, AreDenseEvenlyInTheRangeOfTheirShape)
   };
   const struct {
     Kind kind;
-    double radius, height, share; // of the shape
+    double radius, height, share; // Shape::half_v, half_u and share
     double (*measure) (const Vector3d&);
-    double lowest, limit, highest;
-    double share_below; // share of points below the limit
-  } rows[] = {{Kind::Cone, 0.5, 1.0, 1.0, heightOf, -1.0, -0.5, 0.0, 0.75},
-              {Kind::Dome, 1.0, 0.2, 1.0, heightOf, 0.8, 0.9, 1.0, 0.5}, // Archimedes
-              {Kind::Torus, 0.5, 0.15, 1.0, radiusOf, 0.35, 0.5, 0.65, 0.5 - 0.3 / pi},
-              {Kind::Cylinder, 0.1, 0.5, 0.25, aroundOf, 0, pi / 8, pi / 4, 0.5}};
+    double lowest, limit, highest; // of what is measured
+    double share_below;            // share of points below the limit
+  } rows[] = {
+      // The upper half of a cone, with its apex at zero, has a quarter of the area.
+      {Kind::Cone, 0.5, 1.0, 1.0, heightOf, -1.0, -0.5, 0.0, 0.75},
+      // Slices of a sphere with the same height have the same area (Archimedes).
+      {Kind::Dome, 1.0, 0.2, 1.0, heightOf, 0.8, 0.9, 1.0, 0.5},
+      // The centroid of the inner half circle is 2 * 0.15 / pi nearer to the axis than
+      // 0.5, and areas are as the radii of centroids (Pappus).
+      {Kind::Torus, 0.5, 0.15, 1.0, radiusOf, 0.35, 0.5, 0.65, 0.5 - 0.3 / pi},
+      // A quarter of a cylinder extends 45 degrees to either side of +y.
+      {Kind::Cylinder, 0.1, 0.5, 0.25, aroundOf, 0, pi / 8, pi / 4, 0.5}};
   for (const auto& row : rows) {
     Shape shape{row.kind, origin.translation(), Vector3d::UnitZ()};
     shape.half_u = row.height;
