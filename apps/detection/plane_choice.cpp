@@ -66,7 +66,8 @@ struct OptionReport {
   std::size_t dropped;
 };
 
-/** \brief Returns a report on each option, in the order in which they drop planes.
+/** \brief Returns a report on each option, in the order in which they drop planes; but
+ * --only is first also where it is "largest", which drops planes last.
  * \param[in] dropped by the filter
  * \param[in] not_named number of planes that --only does not name */
 std::vector<OptionReport>
@@ -195,6 +196,7 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
     throw UsageError ("--slope", "ends below where it begins; give MIN,MAX");
   if (line.isGiven ("within") && !line.isGiven ("direction"))
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
+  // Nothing is dropped yet: only names and settings of the reports are used.
   for (const OptionReport& report : reportsOn (choice, {}, 0)) {
     const std::string option = report.option;
     // The value of --within is reported whenever --direction is given.

@@ -46,8 +46,9 @@ public:
     const auto [first, second] = std::minmax ({rootOf (a), rootOf (b)});
     if (first == second)
       return;
-    // Beside the angle the noise decides, as where Sampling::Surfels merges planes
-    // within a tile: with a threshold of 0 no pair passes the test of centroids.
+    // With a threshold of 0 no pair passes the test of centroids: beside the angle only
+    // the noise decides. Its factor is that of Sampling::Surfels, also for tiles that
+    // were searched on neighborhoods.
     MergingParameters by_noise;
     by_noise.distance_threshold = 0.0;
     by_noise.noise_factor = 1.5;

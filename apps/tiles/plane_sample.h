@@ -38,7 +38,8 @@ segmentIn (const nlohmann::ordered_json& plane);
 
 /** \brief Samples the points of the planes in a list (\ref PointSample). Points of
  * planes that are not in the list count as points on no plane.
- * \param[in] list an object whose "planes" is an array of \ref planeObject
+ * \param[in] list as \ref toJson writes it for joined planes: "points" is the number of
+ * points of the survey, "planes" an array of \ref planeObject, each with "moments"
  * \param[in] max_points of the sample, those of all planes and of none together
  * \throws WorkError as \p for_each_point does */
 PlaneSample

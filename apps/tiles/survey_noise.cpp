@@ -26,13 +26,13 @@ tilesToMeasure (const std::vector<std::uint64_t>& points_of_tile)
 {
   // To measure these points takes less time than to find the planes of one large tile.
   // They include densities that only a few per cent of all points have.
-  constexpr std::uint64_t points_to_measure = 400'000;
+  constexpr std::uint64_t points_to_measure = 400'000; // see tilesToMeasure
   const std::size_t tiles = points_of_tile.size();
   const std::uint64_t points =
       std::accumulate (points_of_tile.begin(), points_of_tile.end(), std::uint64_t (0));
   const std::uint64_t step = std::max<std::uint64_t> (1, points / points_to_measure);
-  // Every step-th tile, from the middle of the first step on. If there are fewer tiles
-  // than a step, the remainder chooses one.
+  // The middle one of the first `step` tiles, and every step-th one after it. If the
+  // list ends before that one, the remainder chooses a tile.
   const std::size_t first = step / 2 % std::max<std::size_t> (1, tiles);
   std::vector<std::size_t> chosen;
   for (std::size_t tile = first; tile < tiles; tile += step)

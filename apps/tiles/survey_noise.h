@@ -13,9 +13,10 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Chooses the tiles in which the noise of the survey is measured: evenly
- * spread, with 400,000 points together or more if all tiles have equally many; all
- * tiles of a survey of less than 800,000 points.
+/** \brief Chooses the tiles in which the noise of the survey is measured: all tiles of
+ * a survey of less than 800,000 points; else some, evenly spread, with about 400,000
+ * points or one tile if that has more. If all tiles have equally many points, the
+ * chosen ones have at least two thirds of 400,000.
  * \return their positions in the list
  * \param[in] points_of_tile number of points of each tile */
 std::vector<std::size_t>
