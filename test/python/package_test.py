@@ -69,17 +69,19 @@ class Stubs(unittest.TestCase):
                 given = {arg.arg for arg in self.stubs[name].args.kwonlyargs}
                 self.assertEqual(given, keywords(getattr(pcl_ops, name)), name)
                 self.assertIsNone(self.stubs[name].args.kwarg)
-        kinds = {arg.arg: ast.unparse(arg.annotation) for name in ("segment", "filter_planes")
-                 for arg in self.stubs[name].args.kwonlyargs}
-        up = next(arg for arg in self.stubs["segment"].args.kwonlyargs if arg.arg == "up")
-        self.assertEqual(ast.unparse(up.annotation), "Union[Vector, Literal['auto', 'camera']]")
-        for name, kind in {
-            "threads": "int", "up": "Optional[Up]", "distance_threshold": "Optional[float]",
-            "sampling": "Literal['points', 'surfels', 'neighborhoods', 'automatic']",
-            "merging_enabled": "bool",
-            "orientation": "Optional[Literal['horizontal', 'vertical', 'other']]",
-        }.items():
-            self.assertEqual(kinds[name], kind)
+        types = {function: {arg.arg: ast.unparse(arg.annotation)
+                            for arg in self.stubs[function].args.kwonlyargs}
+                 for function in ("segment", "filter_planes")}
+        for function, parameter, expected in (
+            ("segment", "threads", "int"),
+            ("segment", "up", "Union[Vector, Literal['auto', 'camera']]"),
+            ("segment", "distance_threshold", "Optional[float]"),
+            ("segment", "sampling", "Literal['points', 'surfels', 'neighborhoods', 'automatic']"),
+            ("segment", "merging_enabled", "bool"),
+            ("filter_planes", "up", "Optional[Up]"),
+            ("filter_planes", "orientation", "Optional[Literal['horizontal', 'vertical', 'other']]"),
+        ):
+            self.assertEqual(types[function][parameter], expected, (function, parameter))
 
 
 class Version(unittest.TestCase):
@@ -116,7 +118,7 @@ class Pages(unittest.TestCase):
                 if "planes.geojson" in "".join(code):
                     written = json.loads(pathlib.Path("planes.geojson").read_text())["features"]
                     self.assertEqual(len(written), len(known["planes"]))
-                if "largest" in known:
+                if "largest" in known:  # the floor, with 12,000 of the points of room()
                     self.assertAlmostEqual(len(known["largest"].points), 12000, delta=50)
 
 

@@ -45,10 +45,12 @@ class Planes(unittest.TestCase):
     def test_covariance_knows_noise_that_neighbors_share(self):
         rng = np.random.default_rng(1)
         x_and_y = np.mgrid[0:100, 0:100].reshape(2, -1) * 0.02 + 1e6
+        # Blocks of width x width points have the same error. The variances of the plane grow by
+        # the number of points in a block, 1 or 100, over those for independent errors.
         for width, least, most in ((1, 0.5, 10.0), (10, 50.0, 1000.0)):
             noise = rng.normal(0.0, 0.01, (100 // width, 100 // width)).repeat(width, 0)
             noisy = np.column_stack([*x_and_y, noise.repeat(width, 1).ravel()])
-            # Steps that are flat between are planes of their own without a threshold.
+            # Without the threshold each block would be a plane.
             plane = pcl_ops.segment(noisy, distance_threshold=0.05)[1][0]
             ratio = np.diag(plane.covariance) / np.diag(plane.independent_covariance)
             self.assertTrue((ratio > least).all() and (ratio < most).all(), ratio)
@@ -82,11 +84,11 @@ class Planes(unittest.TestCase):
         plane = pcl_ops.segment(points + far, viewpoint=viewpoint + far)[1][0]
         self.assertAlmostEqual(plane.distances(far + [[1, 1, 0.5]])[0], 0.5, delta=0.003)
 
-    def test_concave_outlines_have_the_doors_of_walls_as_holes(self):
-        wall = surface((0, 0, 0), (3, 0, 0), (0, 0, 2.5), 40000)
-        in_window = (abs(wall[:, 0] - 1.5) < 0.5) & (abs(wall[:, 2] - 1.2) < 0.4)
+    def test_concave_outlines_have_the_windows_of_walls_as_holes(self):
+        facade = surface((0, 0, 0), (3, 0, 0), (0, 0, 2.5), 40000)
+        in_window = (abs(facade[:, 0] - 1.5) < 0.5) & (abs(facade[:, 2] - 1.2) < 0.4)
         for shift in (np.zeros(3), np.array([5e5, 5.4e6, 300.0])):
-            plane = pcl_ops.segment(wall[~in_window] + shift, viewpoint=shift - (0, 9, 0))[1][0]
+            plane = pcl_ops.segment(facade[~in_window] + shift, viewpoint=shift - (0, 9, 0))[1][0]
             rings, area = plane.concave_outline()
             self.assertEqual(len(rings), 2)
             self.assertAlmostEqual(area, 7.5 - 0.8, delta=0.15)
@@ -135,11 +137,12 @@ class Planes(unittest.TestCase):
                 pcl_ops.plane_kinds(planes, **wrong)
 
     def test_keep_their_kinds_where_the_list_changes(self):
-        planes = pcl_ops.segment(points)[1]
-        kinds = [plane.kind for plane in pcl_ops.segment(points)[1]]
-        taken = planes.pop(2)
-        planes.clear()
-        self.assertEqual(taken.kind, kinds[2])
+        expected = [plane.kind for plane in pcl_ops.segment(points)[1]]
+        changed = pcl_ops.segment(points)[1]
+        taken = changed.pop(2)
+        changed.clear()
+        # Kinds are found when the first one is asked for, here after the changes.
+        self.assertEqual(taken.kind, expected[2])
 
     def test_of_a_room_make_a_floor_plan(self):
         door = (1.0, 1.9)
@@ -193,7 +196,7 @@ class Planes(unittest.TestCase):
             with self.assertRaises(ValueError):
                 pcl_ops.floor_plan(planes, **wrong)
 
-    def test_of_a_building_are_a_module_with_the_same_calls(self):
+    def test_calls_for_buildings_are_also_in_a_module_of_their_own(self):
         buildings = pcl_ops.buildings
         self.assertEqual(buildings.kinds(planes, up=(0, 0, 2)), ["floor", "wall", "wall"])
         self.assertIs(buildings.floor_plan, pcl_ops.floor_plan)
@@ -361,7 +364,7 @@ class UpAxis(unittest.TestCase):
 
 
 class UpOfTheFoundPlanes(unittest.TestCase):
-    """A room whose z is down the axis y of the array, with planes that were found with up."""
+    """Calls without up take that of the planes: here -y, as the room is in axes of a camera."""
 
     turned = points[:, [0, 2, 1]] * np.float32((1, -1, 1))
     sensor = viewpoint[[0, 2, 1]] * (1, -1, 1)
@@ -669,7 +672,7 @@ class Mistakes(unittest.TestCase):
                 with self.assertRaisesRegex(ValueError, "up: has no direction"):
                     pcl_ops.write_planes(f"{folder}/p.csv", planes, up=up)
 
-    def test_an_up_of_any_length_is_none(self):
+    def test_an_up_of_any_length_is_accepted(self):
         self.assertEqual(floor.as_dict((0, 0, 1e300))["slope"], floor.as_dict()["slope"])
 
 

@@ -91,8 +91,8 @@ class Progress(unittest.TestCase):
         self.assertEqual(script.returncode, 3)
 
 
-# Writes each call to the file "asked". With --print-uris it prints sizes; another installation
-# fails, with the exit code STATUS.
+# Writes each call to the file "asked". With --print-uris it prints sizes. An installation itself
+# prints an error and ends with the exit code STATUS; with 0 it counts as done.
 APT_GET = """#!/bin/sh
 echo "$*" >> "$FOLDER/asked"
 case "$*" in
@@ -124,6 +124,7 @@ class Installation(unittest.TestCase):
         status, output, errors = self.install("0")
         self.assertEqual((status, errors), (0, ""))
         self.assertEqual(output, "==> installing a b\n==>   packages: 3\n==>   to fetch: 12.5 MB\n")
+        # The calls are: update, install --print-uris, install.
         asked = [line.split() for line in (self.folder / "asked").read_text().splitlines()]
         self.assertEqual(["install" in words and "--print-uris" not in words for words in asked],
                          [False, False, True])
