@@ -15,9 +15,9 @@ struct PlaceConstants {
   /** \brief A neighborhood has min_neighborhood * (points of the cloud /
    * points_of_min_neighborhood) ^ neighborhood_exponent points, its place included, but
    * not fewer than min_neighborhood and not more than max_neighborhood. Then the factor
-   * of \ref neighborhoodSize multiplies the number. Small clouds
-   * have small planes and need small neighborhoods. Large clouds need large ones: the
-   * beams of a lidar are farther apart than the points along a beam. */
+   * of \ref neighborhoodSize multiplies the number. Small clouds have small planes and
+   * need small neighborhoods. Large clouds need large ones: the beams of a lidar are
+   * farther apart than the points along a beam. */
   double min_neighborhood = 10.0;
   double max_neighborhood = 36.0;
   double points_of_min_neighborhood = 400.0;

@@ -51,13 +51,15 @@ detail::detect (const DetectorInput& input,
                 const OrientedPointSamplingParameters& parameters)
 {
   using namespace internal;
+  // The local origin is a multiple of the coarsest voxel's edge, so that voxels begin
+  // at multiples of their edge in the frame of the cloud, too.
   Detection found = detectInFinitePoints (
       input,
       parameters,
       [&] (const Points& points, StageDurations& durations) {
         return detectBySampling (input, parameters, points, durations);
       },
-      coarsestVoxel (parameters.surfels)); // so voxels begin at multiples of their edge
+      coarsestVoxel (parameters.surfels));
   if (usedSampling (parameters) == Sampling::Neighborhoods)
     reportLabels (parameters.on_stage, found.planes, input.cloud.size);
   return found;

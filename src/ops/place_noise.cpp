@@ -70,7 +70,7 @@ growthsOf (const Places& places, const std::vector<int>& settled_level)
                     (places.supports[level][i].scatter + least_noise)
               : 1.0F);
   }
-  // The fewer places have a settled support, the closer to 1 (no growth) the result is.
+  // The fewer places these are, the closer to 1 (no growth) the result is.
   const double share_of_settled = static_cast<double> (growths_of_level[0].size()) /
                                   static_cast<double> (places.size());
   const double weight =
@@ -181,9 +181,9 @@ measureUsualNoise (const Places& places,
   setUsualNoise (density, telling_noise, cloud);
 }
 
-// Limits the noise of each place to a range around the usual noise at its density: the
-// scatter at leaves and edges is larger than their noise, that of some places smaller
-// by chance.
+// Limits the noise of each place to a range around the usual noise at its density: at
+// leaves and edges the scatter of supports is larger than the noise, and at some places
+// it is smaller by chance.
 void
 limitByUsual (const Places& places,
               const CloudNoise& cloud,

@@ -13,7 +13,8 @@ namespace pcl_ops::internal {
 bool
 drawsNothing (const OrientedPointSamplingParameters& parameters, std::size_t points)
 {
-  // Expected number of points. The default rate expects .18 of least_places points.
+  // Expected number of drawn points. The default rate draws .18 points on average from
+  // a cloud of least_places points.
   constexpr double min_drawn = 0.1;
   return parameters.sampling_rate * static_cast<double> (points) < min_drawn;
 }

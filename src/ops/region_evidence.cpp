@@ -32,7 +32,7 @@ membersOf (const Regions& regions)
 // Returns RegionEvidence::bend. Fits a quadratic surface to the places of a region by
 // least squares: its height over the plane of the region is a sum of the terms 1, s, t,
 // s^2, s t, t^2, with coordinates s and t in the plane in units of the width. Returns
-// the rms height of that surface over the rms residual, at most max_bend.
+// the rms height of that surface divided by the rms residual, at most max_bend.
 double
 bendOf (const Places& places, const Region& region, const Indices& members)
 {

@@ -13,9 +13,9 @@ struct RegionEvidence {
   /** \brief Base 10 logarithm of the ratio of its points to the square root of the
    * number of points of the cloud; smaller if neighboring points err alike. */
   double size = 0.0;
-  /** \brief Rms height of the quadratic surface fitted to the region, over the plane of
-   * the region, divided by the rms of the residuals; 0 if the region is flat or has
-   * fewer than 6 places. At most PlaceConstants::max_bend. */
+  /** \brief A quadratic surface is fitted to the region: the rms of its height above
+   * the plane of the region, divided by the rms of the residuals. It is 0 if the region
+   * is flat or has fewer than 6 places, and at most PlaceConstants::max_bend. */
   double bend = 0.0;
   /** \brief Sum over adjacent regions that continue it smoothly: their share of its
    * border, times their bend. High for the facets of a round surface. */

@@ -13,8 +13,8 @@ namespace pcl_ops::internal {
  * regions contain the place or one of its neighbors, if the place is near enough. The
  * likeliest plane has the smallest d^2 / s^2 + 2 ln s, where d is the distance of the
  * place to the plane and s the noise of the plane around the place: the scatter of the
- * region or the noise of the place, whichever is larger. Without the
- * logarithm noisy planes would take the points of clean ones.
+ * region or the noise of the place, whichever is larger. Without the logarithm noisy
+ * planes would take the points of clean ones.
  * \param[in] is_plane for each region, whether it is a plane
  * \param[in] distance_threshold largest distance to the plane [m]; if not given, it
  * follows the noise

@@ -113,8 +113,8 @@ private:
   void
   take (std::uint32_t place)
   {
-    // If the middle variance over the smallest one is less, it is not clear enough
-    // along which axis the region is thin.
+    // If the middle variance is not more than this many times the smallest one, it is
+    // not clear enough along which axis the region is thin.
     constexpr double min_ratio_of_variances = 4.0;
     add (place);
     const double points = region_.moments.count;
