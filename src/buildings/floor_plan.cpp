@@ -133,11 +133,11 @@ lowestFloor (const std::vector<PlanPlane>& planes)
  * floor is less than a step above it.
  * \param[in] lowest height of the \ref lowestFloor */
 double
-floorBelow (const std::vector<PlanPlane>& planes, double cut_height, double lowest)
+floorBelow (const std::vector<PlanPlane>& planes, double height_of_cut, double lowest)
 {
   double floor = lowest;
   for (const PlanPlane& plane : planes)
-    if (plane.kind == PlaneKind::Floor && plane.height < cut_height)
+    if (plane.kind == PlaneKind::Floor && plane.height < height_of_cut)
       floor = std::max (floor, plane.height);
   // Parts of one floor differ in height by less than a step.
   return floor - lowest < constants.step ? lowest : floor;
@@ -218,10 +218,10 @@ coverWalls (const PlanPoints& roofs, const std::vector<PlanPlane>& planes)
  * ceiling and a building stands under the roofs, because floors then are ground around
  * it; otherwise of floors, ceilings, tables, slabs and ramps. */
 Cover
-coverAt (const std::vector<PlanPlane>& planes, double floor, double cut_height)
+coverAt (const std::vector<PlanPlane>& planes, double floor, double height_of_cut)
 {
   const auto is_below_cut = [&] (const PlanPlane& plane) {
-    return plane.height <= cut_height &&
+    return plane.height <= height_of_cut &&
            plane.height > floor - constants.max_below_floor;
   };
   Cover cover;
@@ -229,11 +229,11 @@ coverAt (const std::vector<PlanPlane>& planes, double floor, double cut_height)
     return plane.kind == PlaneKind::Floor && is_below_cut (plane);
   });
   cover.ceiling = pointsOf (planes, [&] (const PlanPlane& plane) {
-    return plane.kind == PlaneKind::Ceiling && plane.height > cut_height &&
-           plane.height < cut_height + constants.max_ceiling_over_cut;
+    return plane.kind == PlaneKind::Ceiling && plane.height > height_of_cut &&
+           plane.height < height_of_cut + constants.max_ceiling_over_cut;
   });
   PlanPoints roofs = pointsOf (planes, [&] (const PlanPlane& plane) {
-    return plane.kind == PlaneKind::Roof && plane.height > cut_height;
+    return plane.kind == PlaneKind::Roof && plane.height > height_of_cut;
   });
   if (cover.ceiling.empty() && coverWalls (roofs, planes)) {
     cover.points = std::move (roofs);
@@ -277,13 +277,13 @@ turnToRooms (const RoomSides& rooms, std::vector<PlanPlane>& planes)
 void
 findWhereRoomsEnd (const RoomSides& rooms,
                    const std::vector<PlanPlane>& planes,
-                   double cut_height,
+                   double height_of_cut,
                    std::vector<WallFace>& faces)
 {
   for (WallFace& face : faces) {
     const PlanPlane& plane = planes[face.planes.front()];
-    const auto is_over_furniture = [cut_height] (const Vector3d& point) {
-      const double over_cut = point.z() - cut_height;
+    const auto is_over_furniture = [height_of_cut] (const Vector3d& point) {
+      const double over_cut = point.z() - height_of_cut;
       return over_cut > constants.half_band_of_cloud &&
              over_cut < constants.max_furniture_over_cut;
     };
@@ -300,17 +300,19 @@ findWhereRoomsEnd (const RoomSides& rooms,
 /** \brief Returns a face for each plane with points for which \p isSuch is true. */
 template <typename IsSuch>
 std::vector<WallFace>
-facesOf (const std::vector<PlanPlane>& planes, double cut_height, const IsSuch& isSuch)
+facesOf (const std::vector<PlanPlane>& planes,
+         double height_of_cut,
+         const IsSuch& isSuch)
 {
   std::vector<WallFace> faces;
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (isSuch (planes[i]) && !planes[i].points.empty())
-      faces.push_back (faceOf (planes[i].normal, planes[i].points, i, cut_height));
+      faces.push_back (faceOf (planes[i].normal, planes[i].points, i, height_of_cut));
   return faces;
 }
 
 bool
-isSeenWall (const PlanPlane& plane)
+isWall (const PlanPlane& plane)
 {
   return plane.kind == PlaneKind::Wall;
 }
@@ -463,7 +465,7 @@ findFloorPlan (const CloudView& cloud,
   excludeFurniture (cover, plan_planes);
   const RoomSides rooms ({&cover.floor, &cover.ceiling});
   turnToRooms (rooms, plan_planes);
-  std::vector<WallFace> walls = facesOf (plan_planes, plan.height, isSeenWall);
+  std::vector<WallFace> walls = facesOf (plan_planes, plan.height, isWall);
   findWhereRoomsEnd (rooms, plan_planes, plan.height, walls);
   const std::vector<WallFace> faces =
       withoutRecesses (withoutFurniture (joinFaces (std::move (walls))),

@@ -257,7 +257,7 @@ isWithinWall (const PlanCell& cell, const DividedPlan& plan)
   std::size_t before = 0;
   for (std::size_t i = 0; i < cell.corners.size(); ++i) {
     const PlanSide side = sideOf (cell, i);
-    const bool is_short = 4.0 * side.length() < length;
+    const bool is_short = 4.0 * side.length() < length; // below a quarter of the border
     if (is_short)
       continue;
     const bool is_behind = side.line != no_line &&

@@ -98,7 +98,10 @@ gapsOf (const Interval& whole, const Intervals& cut)
 /** \brief Returns the opening of a gap. Its sill and head are the heights over the
  * floor of the wall points next below and above the cut, in the middle of the gap. */
 PlanOpening
-openingOf (const WallFace& face, const Interval& gap, double floor, double cut_height)
+openingOf (const WallFace& face,
+           const Interval& gap,
+           double floor,
+           double height_of_cut)
 {
   const double low = gap.from + constants.margin_of_opening * gap.length();
   const double high = gap.to - constants.margin_of_opening * gap.length();
@@ -109,7 +112,7 @@ openingOf (const WallFace& face, const Interval& gap, double floor, double cut_h
     if (point.position < low || point.position > high)
       continue;
     const double over_floor = point.height - floor;
-    if (point.height < cut_height)
+    if (point.height < height_of_cut)
       opening.sill = std::max (opening.sill.value_or (over_floor), over_floor);
     else
       opening.head = std::min (opening.head.value_or (over_floor), over_floor);
@@ -190,7 +193,7 @@ std::vector<PlanWall>
 toWalls (const std::vector<WallFace>& faces,
          const std::vector<WallSpan>& spans,
          double floor,
-         double cut_height)
+         double height_of_cut)
 {
   std::vector<PlanWall> walls;
   for (const WallSpan& span : spans) {
@@ -200,7 +203,7 @@ toWalls (const std::vector<WallFace>& faces,
     wall.to = face.line.at (span.whole.to);
     wall.thickness = thicknessOf (span, faces, spans);
     for (const Interval& gap : span.openings)
-      wall.openings.push_back (openingOf (face, gap, floor, cut_height));
+      wall.openings.push_back (openingOf (face, gap, floor, height_of_cut));
     wall.planes = face.planes;
     walls.push_back (std::move (wall));
   }

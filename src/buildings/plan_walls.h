@@ -41,12 +41,12 @@ addOpenings (const std::vector<WallFace>& faces,
              std::vector<WallSpan>& spans);
 
 /** \brief Returns one wall of the plan for each span.
- * \param[in] floor height of the floor [m]
- * \param[in] cut_height height of the cut [m] */
+ * \param[in] floor height of the floor in the frame of the plan [m]
+ * \param[in] height_of_cut in the frame of the plan [m] */
 std::vector<PlanWall>
 toWalls (const std::vector<WallFace>& faces,
          const std::vector<WallSpan>& spans,
          double floor,
-         double cut_height);
+         double height_of_cut);
 
 } // namespace pcl_ops::internal::buildings
