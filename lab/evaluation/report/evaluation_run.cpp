@@ -35,8 +35,9 @@ namespace fs = std::filesystem;
 /** What a user can do if the memory is too small. */
 constexpr const char* memory_advice = "give a smaller cloud or fewer --jobs";
 
-/** Shares of a cloud's points that are on found planes and on thick planes: planes with
- * a Thickness::factor above \ref thick_factor, or an rms distance above the length. */
+/** Shares of a cloud's points that are on found planes and on thick ones. A plane is
+ * thick by factor if its Thickness::factor is above \ref thick_factor, and thick by
+ * length if the rms distance of its points is above thick_length. */
 struct ThicknessSummary {
   double on_planes = 0.0;
   double on_thick_by_factor = 0.0;

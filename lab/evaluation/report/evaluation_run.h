@@ -33,8 +33,8 @@ struct EvaluationPlan {
 };
 
 /** Numbers of a run. \ref clouds includes those whose rows were all in the file before,
- * but not the broken ones, which could not be loaded. The row of a stopped run
- * has the time limit as detection_ms, and no metrics. */
+ * but not the broken ones, which could not be loaded. The row of a stopped run has the
+ * time limit as detection_ms, and no metrics. */
 struct EvaluationSummary {
   std::size_t clouds = 0, new_rows = 0;
   std::size_t broken_clouds = 0, failed_runs = 0, stopped_runs = 0;
