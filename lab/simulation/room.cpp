@@ -133,7 +133,7 @@ struct Furnisher {
   bool
   occupy (const Vector2d& footprint, const Isometry3d& pose)
   {
-    constexpr double clearance = 0.1; // between two pieces, to walk [m]
+    constexpr double clearance = 0.1; // least distance of two pieces [m]
     AlignedBox2d covered;
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5}) {

@@ -111,14 +111,15 @@ drawCar (Random& random)
     car.addSurface (
         WallRange{rear, front, belt, roof}.rectangleAt (side * cabin_width));
   constexpr double radius = 0.31;
-  constexpr double half_wheel = 0.1; // half the width of a tire
+  constexpr double half_wheel = 0.1;    // half the width of a tire
+  constexpr double wheel_inside = 0.05; // from the side of the car to a tire
   // From the side of the car to the middle of the ball of a hub. The radius is larger,
   // so that a cap of the ball bulges out.
   constexpr double hub_inside = 0.25;
   for (const double along : {-0.3, 0.3})
     for (const double side : {-1.0, 1.0}) {
       const double x = along * length;
-      const double y = side * (0.5 * width - 0.05 - half_wheel);
+      const double y = side * (0.5 * width - wheel_inside - half_wheel);
       car.addCylinder ({x, y, radius}, Vector3d::UnitY(), half_wheel, radius);
       car.addSphere ({x, side * (0.5 * width - hub_inside), radius}, radius);
     }

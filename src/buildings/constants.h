@@ -15,10 +15,10 @@ struct BuildingConstants {
   // Stories.
   /** \brief Level planes within this height difference are one level. Points of walls
    * and ceilings are above the top of a front or a wall if they are higher by more than
-   * this.
-   */
+   * this. */
   double same_level = 0.15;
-  /** \brief Height of a step: a surface higher above the floor is no part of it. */
+  /** \brief Height of a step: a surface higher above the floor is no part of the floor.
+   */
   double step = 0.3;
   /** \brief Smallest height of a ceiling over its floor, so that one can stand. */
   double headroom = 1.9;
@@ -236,7 +236,8 @@ struct BuildingConstants {
   /** \brief Distance of the rim of a plan from the outermost walls. An end of a wall is
    * free if no other wall passes through it or ends nearer to it than this. */
   double margin_of_plan = 0.5;
-  /** \brief The number of cells grows with the square of the number of walls. */
+  /** \brief A plan with more walls gets no rooms: the number of cells grows with the
+   * square of the number of walls. */
   std::size_t max_walls = 1'000;
   /** \brief Grid of points that cover rooms: smallest edge of a square, largest number
    * of squares, and mean points of a square so that few covered squares are empty. */

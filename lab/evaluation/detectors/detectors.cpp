@@ -111,10 +111,10 @@ addPieces (std::vector<Configuration>& all)
   all.push_back ({"ops-pieces", {"pieces"}, run});
 }
 
-/** Adds the rows of the paper's tables and, before those of each method, its presets.
- */
+/** Adds the detectors of this project: for each method the default preset and the rows
+ * of the paper's tables, and for OPS also ops-voxels and ops-pieces. */
 void
-addRowsOfPaper (std::vector<Configuration>& all)
+addOwnDetectors (std::vector<Configuration>& all)
 {
   add<Ops> (all, "ops", "presets", {});
   Ops::Parameters on_voxels;
@@ -184,7 +184,7 @@ allConfigurations ()
 {
   static const std::vector<Configuration> all = [] {
     std::vector<Configuration> configurations;
-    addRowsOfPaper (configurations);
+    addOwnDetectors (configurations);
     addPeers (configurations);
     addAblation (configurations);
     return configurations;
