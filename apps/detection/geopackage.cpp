@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief Each error of SQLite is taken for a lack of memory, as the database is there.
+/** \brief The database is in memory, so each error of SQLite is one for lack of memory.
  * \throws std::bad_alloc if the code is not the expected one */
 void
 checkMemory (int code, int expected = SQLITE_OK)

@@ -211,7 +211,8 @@ sampleInputs (const std::vector<std::string>& files)
 std::vector<Eigen::Vector3d>
 evenSample (const std::vector<InputSample>& samples)
 {
-  // The smallest share of its points that the sample of an input has limits all.
+  // The input whose sample has the smallest share of its points limits the share of
+  // all.
   double share = 1.0;
   for (const InputSample& sample : samples)
     if (!sample.points.empty())

@@ -26,7 +26,7 @@ tilesToMeasure (const std::vector<std::uint64_t>& points_of_tile)
 {
   // To measure these points takes less time than to find the planes of one large tile.
   // They include densities that only a few per cent of all points have.
-  constexpr std::uint64_t points_to_measure = 400'000; // see tilesToMeasure
+  constexpr std::uint64_t points_to_measure = 400'000; // of the chosen tiles together
   const std::size_t tiles = points_of_tile.size();
   const std::uint64_t points =
       std::accumulate (points_of_tile.begin(), points_of_tile.end(), std::uint64_t (0));
