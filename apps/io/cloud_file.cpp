@@ -429,9 +429,9 @@ setField (FileCloud& cloud,
   const int replaced = pcl::getFieldIndex (points, name);
   const bool is_new = replaced < 0;
   const int next = is_new ? pcl::getFieldIndex (points, before) : replaced;
-  const bool goes_last = next < 0; // no field has either name
-  const std::size_t index =
-      goes_last ? points.fields.size() : static_cast<std::size_t> (next);
+  std::size_t index = points.fields.size(); // where no field has either name
+  if (next >= 0)
+    index = static_cast<std::size_t> (next);
   const auto offset_of = [&] (std::size_t i) {
     return i < points.fields.size() ? points.fields[i].offset : points.point_step;
   };

@@ -342,9 +342,9 @@ batchTask (const SegmentOptions& options, const std::string& input)
   };
   const Outputs& given = options.outputs;
   Task task{input, {}};
-  const bool stays_las = isLasName (input) && options.format.empty();
-  const std::string extension =
-      stays_las ? extensionOf (input) : options.cloudExtension();
+  std::string extension = options.cloudExtension();
+  if (isLasName (input) && options.format.empty())
+    extension = extensionOf (input); // .laz stays .laz
   task.outputs.cloud = output ("{}" + extension);
   for (const OutputOption& option : output_options)
     task.outputs.*option.output = output (given.*option.output);

@@ -394,7 +394,8 @@ checkIsFor (const Plan& plan,
   const bool is_on_these_voxels =
       plan.is_on_voxels && options.voxel_size == plan.grid.edge;
   if (options.voxel_size && !is_on_these_voxels)
-    refuse ("--voxel-size was another one");
+    refuse (plan.is_on_voxels ? "--voxel-size was another one"
+                              : "it was made without --voxel-size");
   if (options.tile && cellsOfTile (options, plan.grid.edge) != plan.grid.cells_of_tile)
     refuse ("--tile was another one");
   if (options.meter && *options.meter != plan.meter)
