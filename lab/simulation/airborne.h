@@ -21,7 +21,7 @@ struct AirborneSite {
   Relief relief = {};
   int lots = 4;         // number along each side
   double density = 0.6; // [points / m^2]
-  /** The house on each lot, row by row; none: the lot has a wood. */
+  /** The house on each lot, row by row; no value if trees cover the lot. */
   std::vector<std::optional<House>> houses = {};
 
   /** \return edge of the site [m] */

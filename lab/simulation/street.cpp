@@ -176,7 +176,7 @@ struct Roadside {
 };
 
 /** Adds up to three bushes to the garden in front of a house, if they have room there.
- * \param[in] middle of the house along the street
+ * \param[in] middle position of the center of the house along the street [m]
  * \param[in] setback depth of the garden */
 void
 addBushes (

@@ -49,7 +49,7 @@ neverAsked (const PlaneSegment& /*plane*/)
   return {};
 }
 
-/** \brief The number of points of each plane of the house that is left; fails if the
+/** \brief The number of points of each plane of the house that is kept; fails if the
  * others are not all dropped for the same reason. */
 std::vector<std::size_t>
 leftOfHouse (const PlaneFilter& filter, std::size_t DroppedPlanes::*reason)
